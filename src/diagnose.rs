@@ -46,7 +46,9 @@ mod tests;
 pub use hypotheses::Named;
 pub use next_experiment::{Separation, discriminating_motion};
 pub use recording::{HIGHEST, Recording, Stretch, fixed_preparation, preparation};
-pub use result::{Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, NextExperiment, Offer, Offered, Verdict};
+pub use result::{
+    Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, NextExperiment, Offer, Offered, Verdict, measured_on,
+};
 pub use robot_file::extended;
 pub use run::{DiagnoseError, Settings, diagnose, misses};
 pub use search::SearchSettings;

@@ -202,21 +202,10 @@ impl Identify {
             file.robot.links.len() == file.robot.joints.len() && file.robot.links.iter().all(Option::is_some);
         let near = self.prior == PriorFrom::Cad && complete && matches!(possible, Some(Ok(_)));
         let refused = matches!(possible, Some(Err(_)));
-        let floors = floors(&file.robot, &arm);
-        let mut written = match &possible {
-            Some(Ok(bodies)) => Written::bodies(exact.as_ref().unwrap_or(&bodies.standard), &arm, &found, &floors),
-            _ => Written::plain(&arm, &fit, &validate, &found, &solving, &floors)?,
-        };
-        // Plain values are written where they predict the torque of some joint, and links that
-        // could be built have them.
         let idle = possible.is_none() && !underdetermined && carry.says_nothing(&found);
-        let unbuildable = match possible {
-            None if self.out.is_some() => {
-                let (prior, settings) = (self.prior_of(&file.robot, &bodies), self.settings(&file.robot, &arm)?);
-                written.with_buildable_links(&arm, &prior, &settings)
-            }
-            _ => Vec::new(),
-        };
+        let logs = [&fit[..], &validate[..]];
+        let (written, unbuildable) =
+            self.to_write(&file.robot, &arm, &bodies, logs, &found, &solving, possible.as_ref(), exact.as_deref())?;
         let nothing = refused || idle || !unbuildable.is_empty();
         let out = self.out.as_ref().filter(|_| !nothing && (!underdetermined || near));
         let possible = possible.as_ref().map(|result| report::Possible {
@@ -263,6 +252,36 @@ impl Identify {
             }
         }
         self.outcome(underdetermined, out, refused, &unbuildable)
+    }
+
+    /// Standard parameters for the robot file, and the links (from 1) that no body can have, where
+    /// there are no others with the plain values.
+    #[allow(clippy::too_many_arguments)]
+    fn to_write(
+        &self,
+        robot: &Robot,
+        arm: &Coupled<'_>,
+        reach: &dyn LinkExtents,
+        [fit, validate]: [&[Factors]; 2],
+        found: &Identification,
+        solving: &IdentifySettings,
+        possible: Option<&Result<Consistent, ConsistentError>>,
+        exact: Option<&[f64]>,
+    ) -> Result<(Written, Vec<usize>), Failure> {
+        let floors = floors(robot, arm);
+        if let Some(Ok(bodies)) = possible {
+            return Ok((Written::bodies(exact.unwrap_or(&bodies.standard), arm, found, &floors), Vec::new()));
+        }
+        let mut written = Written::plain(arm, fit, validate, found, solving, &floors)?;
+        if possible.is_some() || self.out.is_none() {
+            return Ok((written, Vec::new()));
+        }
+        let (prior, settings) = (self.prior_of(robot, reach), self.settings(robot, arm)?);
+        match buildable_links(arm, &written.standard, &prior, &settings) {
+            Ok(standard) => written.standard = standard,
+            Err(impossible) => return Ok((written, impossible)),
+        }
+        Ok((written, Vec::new()))
     }
 
     /// Exit status: whether what was asked for was written, and if not, why.
@@ -543,21 +562,6 @@ impl Written {
             at_bound.push(name.clone());
         }
         Ok(Self { standard, at_bound, warning })
-    }
-
-    /// Puts links that could be built in place of others with the same torques; the impossible ones
-    /// (from 1) where there are no such links.
-    fn with_buildable_links(
-        &mut self,
-        arm: &dyn Arm,
-        prior: &[PriorBody],
-        settings: &ConsistentSettings,
-    ) -> Vec<usize> {
-        match buildable_links(arm, &self.standard, prior, settings) {
-            Ok(standard) => self.standard = standard,
-            Err(impossible) => return impossible,
-        }
-        Vec::new()
     }
 }
 

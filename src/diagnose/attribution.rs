@@ -7,7 +7,7 @@ use super::evidence::Shown;
 use super::judge::Accepted;
 use super::measure::{Measured, share, taken_of};
 use super::model::{Fitted, ModelUnderTest};
-use super::result::{Cause, Curve};
+use super::result::{Cause, Curve, measured_on};
 use super::structure::Structure;
 use super::uncertainty::{Uncertainty, parameters};
 use crate::diagnose::baseline_friction::Plain;
@@ -24,20 +24,22 @@ pub(super) struct Attribution<'a> {
     /// What plain friction might be instead.
     pub(super) rivals: &'a [Plain],
     pub(super) noise: &'a [f64],
+    /// Whether the validating data are logs of their own.
+    pub(super) own_validation: bool,
 }
 
 impl Attribution<'_> {
-    /// An item as a cause of the result: errors without it and with it, on the fitted logs (`here`)
-    /// or the validating ones.
+    /// An item as a cause of the result: errors without it and with it, `on` the fitted logs (`fit`)
+    /// or the validating ones (`validate`).
     pub(super) fn weigh(
         &self,
         item: &Item,
         without: &Measured,
         with: &Measured,
         interval: [f64; 2],
-        here: bool,
+        on: &'static str,
     ) -> Cause {
-        let Self { bench, fitted, uncertainty, accepted: all, rivals: plain_rivals, noise } = *self;
+        let Self { bench, fitted, uncertainty, accepted: all, rivals: plain_rivals, noise, own_validation } = *self;
         let mut keys = match item.accepted {
             Some(index) => parameters(bench, fitted, uncertainty, index, &all[index].chosen),
             None => friction_values(bench, fitted, &uncertainty.covariance, item),
@@ -77,7 +79,7 @@ impl Attribution<'_> {
                 before: &without.rms,
                 after: &with.rms,
                 noise,
-                on: if here { "fit" } else { "validate" },
+                on: measured_on(on, own_validation),
                 confirmed: accepted.map(|a| a.confirmed),
             }) + &elsewhere.collect::<String>(),
             curve: item.accepted.and_then(|index| evidence::curve(bench, fitted, index, &all[index].chosen)),
@@ -86,7 +88,7 @@ impl Attribution<'_> {
             interval,
             rms_before: without.rms.clone(),
             rms_after: with.rms.clone(),
-            on: if here { "fit" } else { "validate" },
+            on,
             not_distinguished_from: confusable(bench, item, accepted, plain_rivals),
             shown_by: item.hypothesis.shown_by(),
         }

@@ -28,7 +28,7 @@ pub(super) struct Shown<'a> {
     /// Joints, from 0.
     pub place: &'a [usize],
     pub parameters: &'a [Named],
-    /// Root mean squares without and with it, N m, on the `on` logs.
+    /// Root mean squares without and with it, N m, on what `on` says.
     pub before: &'a [f64],
     pub after: &'a [f64],
     pub noise: &'a [f64],
@@ -74,13 +74,12 @@ pub(super) fn sentence(shown: &Shown<'_>) -> String {
         }
     });
     format!(
-        "{where_}: {} ({}); the error of joint {} {moves} from {} to {} N m on the {} logs{gained}{confirmed}",
+        "{where_}: {} ({}); the error of joint {} {moves} from {} to {} N m on {on}{gained}{confirmed}",
         cause.says(),
         numbers.join(", "),
         main + 1,
         short(before[main]),
         short(after[main]),
-        if on == "fit" { "fitted" } else { "validating" },
     )
 }
 

@@ -5,7 +5,7 @@ use super::evidence;
 use super::judge::chosen_of;
 use super::measure::{Meter, bootstrap, matters, root_mean_square, share, taken_of};
 use super::model::{Mode, ModelUnderTest};
-use super::result::Cause;
+use super::result::{Cause, measured_on};
 use crate::diagnose::attribution::MOST_MARGIN;
 use crate::diagnose::refine_and_select::{Case, Settled};
 use dh_codegen::robot::effects;
@@ -35,8 +35,11 @@ impl Case<'_> {
         Some(Cause {
             cause: effects::LinkInertiaError::NAME,
             evidence: format!(
-                "the base parameters of joint(s) {joints:?} differ from the file's by more than five of their standard deviations; with the file's own and everything else that was found {} N m are missed on the validating logs (RMS over joints), with these {} N m",
+                "the base parameters of joint{} {} differ from the file's by more than five of their standard deviations; with the file's own and everything else that was found {} N m are missed on {} (RMS over joints), with these {} N m",
+                if joints.len() > 1 { "s" } else { "" },
+                joints.iter().map(usize::to_string).collect::<Vec<_>>().join(", "),
                 evidence::short(root_mean_square(&without.rms)),
+                measured_on("validate", self.own_validation),
                 evidence::short(root_mean_square(&after.rms)),
             ),
             joints,

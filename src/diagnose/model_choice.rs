@@ -95,12 +95,28 @@ impl LeftOut {
     /// Root mean square over all stretches and joints, N m.
     pub fn rms(&self) -> f64 {
         let joints = self.squares.first().map_or(0, Vec::len);
-        let of = |j: usize| {
-            let sum: f64 = self.squares.iter().zip(&self.counts).map(|(s, n)| s[j] * n[j]).sum();
-            let count: f64 = self.counts.iter().map(|n| n[j]).sum();
-            if count > 0.0 { sum / count } else { 0.0 }
+        ((0..joints).map(|j| self.mean_square(j)).sum::<f64>() / joints.max(1) as f64).sqrt()
+    }
+
+    /// Root mean square of a joint over all stretches, N m.
+    pub fn joint_rms(&self, joint: usize) -> f64 {
+        self.mean_square(joint).sqrt()
+    }
+
+    /// The joint whose error differs most from `other`'s, as a part of itself; what is below `floor`
+    /// (N m, per joint) does not count.
+    pub fn most_changed(&self, other: &Self, floor: &[f64]) -> usize {
+        let change = |j: &usize| {
+            let [a, b] = [self, other].map(|m| m.mean_square(*j));
+            (a - b).abs() / (a + b + 2.0 * floor[*j].powi(2)).max(f64::MIN_POSITIVE)
         };
-        ((0..joints).map(of).sum::<f64>() / joints.max(1) as f64).sqrt()
+        (0..floor.len()).max_by(|a, b| change(a).total_cmp(&change(b))).unwrap_or(0)
+    }
+
+    fn mean_square(&self, joint: usize) -> f64 {
+        let sum: f64 = self.squares.iter().zip(&self.counts).map(|(s, n)| s[joint] * n[joint]).sum();
+        let count: f64 = self.counts.iter().map(|n| n[joint]).sum();
+        if count > 0.0 { sum / count } else { 0.0 }
     }
 }
 
@@ -139,5 +155,9 @@ mod tests {
         // Three joints err half as much, a hundred times as heavy a one somewhat more.
         let paired = model(0.25, 120.0).less(&model(1.0, 100.0), &[0.0; 4]);
         assert!(paired.sure() && paired.gain > 0.3 && !paired.worth_refit(), "{paired:?}");
+        assert_eq!(model(1.0, 10.0).most_changed(&model(1.0, 100.0), &[0.0; 4]), 3);
+        // Far below its floor a joint has not changed.
+        assert_eq!(model(1.0, 10.0).most_changed(&model(1.1, 100.0), &[0.0, 0.1, 0.1, 1e3]), 0);
+        assert!((model(4.0, 9.0).joint_rms(0) - 2.0).abs() < 1e-12);
     }
 }

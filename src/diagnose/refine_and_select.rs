@@ -24,6 +24,8 @@ pub(super) struct Case<'a> {
     pub(super) plant: &'a dyn PerturbableArm,
     pub(super) fit: &'a [Recording],
     pub(super) validate: &'a [Recording],
+    /// Whether these are logs of their own.
+    pub(super) own_validation: bool,
     /// Of the torques, per joint, N m.
     pub(super) noise: &'a [f64],
     /// What errors of the recorded motion make of the torques, per joint, N m.
@@ -147,21 +149,21 @@ impl<'a> Case<'a> {
             // The bench as it was, with everything in it.
             fitted = without(&mut bench, &mut accepted, &[]);
             fitted = inside(&mut bench, &mut accepted, &fitted)?;
-            let uncertainty = Uncertainty::of(&bench, &fitted, &chosen_of(&accepted));
             let weighing = Attribution {
                 bench: &bench,
                 fitted: &fitted,
-                uncertainty: &uncertainty,
+                uncertainty: &Uncertainty::of(&bench, &fitted, &chosen_of(&accepted)),
                 accepted: &accepted,
                 rivals,
                 noise: self.noise,
+                own_validation: self.own_validation,
             };
             let causes: Vec<Cause> = items
                 .iter()
                 .zip(&others)
                 .map(|(item, (without, interval))| {
-                    let here = here(item, &after);
-                    weighing.weigh(item, without, if here { &after_fit } else { &after }, *interval, here)
+                    let (with, on) = if here(item, &after) { (&after_fit, "fit") } else { (&after, "validate") };
+                    weighing.weigh(item, without, with, *interval, on)
                 })
                 .collect();
             // A cause that loses on data that was not used is no cause, and not in the model.
@@ -253,13 +255,21 @@ impl<'a> Case<'a> {
     }
 
     fn says(&self, what: &str, a: &LeftOut, b: &LeftOut) -> String {
-        let paired = a.less(b, self.ground);
+        let (paired, joint) = (a.less(b, self.ground), a.most_changed(b, self.ground));
+        let percent = [paired.gain, paired.error].map(|x| 200.0 * x / (1.0 + paired.gain));
+        let told = if percent[0] < 0.0 { "more" } else { "less" };
+        let (of, whole) =
+            ([a, b].map(|m| evidence::short(m.joint_rms(joint))), [a, b].map(|m| evidence::short(m.rms())));
         format!(
-            "On stretches of the fitted logs that were left out in turn {what}: {} N m against {} N m ({:.0} +- {:.0} % less squared error, mean over joints).",
-            evidence::short(a.rms()),
-            evidence::short(b.rms()),
-            200.0 * paired.gain / (1.0 + paired.gain),
-            200.0 * paired.error / (1.0 + paired.gain),
+            "On stretches of the fitted logs that were left out in turn {what}. The error of joint {}, which differs most, is {} N m against {} N m; \
+             over all joints (RMS) it is {} N m against {} N m. With every joint counting alike its square is {:.0} +- {:.0} % {told}.",
+            joint + 1,
+            of[0],
+            of[1],
+            whole[0],
+            whole[1],
+            percent[0].abs(),
+            percent[1],
         )
     }
 }

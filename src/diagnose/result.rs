@@ -18,6 +18,16 @@ pub enum Verdict {
     NothingWrong,
 }
 
+/// What errors were measured on, in words: `on` as a [`Cause`] has it.
+pub fn measured_on(on: &str, own_validation: bool) -> &'static str {
+    match (on, own_validation) {
+        ("fit", true) => "the fitted logs",
+        ("fit", false) => "the fitted part of the logs",
+        (_, true) => "the validating logs",
+        (_, false) => "the part of the logs that was kept out of the fit",
+    }
+}
+
 impl Verdict {
     /// As the contract writes it.
     pub fn word(self) -> &'static str {

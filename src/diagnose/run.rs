@@ -182,31 +182,21 @@ fn once(
     let has_links = plant.given().is_some_and(|g| g.iter().any(|v| *v != 0.0));
     // What sensors, motion and clock make of the error is no evidence.
     let budget = budget(if has_links { &start.scene } else { &refit.scene }, &recorded, &noise);
-    let (noise, motion) = (budget.floor(), budget.of_motion());
-    let ground: Vec<f64> = noise.iter().zip(&torque_rms).map(|(s, t)| s.max(0.004 * t)).collect();
+    let (noise, motion) = (budget.floor(), &budget.of_motion()[..]);
+    let ground: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.max(0.004 * t)).collect::<Vec<f64>>();
     let file_out = start.file_left_out();
     drop(refit);
 
     // What a gain is measured by: the noise, or a fiftieth of the torque where the noise is less.
-    let scale: Vec<f64> = noise.iter().zip(&torque_rms).map(|(s, t)| (s * s + (0.02 * t).powi(2)).sqrt()).collect();
-    let case = Case {
-        plant,
-        fit,
-        validate,
-        noise: &noise,
-        motion: &motion,
-        ground: &ground,
-        scale: &scale,
-        settings,
-        progress,
-    };
+    let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
+    let case = Case { plant, fit, validate, own_validation, noise: &noise, motion, ground, scale, settings, progress };
     let structure_of = |s: &Settled<'_>| structure(&s.bench.scene, &s.fitted.residual, &noise, &torque_rms);
     let (mut models, mut impossible): (Vec<Settled<'_>>, Vec<String>) = (Vec::new(), Vec::new());
     if has_links {
         progress("the file's links as they are");
         models.push(case.searched(Mode::Trusted)?);
     }
-    let enough = |s: &Settled<'_>| structure_of(s).is_empty() && !refit_out.less(&s.left_out, &ground).worth_refit();
+    let enough = |s: &Settled<'_>| structure_of(s).is_empty() && !refit_out.less(&s.left_out, ground).worth_refit();
     if !models.iter().any(enough) {
         progress("all base parameters anew");
         match case.searched(Mode::Refitted) {
@@ -222,15 +212,15 @@ fn once(
         causes.extend(case.links(&settled));
     }
     let Settled { bench, fitted, after, after_fit, left_out, .. } = settled;
-    causes.sort_by(|a, b| taken(b, &scale).total_cmp(&taken(a, &scale)));
-    values_last(&mut causes, &scale);
+    causes.sort_by(|a, b| taken(b, scale).total_cmp(&taken(a, scale)));
+    values_last(&mut causes, scale);
     let verdict = match (causes.is_empty(), left.is_empty()) {
         (true, true) => Verdict::NothingWrong,
         (true, false) => Verdict::Unexplained,
         (false, true) => Verdict::Explained,
         (false, false) => Verdict::PartlyExplained,
     };
-    unknown(&mut causes, &left, [&baseline.validate, &after.rms], &scale);
+    unknown(&mut causes, &left, [&baseline.validate, &after.rms], scale);
     let next_experiment =
         causes.iter().find(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown").map(|c| NextExperiment {
             between: std::iter::once(c.cause).chain(c.not_distinguished_from.iter().copied()).collect(),

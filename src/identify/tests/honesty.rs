@@ -147,26 +147,64 @@ fn waves(n: usize, rate: f64) -> crate::model::States {
     crate::model::States { len, q: all(0), dq: all(1), ddq: all(2) }
 }
 
+/// A hand with a tool on it: a robot of the repository, and what both weigh.
+struct Hand {
+    arm: crate::model::interpreted::Interpreted,
+    standard: Vec<f64>,
+    tool: [f64; 10],
+}
+
+const TOOL_RATE: f64 = 100.0;
+
+impl Hand {
+    fn new() -> Self {
+        use dh_codegen::arm::{Function, param};
+        let text = include_str!("../../../robots/scara.yaml");
+        let robot = dh_codegen::robot::Robot::from_yaml(text, &|_| Err(String::new())).unwrap().robot;
+        let arm = crate::model::interpreted::Interpreted::new(&robot, &[Function::PayloadRegressor]);
+        let standard = param::standard_values(&robot).unwrap();
+        Self { arm, standard, tool: [1.5, 0.03, -0.02, 0.12, 0.02, 0.03, 0.01, 0.001, -0.002, 0.003] }
+    }
+
+    /// Factors of ten seconds of motion, with white noise of 0.02 N m.
+    fn recorded(&self, loaded: bool, normal: &mut Normal) -> Factors {
+        use crate::identify::tool::Carrying;
+        use crate::model::Arm;
+        let carrying = Carrying::new(&self.arm, loaded);
+        let n = self.arm.dof();
+        let states = waves(n, TOOL_RATE);
+        let len = states.len;
+        let mut tau = vec![0.0; n * len];
+        let whole = if loaded { [&self.standard[..], &self.tool].concat() } else { self.standard.clone() };
+        carrying.inverse_dynamics(&states, &whole, &mut tau);
+        tau.iter_mut().for_each(|t| *t += 0.02 * normal.next());
+        let (period, velocity_noise) = (1.0 / TOOL_RATE, vec![0.0; n]);
+        let motion = Motion { period, states, tau, core: 0..len, stride: 1, velocity_noise, ..Motion::default() };
+        let mut stack = QrAccumulator::new("log", &carrying, AccumulatorSettings::default());
+        stack.absorb(&motion);
+        stack.finish()
+    }
+
+    /// Errors of what the logs tell of the tool, by their standard deviations.
+    fn scores(
+        &self,
+        unloaded: &[Factors],
+        loaded: &[Factors],
+        settings: &crate::identify::tool::ToolSettings,
+    ) -> Vec<f64> {
+        let found = crate::identify::tool::identify_tool(&self.arm, unloaded, loaded, settings).unwrap();
+        let told = found.told();
+        (0..10).filter(|&k| told[k]).map(|k| (found.values[k] - self.tool[k]) / found.std[k]).collect()
+    }
+}
+
 /// Without an unloaded log: the robot's parameters are as wrong as their covariance says.
 #[test]
 fn a_tool_on_a_robot_that_is_known_to_so_much() {
     use crate::identify::recover_standard;
-    use crate::identify::tool::{Carrying, ToolSettings, identify_tool};
-    use crate::model::Arm;
-    use crate::model::interpreted::Interpreted;
-    use dh_codegen::arm::{Function, param};
-    let text = include_str!("../../../robots/scara.yaml");
-    let robot = dh_codegen::robot::Robot::from_yaml(text, &|_| Err(String::new())).unwrap().robot;
-    let arm = Interpreted::new(&robot, &[Function::PayloadRegressor]);
-    let carrying = Carrying::new(&arm, true);
-    let standard = param::standard_values(&robot).unwrap();
-    let base = crate::identify::regression::recover::base_of(&arm, &standard);
-    let tool = [1.5, 0.03, -0.02, 0.12, 0.02, 0.03, 0.01, 0.001, -0.002, 0.003];
-    let (n, rate) = (arm.dof(), 100.0);
-    let states = waves(n, rate);
-    let len = states.len;
-    let mut tau = vec![0.0; n * len];
-    carrying.inverse_dynamics(&states, &[&standard[..], &tool].concat(), &mut tau);
+    use crate::identify::tool::ToolSettings;
+    let hand = Hand::new();
+    let base = crate::identify::regression::recover::base_of(&hand.arm, &hand.standard);
     let std: Vec<f64> = base.iter().map(|b| 0.01 * b.abs() + 1e-3).collect();
     let covariance: Vec<f64> = (0..std.len().pow(2))
         .map(|e| if e / std.len() == e % std.len() { std[e % std.len()].powi(2) } else { 0.0 })
@@ -174,33 +212,32 @@ fn a_tool_on_a_robot_that_is_known_to_so_much() {
     let (mut counted, mut exact) = (Vec::new(), Vec::new());
     for seed in 0..runs(15) {
         let mut normal = Normal::new(900 + seed);
-        let noisy: Vec<f64> = tau.iter().map(|t| t + 0.02 * normal.next()).collect();
+        let loaded = [hand.recorded(true, &mut normal)];
         let wrong: Vec<f64> = base.iter().zip(&std).map(|(b, s)| b + s * normal.next()).collect();
-        let mut stack = QrAccumulator::new("loaded", &carrying, AccumulatorSettings::default());
-        let period = 1.0 / rate;
-        let velocity_noise = vec![0.0; n];
-        let motion = Motion {
-            period,
-            states: states.clone(),
-            tau: noisy,
-            core: 0..len,
-            stride: 1,
-            velocity_noise,
-            ..Motion::default()
-        };
-        stack.absorb(&motion);
-        let loaded = [stack.finish()];
-        let robot = recover_standard(&arm, &wrong, Some(&standard)).ok();
+        let robot = recover_standard(&hand.arm, &wrong, Some(&hand.standard)).ok();
         for (covariance, scores) in [(Some(covariance.clone()), &mut counted), (None, &mut exact)] {
             let settings =
                 ToolSettings { robot: robot.clone(), robot_covariance: covariance, ..ToolSettings::default() };
-            let found = identify_tool(&arm, &[], &loaded, &settings).unwrap();
-            let told = found.told();
-            scores.extend((0..10).filter(|&k| told[k]).map(|k| (found.values[k] - tool[k]) / found.std[k]));
+            scores.extend(hand.scores(&[], &loaded, &settings));
         }
     }
     let ((within, spread), (_, without)) = (within_three(&counted), within_three(&exact));
     println!("{} runs: {within} within three deviations, spread {spread}; robot taken as exact: {without}", runs(15));
     assert!(within >= 0.985 && (0.6..1.3).contains(&spread), "{within} {spread}");
     assert!(without > 2.0, "{without}");
+}
+
+/// With an unloaded log nothing of the robot has to be known.
+#[test]
+fn a_tool_beside_the_empty_hand() {
+    let (hand, settings) = (Hand::new(), crate::identify::tool::ToolSettings::default());
+    let mut scores = Vec::new();
+    for seed in 0..runs(15) {
+        let mut normal = Normal::new(1900 + seed);
+        let logs = [false, true].map(|loaded| [hand.recorded(loaded, &mut normal)]);
+        scores.extend(hand.scores(&logs[0], &logs[1], &settings));
+    }
+    let (within, spread) = within_three(&scores);
+    println!("{} runs: {within} within three deviations, spread {spread}", runs(15));
+    assert!(within >= 0.985 && (0.7..1.2).contains(&spread), "{within} {spread}");
 }

@@ -10,7 +10,7 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use crate::data::signal::Prepared;
-use crate::diagnose::{Cause, Diagnosis, Evidence};
+use crate::diagnose::{Cause, Diagnosis, Evidence, measured_on};
 use crate::report::Provenance;
 use crate::report::Warnings;
 use crate::report::diagnose_verdict;
@@ -38,7 +38,7 @@ pub fn diagnose_html(found: &Diagnosis, logs: &[Prepared], warnings: &Warnings, 
     if !found.causes.is_empty() {
         body.push_str("<section><h2>Causes</h2><p class=note>In order of what they gain. Bars: RMS error of each joint <span class='key before'></span>with all causes but this one, <span class='key after'></span>with it; the line across is the joint's noise.</p>\n");
         for (number, c) in found.causes.iter().enumerate() {
-            cause(&mut body, number, c);
+            cause(&mut body, number, c, found.own_validation);
         }
         body.push_str("</section>\n");
     }
@@ -138,7 +138,7 @@ fn gained(before: f64, after: f64, attainable: f64) -> String {
     }
 }
 
-fn cause(body: &mut String, number: usize, c: &Cause) {
+fn cause(body: &mut String, number: usize, c: &Cause, own_validation: bool) {
     let place = match c.joints.as_slice() {
         [] => "whole robot".to_string(),
         [j] => format!("joint {j}"),
@@ -165,10 +165,10 @@ fn cause(body: &mut String, number: usize, c: &Cause) {
     if c.interval.iter().all(|x| x.is_finite()) {
         let _ = writeln!(
             body,
-            "<p class=note>It takes {:.0} to {:.0} % of the squared error of its main joint on the {} logs (90 % interval, moving blocks of half a second).</p>",
+            "<p class=note>It takes {:.0} to {:.0} % of the squared error of its main joint on {} (90 % interval, moving blocks of half a second).</p>",
             100.0 * c.interval[0],
             100.0 * c.interval[1],
-            if c.on == "fit" { "fitted" } else { "validating" }
+            measured_on(c.on, own_validation)
         );
     }
     if !c.not_distinguished_from.is_empty() {

@@ -51,6 +51,12 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
         }
         _ => "There is structure in the error that none of the known causes explains.".to_string(),
     };
+    let first = match (found.has_links, found.verdict) {
+        (false, Verdict::Explained | Verdict::PartlyExplained | Verdict::Unexplained) => {
+            format!("{first} The file has no link parameters, so as it is it says nothing of the arm's own torque.")
+        }
+        _ => first,
+    };
     let (before, after) = (mean(&found.baseline.validate), mean(&found.extended.validate));
     let data =
         if found.own_validation { "logs that were not used" } else { "the last part of the logs, which was not used," };

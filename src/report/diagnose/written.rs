@@ -3,6 +3,7 @@
 
 use serde_json::{Value, json};
 
+use crate::diagnose::measured_on;
 use crate::report::parts::number::digits;
 
 /// Errors may differ by this share of the larger: the file's laws are evaluated sample by sample,
@@ -16,6 +17,8 @@ pub struct WrittenCheck {
     pub rms: Option<Vec<f64>>,
     /// Of the model that the diagnosis offers.
     pub offered: Vec<f64>,
+    /// Whether the validating data are logs of their own.
+    pub own_validation: bool,
 }
 
 impl WrittenCheck {
@@ -47,7 +50,8 @@ impl WrittenCheck {
             .map(|(j, (a, b))| format!("joint {j}: {} and {}", digits(*a, 3), digits(*b, 3)))
             .collect();
         Some(format!(
-            "{file} is NOT the model that the diagnosis offers: its inverse dynamics misses the validating logs by {} N m (RMS over joints), the offered model by {} N m; {}. A law that was found acts otherwise along the log's samples than in the diagnosis; trust the file's own figure, or diagnose with a higher --rate.",
+            "{file} is NOT the model that the diagnosis offers: its inverse dynamics misses {} by {} N m (RMS over joints), the offered model by {} N m; {}. A law that was found acts otherwise along the log's samples than in the diagnosis; trust the file's own figure, or diagnose with a higher --rate.",
+            measured_on("validate", self.own_validation),
             digits(is, 3),
             digits(offered, 3),
             joints.join("; ")
@@ -69,7 +73,8 @@ pub fn written_json(check: &WrittenCheck) -> Value {
 pub fn written_text(check: &WrittenCheck, file: &str) -> String {
     match check.figures() {
         Some([is, offered]) => format!(
-            "wrote {file}; read back, its inverse dynamics misses the validating logs by {} N m (RMS over joints), the offered model by {} N m\n",
+            "wrote {file}; read back, its inverse dynamics misses {} by {} N m (RMS over joints), the offered model by {} N m\n",
+            measured_on("validate", check.own_validation),
             digits(is, 3),
             digits(offered, 3)
         ),
@@ -83,12 +88,13 @@ mod tests {
 
     #[test]
     fn a_file_that_is_another_model_is_refused() {
-        let check = |rms: [f64; 2]| WrittenCheck { rms: Some(rms.to_vec()), offered: vec![0.5, 0.2] };
+        let check =
+            |rms: [f64; 2]| WrittenCheck { rms: Some(rms.to_vec()), offered: vec![0.5, 0.2], own_validation: true };
         assert_eq!(check([0.501, 0.2]).refusal("x.yaml"), None);
         let words = check([0.5, 0.4]).refusal("x.yaml").unwrap();
         assert!(words.contains("x.yaml is NOT the model") && words.contains("joint 2: 0.400 and 0.200"), "{words}");
         assert!(!words.contains("joint 1:"), "{words}");
         assert!(check([f64::NAN, 0.2]).refusal("x.yaml").is_some());
-        assert_eq!(WrittenCheck { rms: None, offered: vec![0.5] }.refusal("x.yaml"), None);
+        assert_eq!(WrittenCheck { rms: None, offered: vec![0.5], own_validation: true }.refusal("x.yaml"), None);
     }
 }

@@ -68,10 +68,11 @@ pub(in crate::report) fn logs_text(logs: &[Prepared]) -> String {
     for log in logs {
         let _ = write!(
             out,
-            "\n{}: {} samples in {} segments at {} Hz\n",
+            "\n{}: {} samples in {} segment{} at {} Hz\n",
             log.file,
             log.samples,
             log.segments,
+            if log.segments == 1 { "" } else { "s" },
             figure(log.rate)
         );
         for note in log.findings.iter().filter(|f| f.severity == Severity::Note) {

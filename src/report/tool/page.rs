@@ -14,6 +14,7 @@ use crate::report::Warnings;
 use crate::report::identify::page::{curves, notes};
 use crate::report::parts::number::{digits, figure, percent};
 use crate::report::parts::page::{Page, escape};
+use crate::report::tool::text::misfit;
 use crate::report::tool_verdict;
 
 /// The most tools that a figure shows.
@@ -208,7 +209,7 @@ fn ranking(body: &mut String, r: &Recognition) {
         bottom + 14,
         digits(r.limit, 3)
     );
-    body.push_str("<div class=scroll><table><thead><tr><th>tool<th>distance<th>in the reduced space<th>plain (the paper's)<th>probability</tr></thead><tbody>\n");
+    body.push_str("<div class=scroll><table><thead><tr><th>tool<th>distance<th>in the reduced space<th>plain (the paper's)<th>probability,<br>if it is one of them</tr></thead><tbody>\n");
     for c in shown {
         let _ = writeln!(
             body,
@@ -243,7 +244,7 @@ fn space(body: &mut String, r: &Recognition) {
     let y = |v: f64| 380.0 - 360.0 * (v - range[1][0]) / (range[1][1] - range[1][0]);
     let _ = write!(
         body,
-        "<section><h2>The table in two of {} components</h2><p class=note>Equation (8) of the paper: U<sub>p</sub>′Φ. {} components hold {} % of the table's sum of squares. The ellipse holds the identified tool with 95 %; hover for names. Tools that are far away lie outside of the window.</p><svg class=space viewBox='0 0 800 420' role=img aria-label='principal components'><rect x=50 y=20 width=720 height=360 class=frame />",
+        "<section><h2>The table in two of {} components</h2><p class=note>Equation (8) of the paper: U<sub>p</sub>′Φ. {} components hold {} % of the table's sum of squares. The ellipse holds the identified tool with 95 %; hover for names. Tools that are far away lie outside of the window.</p><svg class=space viewBox='0 0 800 420' role=img aria-label='principal components'><clipPath id=space-window><rect x=50 y=20 width=720 height=360 /></clipPath><rect x=50 y=20 width=720 height=360 class=frame />",
         r.pca.components(),
         r.pca.components(),
         digits(100.0 * r.pca.explained[r.pca.components() - 1], 6)
@@ -284,7 +285,7 @@ fn space(body: &mut String, r: &Recognition) {
     let (cx, cy) = (x(r.scores[0]), y(r.scores[1]));
     let _ = writeln!(
         body,
-        "<polygon points='{}' class=ellipse /><path class=cross d='M{:.1} {cy:.1}h14M{cx:.1} {:.1}v14' /><text x=410 y=408 text-anchor=middle>first component</text><text x=16 y=200 text-anchor=middle transform='rotate(-90 16 200)'>second component</text></svg></section>",
+        "<polygon points='{}' class=ellipse clip-path='url(#space-window)' /><path class=cross d='M{:.1} {cy:.1}h14M{cx:.1} {:.1}v14' /><text x=410 y=408 text-anchor=middle>first component</text><text x=16 y=200 text-anchor=middle transform='rotate(-90 16 200)'>second component</text></svg></section>",
         path.join(" "),
         cx - 7.0,
         cy - 7.0
@@ -292,15 +293,20 @@ fn space(body: &mut String, r: &Recognition) {
 }
 
 fn size(body: &mut String, size: &Relative, found: &Found) {
-    let says = if size.fits { "it can be one of them" } else { "it is none of them, so these sizes mean nothing" };
+    let says = match size.fits {
+        true => format!(
+            "distance {}, limit {}: it can be one of them.{}",
+            digits(size.distance, 3),
+            digits(size.limit, 3),
+            if size.extrapolated { " Outside of the sizes in the table." } else { "" }
+        ),
+        false => format!("it is none of them ({}).", misfit(size)),
+    };
     let _ = writeln!(
         body,
-        "<section><h2>As a {} of any size</h2><p class=note>Interpolated between {} tools of the table; distance {}, limit {}: {says}.{}</p>",
+        "<section><h2>As a {} of any size</h2><p class=note>Interpolated between {} tools of the table; {says}</p>",
         escape(&size.family),
-        size.members,
-        digits(size.distance, 3),
-        digits(size.limit, 3),
-        if size.extrapolated { " Outside of the sizes in the table." } else { "" }
+        size.members
     );
     if size.fits {
         body.push_str("<div class=scroll><table><thead><tr><th><th>interpolated, mm<th>95 % interval, mm<th>nearest tool, mm</tr></thead><tbody>\n");

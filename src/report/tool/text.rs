@@ -94,13 +94,7 @@ pub fn tool_verdict(found: &Found) -> String {
                 let _ = write!(text, "{}", size_sentence(size, r.rejected));
             }
             Some(size) if r.rejected => {
-                let _ = write!(
-                    text,
-                    "It is not a {} of another size either (distance {}, limit {}). ",
-                    size.family,
-                    digits(size.distance, 3),
-                    digits(size.limit, 3)
-                );
+                let _ = write!(text, "It is not a {} of another size either ({}). ", size.family, misfit(size));
             }
             _ => {}
         }
@@ -110,6 +104,19 @@ pub fn tool_verdict(found: &Found) -> String {
         let _ = write!(text, "{weak} ");
     }
     text.trim_end().to_string()
+}
+
+/// Why something is no member of a family of tools.
+pub(in crate::report) fn misfit(size: &Relative) -> String {
+    let distance = digits(size.distance, 3);
+    match size.distance > size.limit {
+        true => format!("distance {distance}, limit {}", digits(size.limit, 3)),
+        false => format!(
+            "the nearest, at a distance of {distance}, would have a length of {:.0} mm and a width of {:.0} mm, far outside of the sizes in the table",
+            1e3 * size.length.value,
+            1e3 * size.width.value
+        ),
+    }
 }
 
 fn size_sentence(size: &Relative, unknown: bool) -> String {
