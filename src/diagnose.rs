@@ -17,6 +17,7 @@ mod judge;
 mod links;
 mod maps;
 mod measure;
+mod merge_bodies;
 mod merge_common_delay;
 mod model;
 mod model_choice;

@@ -259,6 +259,16 @@ impl Simulator {
             .collect();
         let settled = self.built.settle(&span, &peak, &places);
         let Settled { drives, couplings, contacts } = &settled;
+        let carries = settled.couplings.iter().find(|c| c.carries != 0.0);
+        if let Some(coupling) = carries.filter(|_| request.control.mode != Mode::Exact) {
+            return Err(SimulateError::Effect {
+                effect: EffectKind::GearCoupling,
+                joint: None,
+                key: "CQ".into(),
+                value: coupling.carries,
+                must: "be 0 where a controller moves the arm: only `--control exact` plays it".into(),
+            });
+        }
         let mut bodies = self.built.real().bodies(&self.built.bodies_standard);
         let mut plant = Plant::new(Parts {
             bodies: &mut bodies,

@@ -167,7 +167,7 @@ impl<const N: usize> Model<N> for RobotModel<'_> {
             let sign = dq[j] / libm::sqrt(dq[j] * dq[j] + SLOW * SLOW);
             let mut friction = drive.friction(q[j], dq[j], sign, sign);
             if let Some(load) = drive.load {
-                friction += load.level(self.bias[j] + inertial) * sign;
+                friction += load.level(self.bias[j] + inertial, dq[j]) * sign;
             }
             let spring = drive.spring.map_or(0.0, |s| s.torque(q[j]));
             inertial + self.bias[j] - still[j] + friction + drive.ripple(q[j]) + spring
@@ -232,7 +232,7 @@ impl<const N: usize> Body<N> for RobotModel<'_> {
             let mut later = drive.friction(q[j], dq[j], *slow, *hysteresis);
             let mut friction = drive.friction(q[j], dq[j], *sign, *hysteresis);
             if let Some(load) = drive.load {
-                let level = load.level(bodies);
+                let level = load.level(bodies, dq[j]);
                 friction += level * *sign;
                 later += level * *slow;
             }
@@ -267,7 +267,7 @@ impl<const N: usize> Body<N> for RobotModel<'_> {
 /// contact for friction that is not there lets the force loop push on.
 fn static_level(drive: &Drive, limit: f64, q: f64, load: f64) -> f64 {
     let hysteresis = drive.hysteresis.map_or(0.0, |h| h.level);
-    let loaded = drive.load.map_or(0.0, |l| l.level(load));
+    let loaded = drive.load.map_or(0.0, |l| l.level(load, load).max(l.level(load, -load)));
     let other = hysteresis + loaded + drive.position.map_or(0.0, |p| p.excess(q));
     let coulomb = drive.plain.level + drive.asymmetric.map_or(0.0, |a| a.level.abs()) + other;
     let viscous_alone = coulomb == 0.0 && drive.plain.viscous > 0.0;

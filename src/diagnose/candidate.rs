@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use super::judge::SURE;
 use super::model::{Chosen, Fitted, ModelUnderTest};
 use super::moments::Gain;
-use crate::diagnose::hypotheses::{Cause, Sign, UNIT, causes};
+use crate::diagnose::hypotheses::{Cause, Sign, UNIT, at_edge, causes};
 
 /// A cause in a place with its best shape.
 #[derive(Clone)]
@@ -106,6 +106,7 @@ pub fn candidates(
     for candidate in &mut all[..refined] {
         refine(bench, fitted, candidate);
     }
+    all.retain(|c| !at_edge(c.cause, &c.shape));
     all.sort_by(|a, b| b.score.total_cmp(&a.score));
     simplest_first(&mut all, fitted);
     least_change_first(&mut all, bench);

@@ -142,15 +142,16 @@ pub(super) fn curve(bench: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, c
     })
 }
 
-/// Joints whose own base parameters are more than five standard deviations from the file's.
+/// Joints whose own base parameters are more than five standard deviations from the file's: of
+/// their links, and of their rotors alone.
 pub(super) fn changed_links(
     bench: &ModelUnderTest<'_>,
     fitted: &Fitted,
     covariance: &nalgebra::DMatrix<f64>,
-) -> Vec<usize> {
+) -> [Vec<usize>; 2] {
     let base = bench.plant.base_parameters();
-    let Some(given) = bench.plant.given() else { return Vec::new() };
-    let mut joints = Vec::new();
+    let Some(given) = bench.plant.given() else { return Default::default() };
+    let mut changed: [Vec<usize>; 2] = Default::default();
     let wanted: Vec<usize> =
         (0..base.len()).filter(|&b| !["FV", "FC", "FO"].iter().any(|p| base[b].name.starts_with(p))).collect();
     for (at, &b) in wanted.iter().enumerate() {
@@ -162,11 +163,13 @@ pub(super) fn changed_links(
         if let Some(j) = joint
             && std > 0.0
             && (fitted.solution.x[at] - file).abs() > 5.0 * std
-            && !joints.contains(&(j + 1))
         {
-            joints.push(j + 1);
+            changed[usize::from(base[b].name.starts_with("IA"))].push(j + 1);
         }
     }
-    joints.sort_unstable();
-    joints
+    for joints in &mut changed {
+        joints.sort_unstable();
+        joints.dedup();
+    }
+    changed
 }

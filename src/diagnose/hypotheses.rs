@@ -390,11 +390,21 @@ pub fn hypothesis(effect: EffectKind) -> &'static dyn Cause {
     }
 }
 
+/// A further law by which an effect may act: the same keys, other columns.
+fn further(effect: EffectKind) -> Option<&'static dyn Cause> {
+    match effect {
+        EffectKind::GearCoupling => Some(&gear_coupling::CarriedAxis),
+        EffectKind::JointSpring => Some(&joint_spring::CableSpring),
+        _ => None,
+    }
+}
+
 /// All hypotheses that add columns, in the order of the vocabulary: those of the baseline friction
 /// have theirs already.
 pub fn causes() -> impl Iterator<Item = &'static dyn Cause> {
     let plain = [EffectKind::ViscousFriction, EffectKind::CoulombFriction, EffectKind::TorqueOffset];
-    EffectKind::ALL.iter().filter(move |effect| !plain.contains(effect)).map(|&effect| hypothesis(effect))
+    let wanted = EffectKind::ALL.iter().filter(move |effect| !plain.contains(effect));
+    wanted.flat_map(|&effect| core::iter::once(hypothesis(effect)).chain(further(effect)))
 }
 
 /// The hypothesis of this name.
@@ -405,6 +415,21 @@ pub fn by_name(name: &str) -> Option<&'static dyn Cause> {
 /// To what the coefficient of a [`Cause::unit`] is known to be 1: filters and windows leave so much
 /// of a law open.
 pub(super) const UNIT: f64 = 0.05;
+
+/// Whether a number of a shape has run to the end of what is looked for: an estimate that would go
+/// on is none, and another law is meant. 0 is a number that is not in use.
+pub(super) fn at_edge(cause: &dyn Cause, shape: &[f64]) -> bool {
+    let habit = |k: usize| cause.habit().is_some() && cause.natural() == Some(k);
+    let numbers = cause.shape().iter().zip(shape).enumerate().filter(|(k, _)| !habit(*k)).map(|(_, both)| both);
+    numbers.filter(|(number, value)| number.step.is_some() && **value != 0.0).any(|(number, value)| {
+        let [least, most] = number.range;
+        let near = EDGE * (most - least).min(value.abs());
+        *value <= least + near || *value >= most - near
+    })
+}
+
+/// How near to its end a number has run there, as a share of itself.
+const EDGE: f64 = 0.02;
 
 /// Values from `first` to `last`, `count` of them, evenly spaced in their logarithms.
 fn geometric(first: f64, last: f64, count: usize) -> Vec<f64> {

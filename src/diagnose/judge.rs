@@ -6,7 +6,7 @@ use super::candidate::{logs, unknowns};
 use super::model::{Chosen, Fitted, ModelUnderTest};
 use super::moments::Solution;
 use super::search::SearchSettings;
-use crate::diagnose::hypotheses::Sign;
+use crate::diagnose::hypotheses::{Sign, at_edge};
 
 /// An accepted cause with the evidence.
 #[derive(Clone)]
@@ -88,7 +88,8 @@ impl Judge<'_> {
         let Self { bench, settings, accepted, tried, .. } = *self;
         let last = trial.last()?;
         let terms = after.terms.last()?;
-        if terms.is_empty() || !last.cause.plausible(&bench.scene, &last.place, &last.shape, &last.x) {
+        let Chosen { cause, place, shape, x } = last;
+        if terms.is_empty() || at_edge(*cause, shape) || !cause.plausible(&bench.scene, place, shape, x) {
             return None;
         }
         if terms.iter().zip(&last.x).any(|(t, x)| t.sign == Sign::Positive && *x <= 0.0) {
@@ -111,14 +112,7 @@ impl Judge<'_> {
             support = THROUGHOUT;
         }
         // Large enough beside the noise, on some joint?
-        let taken: Vec<f64> = before
-            .solution
-            .rss
-            .iter()
-            .zip(&after.solution.rss)
-            .zip(counts)
-            .map(|((a, b), n)| if *n > 0.0 { (a - b) / n } else { 0.0 })
-            .collect();
+        let taken = variance_taken(before, after);
         let size = |j: usize| if counts[j] > 0.0 { before.solution.rss[j] / counts[j] } else { 0.0 };
         if !(0..taken.len()).any(|j| taken[j] > self.least(j).max(settings.least_gain * size(j))) {
             return None;
@@ -209,4 +203,10 @@ fn confirmation(before: &Fitted, after: &Fitted, stands: &[bool]) -> Confirmatio
         spoilt: -shares().zip(stands).filter(|s| !s.1).map(|s| s.0).fold(0.0, f64::min),
         stirred: -shares().zip(stands).filter(|s| *s.1).map(|s| s.0).fold(0.0, f64::min),
     }
+}
+
+/// By how much the variance of each joint's residual falls, (N m)^2.
+fn variance_taken(before: &Fitted, after: &Fitted) -> Vec<f64> {
+    let pairs = before.solution.rss.iter().zip(&after.solution.rss).zip(&before.solution.counts);
+    pairs.map(|((a, b), n)| if *n > 0.0 { (a - b) / n } else { 0.0 }).collect()
 }

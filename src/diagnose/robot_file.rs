@@ -1,7 +1,7 @@
 //! Writes the findings of a diagnosis into a robot file.
 
 use super::{Cause, Diagnosis};
-use crate::model::robot_edit::{with_values, without};
+use crate::model::robot_edit::{with_rotors, with_values, without};
 use dh_codegen::arm::param::{self, DriveTerm, Parameter};
 use dh_codegen::robot::{Effect, EffectKind, Inertia, Robot};
 
@@ -16,6 +16,8 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
     let robot = without(robot, &found.forgotten);
     let mut robot = match &found.standard {
         Some(standard) if found.links_refitted => {
+            // A refit has rotors that the file does not have.
+            let robot = with_rotors(robot);
             // The diagnosis keeps friction apart; the file's own stays unless a cause changes it.
             let names = param::standard(&robot);
             let values: Vec<f64> = names
@@ -64,8 +66,8 @@ struct Sensor {
 }
 
 /// Keys that are torques per something: those of a law are in proportion to the sensor's gain.
-const SIZES: [&str; 15] =
-    ["FCA", "FVA", "FN", "FL", "HC", "PC", "PS", "RC", "RS", "KS", "IAM", "FVM", "FCM", "TO", "FS"];
+const SIZES: [&str; 17] =
+    ["FCA", "FVA", "FN", "FL", "FLB", "KQ", "HC", "PC", "PS", "RC", "RS", "KS", "IAM", "FVM", "FCM", "TO", "FS"];
 
 impl Sensor {
     /// A law's keys before the sensor. `coulomb`: the joint's level, which `FS` includes.
@@ -128,7 +130,7 @@ fn in_terms_of_the_file(
         }
         // The spring's rest takes the place of the whole offset; the file's own part of it stays
         // where it is.
-        EffectKind::JointSpring => {
+        EffectKind::JointSpring if !keys.iter().any(|(key, _)| key == "SIDE" || key == "KQ") => {
             let own = drive.and_then(|d| d.offset).unwrap_or(0.0);
             let stiffness = keys.iter().find(|(key, _)| key == "KS").map_or(0.0, |(_, k)| *k);
             if stiffness != 0.0 {
@@ -200,8 +202,9 @@ fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &
         None => &mut robot.effects,
     };
     match (effects.iter_mut().find(|e| e.kind() == kind), effect) {
-        // A second ripple of the same joint: its keys are numbered.
+        // A second law of the same joint: its keys are numbered.
         (Some(Effect::TorqueRipple(known)), Effect::TorqueRipple(more)) => known.extend(more),
+        (Some(Effect::NonlinearViscousFriction(known)), Effect::NonlinearViscousFriction(more)) => known.extend(more),
         (Some(known), effect) => *known = effect,
         (None, effect) => effects.push(effect),
     }

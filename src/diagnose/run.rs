@@ -69,6 +69,9 @@ pub fn diagnose(
     settings: &Settings,
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnoseError> {
+    // A refit that has no rotor to change puts what the rotors do into bodies and gears.
+    let driven = plant.with_rotors();
+    let plant = driven.as_deref().unwrap_or(plant);
     let mut found = once(plant, fit, validate, settings, progress)?;
     // Where an effect is found that the file has already, the data contradict the file's; two of a
     // kind are not written beside each other. So that one is taken out and searched for again.

@@ -10,6 +10,7 @@ use super::candidate::{Candidate, candidates, rivals, sparest_first};
 use super::judge::{Accepted, Judge, adopt};
 use super::model::{Chosen, Fitted, Mode, ModelUnderTest};
 use crate::diagnose::hypotheses::Cause;
+use crate::diagnose::merge_bodies::merge_bodies;
 use crate::diagnose::merge_common_delay::merge_common_delay;
 use crate::diagnose::stepwise_exchange::stepwise_exchange;
 
@@ -124,12 +125,19 @@ pub fn search(
     }
     progress("weighing the causes against each other");
     stepwise_exchange(bench, &mut accepted, &mut fitted, noise, settings);
-    merge_common_delay(bench, &mut accepted, &mut fitted);
+    merge_alike(bench, &mut accepted, &mut fitted);
     accepted
 }
 
-/// Two causes on one joint, neither of which is supported alone: what the other leaves remembers
-/// itself for so long that the windows count for few. Each must be worth having beside the other.
+/// Bodies that are one body, and delays that are one delay.
+fn merge_alike(bench: &mut ModelUnderTest<'_>, accepted: &mut Vec<Accepted>, fitted: &mut Fitted) {
+    merge_bodies(bench, accepted, fitted);
+    merge_common_delay(bench, accepted, fitted);
+}
+
+/// Two causes that share a joint, neither of which is supported alone: what the other leaves
+/// remembers itself for so long that the windows count for few. Each must be worth having beside
+/// the other.
 fn together(
     bench: &mut ModelUnderTest<'_>,
     chosen: &[Chosen],
@@ -140,7 +148,7 @@ fn together(
     accepted: &[Accepted],
 ) -> Option<([Accepted; 2], Vec<Chosen>, Fitted)> {
     let with = |others: &[Chosen], one: &Chosen| others.iter().chain([one]).cloned().collect::<Vec<Chosen>>();
-    let first = |c: &&Candidate| c.place.len() == 1 && !c.cause.moves_time() && !c.cause.local();
+    let first = |c: &&Candidate| !c.place.is_empty() && !c.cause.moves_time() && !c.cause.local();
     let held = bench.hold.clone();
     for first in ranked.iter().filter(first).take(3) {
         let was_slow = slow(fitted, &first.place);
@@ -152,8 +160,8 @@ fn together(
         let one = bench.fit(&mut alone);
         let first = alone.last()?.clone();
         let wanted = |cause: &'static dyn Cause, place: &[usize]| {
-            place == first.place.as_slice()
-                && cause.name() != first.cause.name()
+            place.iter().any(|j| first.place.contains(j))
+                && (cause.name() != first.cause.name() || place != first.place)
                 && chosen.iter().all(|c| c.cause.name() != cause.name() || c.place != place)
                 && !cause.moves_time()
                 && !cause.local()
@@ -185,7 +193,11 @@ fn together(
 }
 
 /// The same columns as a cause of the whole robot, where they rather are one.
-fn rather(bench: &ModelUnderTest<'_>, chosen: &Chosen, terms: &[crate::diagnose::hypotheses::Term]) -> Option<Chosen> {
+pub(super) fn rather(
+    bench: &ModelUnderTest<'_>,
+    chosen: &Chosen,
+    terms: &[crate::diagnose::hypotheses::Term],
+) -> Option<Chosen> {
     let cause = chosen.cause.rather(&bench.scene, &chosen.place, terms, &chosen.x)?;
     Some(Chosen { cause, place: Vec::new(), ..chosen.clone() })
 }

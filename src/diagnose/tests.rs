@@ -1,4 +1,5 @@
 //! Hidden effects must be found; nothing hidden must be called nothing.
 
 mod battery;
+mod mechanisms;
 mod world;

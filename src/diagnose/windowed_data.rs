@@ -124,6 +124,9 @@ pub struct WindowedData<'a> {
     pub delays: Vec<f64>,
     /// Rotor inertias of the file, kg m^2.
     pub rotors: Vec<f64>,
+    /// The most that each joint gives, N m: its limit in the file, or half as much again as it was
+    /// seen to give.
+    pub rated: Vec<f64>,
     /// Standard deviation of the noise of a window's torque, per joint, N m.
     pub noise: Vec<f64>,
     /// Longest spacing of the logs' samples, s.
@@ -156,8 +159,7 @@ impl<'a> WindowedData<'a> {
         let mut parts: Vec<[Vec<Vec<f64>>; 3]> = vec![std::array::from_fn(|_| vec![Vec::new(); dof]); distinct.len()];
         let (mut own, mut time, mut runs) = (vec![Vec::new(); dof], Vec::new(), Vec::new());
         let mut step = 1.0 / rate;
-        let stretches = recordings.iter().flat_map(|r| &r.stretches);
-        let period = stretches.map(|s| s.period).fold(0.0, f64::max).max(1e-9);
+        let period = longest_period(recordings);
         for recording in recordings {
             let begin = recording.stretches.first().map_or(0.0, |s| s.start);
             for stretch in &recording.stretches {
@@ -252,6 +254,7 @@ impl<'a> WindowedData<'a> {
             dead: dead.iter().map(|d| d.0).collect(),
             delays: delays.to_vec(),
             rotors: rotors(plant),
+            rated: rated(plant, recordings),
             noise: torque_noise(recordings, dof).iter().map(|s| s / (step / period).max(1.0).sqrt()).collect(),
             period,
             all,
@@ -330,6 +333,17 @@ impl<'a> WindowedData<'a> {
             self.plant.wrench_columns(&states, base, &mut out);
         }
         out
+    }
+
+    /// The longest lever at the last frame that some joint has in some of the postures, m.
+    pub fn reach(&self) -> f64 {
+        let every = (self.len / 8).max(1);
+        let lever = |w: usize| {
+            let wrench = self.wrenches(w..w + 1, true);
+            let of = |j: usize| (0..3).map(|c| wrench[c * self.dof() + j].powi(2)).sum::<f64>().sqrt();
+            (0..self.dof()).map(of).fold(0.0, f64::max)
+        };
+        (0..self.len).step_by(every).map(lever).fold(0.0, f64::max)
     }
 
     /// Zero where the window is not used for joint `j`.
@@ -510,6 +524,19 @@ fn rotors(plant: &dyn PerturbableArm) -> Vec<f64> {
         plant.standard_names().iter().position(|n| *n == name).map_or(0.0, |at| plant.given_drive(at))
     };
     plant.rows().iter().map(of).collect()
+}
+
+/// Longest spacing of the samples, s.
+fn longest_period(recordings: &[Recording]) -> f64 {
+    recordings.iter().flat_map(|r| &r.stretches).map(|s| s.period).fold(0.0, f64::max).max(1e-9)
+}
+
+/// The most that each joint gives, N m.
+fn rated(plant: &dyn PerturbableArm, recordings: &[Recording]) -> Vec<f64> {
+    let stretches = || recordings.iter().flat_map(|r| &r.stretches);
+    let seen = |j: usize| stretches().flat_map(|s| s.of(&s.tau, j)).fold(0.0_f64, |m, t| m.max(t.abs()));
+    let limits = plant.torque_limits();
+    (0..plant.dof()).map(|j| limits[j].unwrap_or(0.0).max(1.5 * seen(j))).collect()
 }
 
 /// Speed below which each joint's sign is noise, rad/s, and whether it stands (is inside for most

@@ -279,10 +279,11 @@ fn mjcf_joint(t: &mut String, joint: &Joint, indent: &str, left_out: &mut Vec<St
     *t += "/>\n";
 }
 
-/// Stiffness and position without torque of a joint's spring.
+/// Stiffness and position without torque of a joint's spring, where it is linear on both sides: the
+/// format has no other.
 pub(super) fn spring(joint: &Joint) -> Option<[f64; 2]> {
     let spring = joint.drive.effects.iter().find_map(|effect| match effect {
-        Effect::JointSpring(spring) => Some(*spring),
+        Effect::JointSpring(spring) if spring.is_linear() => Some(*spring),
         _ => None,
     })?;
     Some([spring.stiffness?, spring.rest()])
@@ -300,7 +301,8 @@ fn effects(robot: &Robot, format: ModelFormat, left_out: &mut Vec<String>) {
             left_out.push(format!("the constant torque of `{}`", joint.name));
         }
         for effect in &drive.effects {
-            if !(effect.kind() == EffectKind::JointSpring && format == ModelFormat::Mjcf) {
+            let written = effect.kind() == EffectKind::JointSpring && spring(joint).is_some();
+            if !(written && format == ModelFormat::Mjcf) {
                 left_out.push(format!("{} of `{}`", effect.name(), joint.name));
             }
         }

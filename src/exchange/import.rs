@@ -343,7 +343,9 @@ fn drive(read: &TreeJoint, found: &mut Found) -> Drive {
         ..Drive::default()
     };
     if let Some([stiffness, position]) = read.spring.filter(|[stiffness, _]| *stiffness != 0.0) {
-        drive.effects.push(JointSpring { stiffness: Some(stiffness), rest: Some(position) }.into());
+        drive
+            .effects
+            .push(JointSpring { stiffness: Some(stiffness), rest: Some(position), ..Default::default() }.into());
     }
     drive
 }

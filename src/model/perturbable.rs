@@ -55,7 +55,19 @@ pub trait PerturbableArm: Arm {
     /// it has links.
     fn given_drive(&self, index: usize) -> f64;
 
-    /// Effects that the file knows beyond rotors, `FV`, `FC` and `FO`: its name and joint (from 0; `None`: the whole robot). Those of geometry and bodies are in
+    /// The most that each joint gives, N m, where the file tells.
+    fn torque_limits(&self) -> Vec<Option<f64>> {
+        vec![None; self.dof()]
+    }
+
+    /// The same arm with a rotor inertia at every joint, 0 where its file has none: what a refit
+    /// looks for. `None`: it has them all.
+    fn with_rotors(&self) -> Option<Box<dyn PerturbableArm>> {
+        None
+    }
+
+    /// Effects that the file knows beyond rotors, `FV`, `FC` and `FO`: its name and joint (from 0;
+    /// `None`: the whole robot). Those of geometry and bodies are in
     /// the arm itself, delays in [`PerturbableArm::delays`], the rest in [`PerturbableArm::known`].
     fn effects(&self) -> Vec<(EffectKind, Option<usize>)> {
         Vec::new()

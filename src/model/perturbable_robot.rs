@@ -120,6 +120,15 @@ impl PerturbableArm for PerturbableRobot {
         }
     }
 
+    fn torque_limits(&self) -> Vec<Option<f64>> {
+        self.rows.iter().map(|&row| self.file.joints[row].limits.torque).collect()
+    }
+
+    fn with_rotors(&self) -> Option<Box<dyn PerturbableArm>> {
+        let robot = robot_edit::with_rotors(self.file.clone());
+        (robot != self.file).then(|| Box::new(Self::new(&robot)) as Box<dyn PerturbableArm>)
+    }
+
     fn effects(&self) -> Vec<(EffectKind, Option<usize>)> {
         let dof = |row: usize| self.rows.iter().position(|r| *r == row);
         let own =

@@ -45,10 +45,22 @@ pub fn couplings(robot: &Robot) -> Vec<(Coupling, [f64; 3])> {
         let Effect::GearCoupling(stated) = effect else { return None };
         let other = stated.joint.checked_sub(1).and_then(dof_of)?;
         let motor = dof_of(*row).filter(|&motor| motor != other)?;
+        // An axis that another motor carries is no shared motor, unless it is said to be one, too.
+        if stated.carried.is_some() && stated.ratio.is_none() && !stated.has_motor() {
+            return None;
+        }
         let coupling = Coupling { row: *row, motor, other, ratio: stated.ratio() };
         Some((coupling, [stated.rotor, stated.viscous, stated.coulomb].map(|term| term.unwrap_or(0.0))))
     };
     robot.all_effects().joints.iter().filter_map(read).collect()
+}
+
+/// The robot with a rotor inertia at every moving joint, 0 where its file has none.
+pub fn with_rotors(mut robot: Robot) -> Robot {
+    for row in robot.moving() {
+        robot.joints[row].drive.rotor_inertia.get_or_insert(0.0);
+    }
+    robot
 }
 
 /// The robot with these values of its [`couplings`], in their order, three each.

@@ -26,7 +26,7 @@ pub struct Drive {
     /// `stribeck_friction`.
     pub stribeck: Option<StribeckFriction>,
     /// `nonlinear_viscous_friction`.
-    pub nonlinear: Option<NonlinearViscousFriction>,
+    pub nonlinear: Vec<NonlinearViscousFriction>,
     /// `load_dependent_friction`.
     pub load: Option<LoadDependentFriction>,
     /// `position_dependent_friction`.
@@ -65,7 +65,7 @@ impl Drive {
             plain: CoulombFriction::default(),
             asymmetric: None,
             stribeck: None,
-            nonlinear: None,
+            nonlinear: Vec::new(),
             load: None,
             position: None,
             hysteresis: None,
@@ -122,7 +122,7 @@ impl Drive {
         if let Some(asymmetric) = self.asymmetric {
             torque += asymmetric.torque(v, s);
         }
-        if let Some(nonlinear) = self.nonlinear {
+        for nonlinear in &self.nonlinear {
             torque += nonlinear.slope(v) * v;
         }
         if let Some(hysteresis) = self.hysteresis {
@@ -135,7 +135,7 @@ impl Drive {
     pub fn viscosity(&self, v: f64) -> f64 {
         let slope = self.plain.viscous
             + self.asymmetric.map_or(0.0, |a| a.viscous * sign(v))
-            + self.nonlinear.map_or(0.0, |n| n.derivative(v));
+            + self.nonlinear.iter().map(|n| n.derivative(v)).sum::<f64>();
         slope.max(0.0)
     }
 

@@ -8,6 +8,7 @@
 use super::bristle::{Part, sign};
 use super::contact::External;
 use super::drive::Drive;
+use super::effects::GearCoupling;
 use super::plant::Plant;
 use super::robot::{Settled, SimulatedRobot};
 use super::sensors::Truth;
@@ -48,14 +49,8 @@ pub(super) fn follow(
     let many = times.len();
     let (states, desired) = links(trajectory, &settled.drives, &times);
     truth.desired = (0..n).flat_map(|j| desired[j * many..j * many + len].to_vec()).collect();
-    let mut load = vec![0.0; n * many];
-    built.real().inverse_dynamics(&states, &built.bodies_standard, &mut load);
-    for (j, drive) in settled.drives.iter().enumerate() {
-        if let Some(spring) = drive.spring {
-            (0..many).for_each(|s| load[j * many + s] += spring.torque(states.q[j * many + s]));
-        }
-    }
-    push(built, settled, external, &times, &states, &mut load, &mut truth);
+    let moved = carried(&states, &settled.couplings);
+    let load = loads(built, settled, external, &times, &moved, &mut truth);
 
     let mut ddq = vec![0.0; n * len];
     for (j, drive) in settled.drives.iter().enumerate() {
@@ -73,8 +68,8 @@ pub(super) fn follow(
         };
         for k in 0..len {
             let at = j * len + k;
-            truth.link_q[at] = states.q[row(k)];
-            truth.link_dq[at] = states.dq[row(k)];
+            truth.link_q[at] = moved.q[row(k)];
+            truth.link_dq[at] = moved.dq[row(k)];
             truth.link_torque[at] = load[row(k)];
             truth.motor_q[at] = states.q[row(k)] + bend(k);
             truth.motor_dq[at] = states.dq[row(k)];
@@ -91,7 +86,45 @@ pub(super) fn follow(
     truth
 }
 
-/// True motion of the links.
+/// What the gears transmit: bodies, springs, what pushes from outside, and what a motor bears of a link
+/// that it carries.
+fn loads(
+    built: &SimulatedRobot,
+    settled: &Settled,
+    external: &[&dyn External],
+    times: &[f64],
+    moved: &States,
+    truth: &mut Truth,
+) -> Vec<f64> {
+    let many = moved.len;
+    let mut load = vec![0.0; settled.drives.len() * many];
+    built.real().inverse_dynamics(moved, &built.bodies_standard, &mut load);
+    for (j, drive) in settled.drives.iter().enumerate() {
+        if let Some(spring) = drive.spring {
+            (0..many).for_each(|s| load[j * many + s] += spring.torque(moved.q[j * many + s]));
+        }
+    }
+    push(built, settled, external, times, moved, &mut load, truth);
+    let on_links = load.clone();
+    for c in settled.couplings.iter().filter(|c| c.carries != 0.0) {
+        (0..many).for_each(|s| load[c.other * many + s] += c.carries * on_links[c.motor * many + s]);
+    }
+    load
+}
+
+/// Motion of links that also turn with other joints' motors.
+fn carried(states: &States, couplings: &[GearCoupling]) -> States {
+    let (mut moved, len) = (states.clone(), states.len);
+    for c in couplings.iter().filter(|c| c.carries != 0.0) {
+        let parts = [(&mut moved.q, &states.q), (&mut moved.dq, &states.dq), (&mut moved.ddq, &states.ddq)];
+        for (to, from) in parts {
+            (0..len).for_each(|s| to[c.motor * len + s] += c.carries * from[c.other * len + s]);
+        }
+    }
+    moved
+}
+
+/// True motion of the motors.
 fn links(trajectory: &Trajectory, drives: &[Drive], times: &[f64]) -> (States, Vec<Point>) {
     let (n, len) = (drives.len(), times.len());
     let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
@@ -187,7 +220,7 @@ fn torques(settled: &Settled, plant: &Plant<'_>, ddq: &[f64], start: f64, truth:
         for &j in &motors {
             let (drive, at) = (&settled.drives[j], j * len + k);
             let (q, v, load) = (truth.motor_q[at], truth.motor_dq[at], truth.link_torque[at]);
-            let loaded = drive.load.map_or(0.0, |l| l.level(load)) * signs[j];
+            let loaded = drive.load.map_or(0.0, |l| l.level(load, v)) * signs[j];
             let friction = drive.warmth(since) * (drive.friction(q, v, signs[j], hysteresis[j]) + loaded);
             truth.motor_torque[at] = load + drive.rotor * ddq[at] + friction + drive.plain.offset + drive.ripple(q);
             truth.temperature[at] = drive.temperature(since);

@@ -273,7 +273,7 @@ impl<'a> Plant<'a> {
             if loaded {
                 for (j, drive) in self.drives.iter().enumerate() {
                     if let Some(load) = drive.load {
-                        let level = load.level(now.link_torque[j]) * drive.warmth(since);
+                        let level = load.level(now.link_torque[j], v[self.motor[j]]) * drive.warmth(since);
                         work.right[self.motor[j]] -= level * work.sign[j];
                     }
                 }
@@ -379,6 +379,21 @@ impl<'a> Plant<'a> {
     }
 }
 
+impl Plant<'_> {
+    /// Of what the motor of joint `j` gives at this velocity, rad/s, the share that reaches a stiff
+    /// joint's link: friction that grows with it takes the rest.
+    fn passes(&self, j: usize, v: f64, since: f64) -> f64 {
+        match self.drives[j].load {
+            Some(load) if self.motor[j] == j => {
+                let side = super::bristle::sign(self.now.link_torque[j]);
+                let grows = load.level(side, v) * self.drives[j].warmth(since);
+                1.0 / (1.0 + grows * self.work.sign[j] * side).max(0.1)
+            }
+            _ => 1.0,
+        }
+    }
+}
+
 impl System for Plant<'_> {
     fn coordinates(&self) -> usize {
         self.coordinates
@@ -408,16 +423,7 @@ impl System for Plant<'_> {
             }
         }
         let feedback = self.held.is_empty() && matches!(self.control.mode, Mode::Position | Mode::Pd);
-        // What the motor gives reaches a stiff joint's link less the friction that grows with it.
-        let passes: Vec<f64> = (0..n)
-            .map(|j| match self.drives[j].load {
-                Some(load) if self.motor[j] == j => {
-                    let side = super::bristle::sign(self.now.link_torque[j]);
-                    1.0 / (1.0 + load.level(1.0) * self.drives[j].warmth(since) * self.work.sign[j] * side).max(0.1)
-                }
-                _ => 1.0,
-            })
-            .collect();
+        let passes: Vec<f64> = (0..n).map(|j| self.passes(j, v[j], since)).collect();
         for (j, drive) in self.drives.iter().enumerate() {
             let m = self.motor[j];
             let at = m * total + m;
@@ -430,7 +436,7 @@ impl System for Plant<'_> {
             }
             linear.stiffness[at] += passes[j] * stiffness;
             linear.damping[at] += passes[j] * damping;
-            linear.stiffness[j * total + j] += drive.spring.map_or(0.0, |s| s.stiffness.max(0.0));
+            linear.stiffness[j * total + j] += drive.spring.map_or(0.0, |s| s.slope(x[j]).max(0.0));
             if m != j {
                 let [_, stiffness, damping] = drive.transmitted(x[m] - x[j], v[m] - v[j]);
                 for (r, c, sign) in [(j, j, 1.0), (m, m, 1.0), (j, m, -1.0), (m, j, -1.0)] {
@@ -447,7 +453,7 @@ impl System for Plant<'_> {
             let level = match bristle.part {
                 Part::Sign => {
                     let m = self.motor[bristle.joint];
-                    let load = drive.load.map_or(0.0, |l| l.level(self.now.link_torque[bristle.joint]));
+                    let load = drive.load.map_or(0.0, |l| l.level(self.now.link_torque[bristle.joint], v[m]));
                     let uneven = drive.asymmetric.map_or(0.0, |a| a.level * super::bristle::sign(z));
                     drive.warmth(since) * (drive.level(x[m], v[m]) + load + uneven)
                 }

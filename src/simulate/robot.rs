@@ -134,7 +134,7 @@ impl SimulatedRobot {
                 in_range(&breakaway.into(), Some(row))?;
                 drive.stribeck = Some(law);
             }
-            Effect::NonlinearViscousFriction(e) => drive.nonlinear = Some(NonlinearViscousFriction::new(e, rated)),
+            Effect::NonlinearViscousFriction(e) => drive.nonlinear = NonlinearViscousFriction::all(e, rated),
             Effect::LoadDependentFriction(e) => drive.load = Some(LoadDependentFriction::new(e)),
             Effect::PreslidingHysteresis(e) => drive.hysteresis = Some(PreslidingHysteresis::new(e, rated)),
             Effect::FrictionDrift(e) => drive.drift = Some(FrictionDrift::new(e)),
@@ -182,6 +182,7 @@ impl SimulatedRobot {
                 rotor: stated.rotor.unwrap_or_else(|| if stated.has_sizes() { 0.0 } else { bearable() }),
                 viscous: stated.viscous([m, k].map(|j| drives[j].plain.viscous)),
                 coulomb: stated.coulomb(drives[m].rated),
+                carries: stated.carried(),
             }
         });
         let contacts = self.contacts.iter().map(|stated| ExternalContact::new(stated, span));

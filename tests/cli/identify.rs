@@ -416,7 +416,8 @@ fn plain_values_are_written_with_links_that_could_be_built_or_not_at_all() {
 fn effects_of_the_file_are_taken_as_known() {
     let folder = folder("identify-effects");
     let mut robot = read_robot(ROBOT);
-    let spring = dh_codegen::robot::effects::JointSpring { stiffness: Some(12.0), rest: Some(0.0) };
+    let spring =
+        dh_codegen::robot::effects::JointSpring { stiffness: Some(12.0), rest: Some(0.0), ..Default::default() };
     robot.joints[1].drive.effects.push(spring.into());
     let robot = file(&folder, "robot.yaml", robot.to_yaml());
     let log = file(&folder, "log.csv", sprung(record(12, 31), 12.0));

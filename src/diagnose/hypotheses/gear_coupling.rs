@@ -12,6 +12,9 @@ use super::Term;
 use super::moves;
 use crate::diagnose::windowed_data::{Column, WindowedData};
 
+/// The farthest that a joint's axis turns with another motor, turns per turn.
+const MOST_TURNS: f64 = 3.0;
+
 /// Motor `m` turns with `dq_m + KC dq_k`: see the table of effects. `place` is `[m, k]`.
 pub struct GearCoupling;
 
@@ -29,11 +32,15 @@ impl Cause for GearCoupling {
     }
 
     fn shape(&self) -> &'static [Shape] {
-        &[Shape { symbol: "KC", unit: "", range: [-3.0, 3.0], step: None }]
+        &[
+            Shape { symbol: "KC", unit: "", range: [-3.0, 3.0], step: None },
+            Shape { symbol: "parts", unit: "", range: [1.0, 7.0], step: None },
+        ]
     }
 
+    /// With all of its parts, or without what comes out below zero: no rotor and no friction is.
     fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        vec![vec![1.0], vec![-1.0]]
+        [1.0, -1.0].into_iter().flat_map(|ratio| (1..8).map(move |parts| vec![ratio, f64::from(parts)])).collect()
     }
 
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> bool {
@@ -63,11 +70,14 @@ impl Cause for GearCoupling {
         let sum = |i: usize, s: usize| own_m[i].v[s] + ratio * own_k[i].v[s];
         let dead = scene.dead[m].max(scene.dead[k]);
         let sign = |i: usize, s: usize| if sum(i, s).abs() > dead { sum(i, s).signum() } else { 0.0 };
-        vec![
-            Term::new("IAM", both(&|i, s| ratio * own_m[i].a[s], &|i, s| ratio * own_k[i].a[s]), Sign::Any),
-            Term::new("FVM", both(&|i, s| ratio * own_m[i].v[s], &|i, s| ratio * own_k[i].v[s]), Sign::Any),
-            Term::new("FCM", both(&|i, s| ratio * sign(i, s), &|i, s| sign(i, s)), Sign::Any),
-        ]
+        let parts = shape[1] as usize;
+        let column = |part: usize| match part {
+            0 => both(&|i, s| ratio * own_m[i].a[s], &|i, s| ratio * own_k[i].a[s]),
+            1 => both(&|i, s| ratio * own_m[i].v[s], &|i, s| ratio * own_k[i].v[s]),
+            _ => both(&|i, s| ratio * sign(i, s), &|i, s| sign(i, s)),
+        };
+        let used = ["IAM", "FVM", "FCM"].into_iter().enumerate().filter(|(part, _)| parts >> part & 1 == 1);
+        used.map(|(part, symbol)| Term::new(symbol, column(part), Sign::Positive)).collect()
     }
 
     fn says(&self) -> &'static str {
@@ -76,5 +86,73 @@ impl Cause for GearCoupling {
 
     fn shown_by(&self) -> &'static str {
         "each of the two joints moved alone, then both together"
+    }
+}
+
+/// The link of joint m stands at `q_m + CQ q_k`: the gear of joint k carries it along, and motor k
+/// bears `CQ` times its torque. `place` is `[m, k]`.
+pub struct CarriedAxis;
+
+impl Cause for CarriedAxis {
+    fn effect(&self) -> EffectKind {
+        EffectKind::GearCoupling
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Transmission
+    }
+
+    fn scope(&self) -> Scope {
+        Scope::Pair
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[Shape { symbol: "step", unit: "", range: [-MOST_TURNS, MOST_TURNS], step: None }]
+    }
+
+    fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        [0.02, 0.9, -0.9].iter().map(|c| vec![*c]).collect()
+    }
+
+    fn shows(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> bool {
+        moves(scene, place[1])
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let (m, k, ratio) = (place[0], place[1], shape[0]);
+        if ratio == 0.0 || scene.rigid[m].iter().all(|t| *t == 0.0) {
+            return Vec::new();
+        }
+        let states = &scene.states[scene.seen[m]];
+        let of = |x: &[f64], j: usize| x[j * scene.len..(j + 1) * scene.len].to_vec();
+        let by = [of(&states.q, k), of(&states.dq, k), of(&states.ddq, k)];
+        let mut rows = scene.moved(m, &by, ratio);
+        // Motor m stands where it was: its rotor does not feel the change.
+        rows[m].iter_mut().zip(&by[2]).for_each(|(t, a)| *t -= scene.rotors[m] * a);
+        let own = of(&states.ddq, m);
+        let on_link: Vec<f64> = scene.rigid[m].iter().zip(&own).map(|(t, a)| t - scene.rotors[m] * a).collect();
+        let borne: Vec<f64> = on_link.iter().zip(&rows[m]).map(|(t, more)| t + ratio * more).collect();
+        rows[k].iter_mut().zip(&borne).for_each(|(t, borne)| *t += borne);
+        vec![Term::new("CQ", scene.column(rows), Sign::Any)]
+    }
+
+    fn plausible(&self, _: &WindowedData<'_>, _: &[usize], _: &[f64], x: &[f64]) -> bool {
+        x.iter().all(|x| x.abs() <= MOST_TURNS)
+    }
+
+    fn finite_difference(&self) -> bool {
+        true
+    }
+
+    fn rests_on_model(&self) -> bool {
+        true
+    }
+
+    fn says(&self) -> &'static str {
+        "the axis turns with another joint's motor, which bears a part of its torque"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        GearCoupling.shown_by()
     }
 }

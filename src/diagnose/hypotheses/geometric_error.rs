@@ -16,6 +16,10 @@ pub struct GeometricError;
 
 const WHICH: [(&str, &str, f64); 3] = [("DALPHA", "rad", 1e-4), ("DD", "m", 1e-4), ("DR", "m", 1e-4)];
 
+/// The largest error of a length, as a share of the arm's reach, and of a twist, rad.
+const LENGTH: f64 = 0.15;
+const TWIST: f64 = 0.35;
+
 impl Cause for GeometricError {
     fn effect(&self) -> EffectKind {
         EffectKind::GeometricError
@@ -46,6 +50,13 @@ impl Cause for GeometricError {
             return Vec::new();
         }
         vec![Term::new(WHICH[which].0, column, Sign::Any)]
+    }
+
+    /// A length that is off by more than a part of the arm's reach, or a twist that anybody sees,
+    /// is something else that these columns can say.
+    fn plausible(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64], x: &[f64]) -> bool {
+        let most = if shape[1] == 0.0 { TWIST } else { (LENGTH * scene.reach()).max(0.02) };
+        x.iter().all(|x| x.abs() <= most)
     }
 
     fn finite_difference(&self) -> bool {

@@ -259,6 +259,11 @@ impl Cause for JointElasticity {
         true
     }
 
+    /// A gear that gives way by a radian under the torque that the joint can have is none.
+    fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], _: &[f64]) -> bool {
+        shape[0] * SOFTEST >= scene.rated[place[0]]
+    }
+
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
         let both = self.shape().iter().zip(found.shape).zip(&found.shape_std);
         both.map(|((number, value), std)| Named::new(number.symbol, *value, *std)).collect()
@@ -284,5 +289,7 @@ const LEAST: f64 = dh_codegen::drive::LEAST_DAMPING;
 const SEEN: f64 = 0.7;
 /// The highest resonance that is looked for where there is no low-pass, Hz.
 const HIGHEST: f64 = 45.0;
+/// The farthest that a spring of a gear winds under the joint's torque, rad.
+const SOFTEST: f64 = 1.0;
 /// A winding beyond which the arm is not taken as linear in it, rad.
 const SMALL: f64 = 3e-3;

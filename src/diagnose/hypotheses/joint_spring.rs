@@ -6,9 +6,11 @@ use super::Cause;
 use super::Estimate;
 use super::Kind;
 use super::Named;
+use super::Shape;
 use super::Sign;
 use super::Term;
 use super::moves;
+use super::travel;
 use crate::diagnose::windowed_data::WindowedData;
 
 /// `KS (q - QS)`; the constant part is among the unknowns anyway.
@@ -32,6 +34,12 @@ impl Cause for JointSpring {
         vec![Term::new("KS", scene.pointwise(j, |o, k| o.q[k]), Sign::Any)]
     }
 
+    /// Over the travel no more than the joint can hold.
+    fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
+        let [low, high] = travel(scene, place[0]);
+        x.iter().all(|stiffness| 0.5 * stiffness.abs() * (high - low) <= scene.rated[place[0]])
+    }
+
     fn has_constant(&self) -> bool {
         true
     }
@@ -50,5 +58,88 @@ impl Cause for JointSpring {
 
     fn shown_by(&self) -> &'static str {
         "static poses over the whole travel of the joint"
+    }
+}
+
+/// A cable that hangs on one side of `QS` and is taut on the other, or one that stiffens, or both:
+/// `KS x + KQ x^3`, `x = q - QS`.
+pub struct CableSpring;
+
+/// The numbers of its shape: where it is at rest, and which law it has.
+const REST: usize = 0;
+const FORM: usize = 1;
+/// The side that is taut (0: both) and whether it stiffens.
+const FORMS: [(f64, bool); 5] = [(1.0, false), (-1.0, false), (1.0, true), (-1.0, true), (0.0, true)];
+
+impl CableSpring {
+    fn form(shape: &[f64]) -> (f64, bool) {
+        FORMS[(shape[FORM].max(0.0) as usize).min(FORMS.len() - 1)]
+    }
+}
+
+impl Cause for CableSpring {
+    fn effect(&self) -> EffectKind {
+        EffectKind::JointSpring
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Outside
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        &[
+            Shape { symbol: "QS", unit: "rad", range: [-1e3, 1e3], step: Some(-0.1) },
+            Shape { symbol: "form", unit: "", range: [0.0, 4.0], step: None },
+        ]
+    }
+
+    fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let [low, high] = travel(scene, place[0]);
+        let rests = (1..8).map(|k| low + f64::from(k) / 8.0 * (high - low));
+        rests.flat_map(|rest| (0..FORMS.len()).map(move |form| vec![rest, form as f64])).collect()
+    }
+
+    /// At the ends of the travel a cable that is always taut, or never, is none.
+    fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
+        let [low, high] = travel(scene, place[0]);
+        let edge = 0.05 * (high - low);
+        moves(scene, place[0]) && (low + edge..high - edge).contains(&shape[REST])
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
+        let (j, rest, (side, stiffens)) = (place[0], shape[REST], Self::form(shape));
+        let column = |power: i32| {
+            let pull = |x: f64| if side * x < 0.0 { 0.0 } else { x.powi(power) };
+            scene.pointwise(j, |o, k| pull(o.q[k] - rest))
+        };
+        let mut terms = vec![Term::new("KS", column(1), if side == 0.0 { Sign::Any } else { Sign::Positive })];
+        if stiffens {
+            terms.push(Term::new("KQ", column(3), Sign::Positive));
+        }
+        terms
+    }
+
+    /// It pulls back from its rest on, and over the travel with no more than the joint can hold.
+    fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], x: &[f64]) -> bool {
+        let (side, _) = Self::form(shape);
+        let pull = |at: f64| x.iter().zip([at, at.powi(3)]).map(|(k, x)| k * x).sum::<f64>();
+        let ends = travel(scene, place[0]).map(|end| end - shape[REST]);
+        let back = |at: &f64| pull(*at).abs() <= scene.rated[place[0]] && pull(0.3 * at) * at >= 0.0;
+        ends.iter().filter(|at| side * **at >= 0.0).all(back)
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        let (side, _) = Self::form(found.shape);
+        let side = (side != 0.0).then(|| Named::new("SIDE", side, None));
+        let rest = Named::new("QS", found.shape[REST], found.shape_std[REST]);
+        found.all_terms().chain([rest]).chain(side).collect()
+    }
+
+    fn says(&self) -> &'static str {
+        "an elastic torque in the joint's angle that is slack on one side, or stiffens with the stretch"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        JointSpring.shown_by()
     }
 }

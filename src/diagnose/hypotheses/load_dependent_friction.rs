@@ -5,12 +5,13 @@ use dh_codegen::robot::EffectKind;
 use super::Cause;
 use super::Kind;
 use super::Over;
+use super::Shape;
 use super::Sign;
 use super::Term;
 use super::moves;
 use crate::diagnose::windowed_data::WindowedData;
 
-/// `FL |tau_load| sign(v)`.
+/// `FL |tau_load| sign(v)`; where the load drives the motor, `FLB` may take the place of `FL`.
 pub struct LoadDependentFriction;
 
 impl Cause for LoadDependentFriction {
@@ -22,13 +23,35 @@ impl Cause for LoadDependentFriction {
         Kind::Friction
     }
 
+    fn shape(&self) -> &'static [Shape] {
+        &[Shape { symbol: "quadrants", unit: "", range: [0.0, 1.0], step: None }]
+    }
+
+    fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        vec![vec![0.0], vec![1.0]]
+    }
+
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> bool {
         moves(scene, place[0])
     }
 
-    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
+    fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let j = place[0];
-        vec![Term::new("FL", scene.pointwise(j, |o, k| o.sign[k] * o.load[k].abs()), Sign::Positive)]
+        let among = |wanted: &dyn Fn(f64) -> bool| {
+            scene.pointwise(j, |o, k| if wanted(o.load[k] * o.sign[k]) { o.sign[k] * o.load[k].abs() } else { 0.0 })
+        };
+        if shape.first() == Some(&0.0) {
+            return vec![Term::new("FL", among(&|_| true), Sign::Positive)];
+        }
+        vec![
+            Term::new("FL", among(&|power| power >= 0.0), Sign::Positive),
+            Term::new("FLB", among(&|power| power < 0.0), Sign::Positive),
+        ]
+    }
+
+    /// A gear that loses as much as it transmits is locked.
+    fn plausible(&self, _: &WindowedData<'_>, _: &[usize], _: &[f64], x: &[f64]) -> bool {
+        x.iter().all(|x| *x < 1.0)
     }
 
     fn rests_on_model(&self) -> bool {

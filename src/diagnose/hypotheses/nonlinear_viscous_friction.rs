@@ -3,14 +3,18 @@
 use dh_codegen::robot::EffectKind;
 
 use super::Cause;
+use super::Estimate;
 use super::Kind;
+use super::Named;
 use super::Shape;
 use super::Sign;
 use super::Term;
+use super::fastest;
+use super::geometric;
 use super::moves;
 use crate::diagnose::windowed_data::WindowedData;
 
-/// `FN |v|^EN sign(v)`.
+/// `FN |v|^EN sign(v)`, or `FN v / (|v| + VN)`, which saturates.
 pub struct NonlinearViscousFriction;
 
 impl Cause for NonlinearViscousFriction {
@@ -23,20 +27,51 @@ impl Cause for NonlinearViscousFriction {
     }
 
     fn shape(&self) -> &'static [Shape] {
-        &[Shape { symbol: "EN", unit: "", range: [0.2, 5.0], step: Some(0.15) }]
+        &[
+            Shape { symbol: "EN", unit: "", range: [0.2, 5.0], step: Some(0.15) },
+            Shape { symbol: "VN", unit: "rad/s", range: [0.0, 1e3], step: Some(0.3) },
+        ]
     }
 
-    fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        [0.4, 0.6, 1.5, 2.0, 3.0].iter().map(|e| vec![*e]).collect()
+    fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let fast = fastest(scene, place[0]);
+        let slow = (2.0 * scene.dead[place[0]]).clamp(0.02 * fast, 0.2 * fast);
+        let powers = [0.4, 0.6, 1.5, 2.0, 3.0].iter().map(|e| vec![*e, 0.0]);
+        powers.chain(geometric(slow, fast, 4).into_iter().map(|v| vec![1.0, v])).collect()
     }
 
+    /// Of the two numbers one is in use.
+    fn free(&self, _: &[f64]) -> usize {
+        1
+    }
+
+    /// Neither what is constant over nearly all speeds nor what is in proportion to them.
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
-        moves(scene, place[0]) && (shape[0] - 1.0).abs() >= 0.05
+        let fast = fastest(scene, place[0]);
+        let differs = match shape[1] {
+            0.0 => (shape[0] - 1.0).abs() >= 0.05,
+            half => (0.01 * fast..2.0 * fast).contains(&half),
+        };
+        moves(scene, place[0]) && differs
     }
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
-        let (j, power) = (place[0], shape[0]);
+        let (j, power, half) = (place[0], shape[0], shape[1]);
+        if half > 0.0 {
+            let grown = |v: f64| v.abs() / (v.abs() + half);
+            return vec![Term::new("FN", scene.pointwise(j, |o, k| o.sign[k] * grown(o.v[k])), Sign::Positive)];
+        }
         vec![Term::new("FN", scene.pointwise(j, |o, k| o.sign[k] * o.v[k].abs().powf(power)), Sign::Any)]
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        let (k, symbol) = if found.shape[1] > 0.0 { (1, "VN") } else { (0, "EN") };
+        vec![found.term(0), Named::new(symbol, found.shape[k], found.shape_std[k])]
+    }
+
+    /// Gears show a root and a cube at once.
+    fn repeats(&self) -> bool {
+        true
     }
 
     fn says(&self) -> &'static str {

@@ -63,6 +63,11 @@ impl Cause for PreslidingHysteresis {
         vec![Term::new("HC", scene.own_column(j, |own| bristle(own, shape[0])), Sign::Positive)]
     }
 
+    /// Less than the joint can overcome.
+    fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
+        x.iter().all(|level| *level <= scene.rated[place[0]])
+    }
+
     fn says(&self) -> &'static str {
         "friction remembers the path: after a reversal it builds up over a distance"
     }

@@ -33,6 +33,11 @@ impl Cause for RotorInertia {
         vec![Term::new("IA", scene.pointwise(j, |o, k| o.a[k]), Sign::Any)]
     }
 
+    /// No rotor has less than none.
+    fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
+        x.iter().all(|x| scene.rotors[place[0]] + x >= 0.0)
+    }
+
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
         vec![Named::new("IA", found.scene.rotors[found.place[0]] + found.x[0], Some(found.std(0)))]
     }

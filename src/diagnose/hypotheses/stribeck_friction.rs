@@ -70,6 +70,11 @@ impl Cause for StribeckFriction {
         ]
     }
 
+    /// Less than the joint can overcome.
+    fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
+        x.iter().all(|level| *level <= scene.rated[place[0]])
+    }
+
     fn says(&self) -> &'static str {
         "friction falls from its breakaway level to the Coulomb level as speed rises"
     }

@@ -17,6 +17,8 @@ pub struct GearCoupling {
     pub viscous: f64,
     /// `FCM`, N m.
     pub coulomb: f64,
+    /// `CQ`: turns of joint m's link per turn of joint k's motor.
+    pub carries: f64,
 }
 
 impl GearCoupling {

@@ -1,4 +1,5 @@
-//! `joint_spring`: `KS (q - QS)`, on the link.
+//! `joint_spring`: `KS (q - QS) + KQ (q - QS)^3`, on the link; a cable is taut on one side of `QS`
+//! only.
 
 use dh_codegen::robot::effects;
 
@@ -9,15 +10,35 @@ pub struct JointSpring {
     pub stiffness: f64,
     /// `QS`, rad.
     pub rest: f64,
+    /// `KQ`, N m/rad^3.
+    pub hardening: f64,
+    /// `SIDE`: the sign of the stretch at which it is taut; 0: always.
+    pub side: f64,
 }
 
 impl JointSpring {
     pub(crate) fn new(stated: &effects::JointSpring, rated: f64) -> Self {
-        Self { stiffness: stated.stiffness(rated), rest: stated.rest() }
+        let (stiffness, rest) = (stated.stiffness(rated), stated.rest());
+        Self { stiffness, rest, hardening: stated.cubic(), side: stated.side() }
+    }
+
+    /// By how much it is stretched, rad; 0 where it hangs.
+    fn stretch(&self, q: f64) -> f64 {
+        let x = q - self.rest;
+        if self.side * x < 0.0 { 0.0 } else { x }
     }
 
     /// Torque that holds it at this angle.
     pub fn torque(&self, q: f64) -> f64 {
-        self.stiffness * (q - self.rest)
+        let x = self.stretch(q);
+        self.stiffness * x + self.hardening * x.powi(3)
+    }
+
+    /// Its slope there, N m/rad.
+    pub fn slope(&self, q: f64) -> f64 {
+        match self.stretch(q) {
+            0.0 if self.side != 0.0 => 0.0,
+            x => self.stiffness + 3.0 * self.hardening * x * x,
+        }
     }
 }

@@ -1,5 +1,5 @@
 //! `load_dependent_friction`: `FL |tau_load| sign(v)`, `tau_load` the torque of the bodies that the
-//! gear transmits.
+//! gear transmits; `FLB` in place of `FL` where the load drives the motor.
 
 use dh_codegen::robot::effects;
 
@@ -8,15 +8,17 @@ use dh_codegen::robot::effects;
 pub struct LoadDependentFriction {
     /// `FL`.
     pub factor: f64,
+    /// `FLB`.
+    pub driven: f64,
 }
 
 impl LoadDependentFriction {
     pub(crate) fn new(stated: &effects::LoadDependentFriction) -> Self {
-        Self { factor: stated.factor() }
+        Self { factor: stated.factor(), driven: stated.driven() }
     }
 
-    /// The level at this load, N m.
-    pub fn level(&self, load: f64) -> f64 {
-        self.factor * load.abs()
+    /// The level at this load and motor velocity, N m.
+    pub fn level(&self, load: f64, v: f64) -> f64 {
+        load.abs() * if load * v < 0.0 { self.driven } else { self.factor }
     }
 }

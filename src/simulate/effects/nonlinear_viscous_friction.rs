@@ -1,4 +1,4 @@
-//! `nonlinear_viscous_friction`: `FN |v|^EN sign(v)`.
+//! `nonlinear_viscous_friction`: `FN |v|^EN sign(v)`, or `FN v / (|v| + VN)`.
 
 use dh_codegen::robot::effects;
 
@@ -12,20 +12,30 @@ pub struct NonlinearViscousFriction {
     pub level: f64,
     /// `EN`.
     pub exponent: f64,
+    /// `VN`, rad/s; 0: a power.
+    pub half: f64,
 }
 
 impl NonlinearViscousFriction {
-    pub(crate) fn new(stated: &effects::NonlinearViscousFriction, rated: f64) -> Self {
-        Self { level: stated.level(rated), exponent: stated.exponent() }
+    /// One of each term.
+    pub(crate) fn all(stated: &effects::NonlinearViscousFriction, rated: f64) -> Vec<Self> {
+        let of = |[level, exponent, half]: [f64; 3]| Self { level, exponent, half };
+        stated.terms(rated).into_iter().map(of).collect()
     }
 
     /// Torque per velocity: the law is this times `v`.
     pub fn slope(&self, v: f64) -> f64 {
+        if self.half > 0.0 {
+            return self.level / (v.abs() + self.half);
+        }
         self.level * libm::pow(v * v + ROUNDED * ROUNDED, 0.5 * (self.exponent - 1.0))
     }
 
     /// Derivative of the law by `v`.
     pub fn derivative(&self, v: f64) -> f64 {
+        if self.half > 0.0 {
+            return self.level * self.half / (v.abs() + self.half).powi(2);
+        }
         let square = v * v + ROUNDED * ROUNDED;
         self.slope(v) * (self.exponent * v * v + ROUNDED * ROUNDED) / square
     }

@@ -6,7 +6,7 @@
 //! frame is the joint frame followed by them.
 
 use crate::robot::{Convention, JointKind, Robot};
-use crate::sym::{Ex, Graph, Mat3, Vec3};
+use crate::sym::{Call, Ex, Graph, Mat3, Vec3};
 
 /// Where the inputs of every kernel stand: `q, sin, cos, dq, ddq, tau` of each degree of freedom,
 /// then the parameters.
@@ -151,23 +151,34 @@ impl Chain {
 
     /// The chain over a graph: inputs become expressions.
     pub fn over<'g>(&self, graph: &'g Graph) -> Links<'g> {
-        self.behind(graph, &[])
+        self.behind(graph, &[], &[])
     }
 
     /// The same where the links stand `wound[k]` behind `q` (rad or m, small; of degree of freedom
-    /// `k`; `None`: nothing).
-    pub(super) fn behind<'g>(&self, graph: &'g Graph, wound: &[Option<Ex<'g>>]) -> Links<'g> {
+    /// `k`; `None`: nothing), and turn with other motors (`geared[k]`: those degrees of freedom,
+    /// with turns per turn of theirs).
+    pub(super) fn behind<'g>(
+        &self,
+        graph: &'g Graph,
+        wound: &[Option<Ex<'g>>],
+        geared: &[Vec<(usize, f64)>],
+    ) -> Links<'g> {
         let inputs = Inputs { dof: self.dof() };
         let of = |row: &Row| row.dof.and_then(|k| wound.get(k).copied().flatten());
-        let links = self.rows.iter().map(|row| Link::new(graph, row, inputs, of(row))).collect();
+        let turned = |row: &Row| {
+            let others = row.dof.and_then(|k| geared.get(k)).into_iter().flatten();
+            let parts = others.map(|&(other, ratio)| graph.input(inputs.index(Group::Position, other)) * ratio);
+            parts.reduce(|sum, part| sum + part)
+        };
         Links {
             graph,
             inputs,
-            links,
+            links: self.rows.iter().map(|row| Link::new(graph, row, inputs, of(row), turned(row))).collect(),
             lift: Vec3::given(graph, self.lift),
             world_lift: Vec3::given(graph, self.world_lift),
             base: self.base,
             tool: self.tool,
+            geared: geared.to_vec(),
         }
     }
 }
@@ -188,9 +199,17 @@ pub struct Links<'g> {
     pub base: Option<([[f64; 3]; 3], [f64; 3])>,
     /// Pose of the tool frame in the last DH frame.
     pub tool: Option<([[f64; 3]; 3], [f64; 3])>,
+    /// What else turns each degree of freedom: others, with turns per turn of theirs.
+    geared: Vec<Vec<(usize, f64)>>,
 }
 
 impl<'g> Links<'g> {
+    /// An input of a degree of freedom with what others add to it.
+    fn summed(&self, group: Group, k: usize) -> Ex<'g> {
+        let others = self.geared.get(k).into_iter().flatten();
+        others.fold(self.input(group, k), |sum, &(other, ratio)| sum + self.input(group, other) * ratio)
+    }
+
     /// An input as an expression.
     pub fn input(&self, group: Group, at: usize) -> Ex<'g> {
         self.graph.input(self.inputs.index(group, at))
@@ -203,12 +222,12 @@ impl<'g> Links<'g> {
 
     /// Velocity input of a row; zero for a fixed one.
     pub fn velocity(&self, row: usize) -> Ex<'g> {
-        self.links[row].dof.map_or(self.number(0.0), |k| self.input(Group::Velocity, k))
+        self.links[row].dof.map_or(self.number(0.0), |k| self.summed(Group::Velocity, k))
     }
 
     /// Acceleration input of a row; zero for a fixed one.
     pub fn acceleration(&self, row: usize) -> Ex<'g> {
-        self.links[row].dof.map_or(self.number(0.0), |k| self.input(Group::Acceleration, k))
+        self.links[row].dof.map_or(self.number(0.0), |k| self.summed(Group::Acceleration, k))
     }
 
     /// Rows that move, with their degree of freedom.
@@ -237,6 +256,12 @@ pub struct Link<'g> {
     body: Option<(Ex<'g>, (Ex<'g>, Ex<'g>))>,
 }
 
+/// Sine and cosine of the sum of two angles.
+fn turned_on<'g>((s, c): (Ex<'g>, Ex<'g>), by: Ex<'g>) -> (Ex<'g>, Ex<'g>) {
+    let (sine, cosine) = (by.call(Call::Sin), by.call(Call::Cos));
+    (s * cosine + c * sine, c * cosine - s * sine)
+}
+
 /// Sine and cosine of an angle less a small one, by the latter's series: to 1e-11 at a tenth of a
 /// radian.
 fn turned_back<'g>((s, c): (Ex<'g>, Ex<'g>), by: Ex<'g>) -> (Ex<'g>, Ex<'g>) {
@@ -259,10 +284,11 @@ fn back_about_x<'g>((s, c): (Ex<'g>, Ex<'g>), v: Vec3<'g>) -> Vec3<'g> {
 }
 
 impl<'g> Link<'g> {
-    fn new(g: &'g Graph, row: &Row, inputs: Inputs, wound: Option<Ex<'g>>) -> Self {
+    fn new(g: &'g Graph, row: &Row, inputs: Inputs, wound: Option<Ex<'g>>, geared: Option<Ex<'g>>) -> Self {
         let (s, c) = match (row.kind, row.dof) {
             (JointKind::Revolute, Some(k)) => {
                 let (s, c) = (g.input(inputs.index(Group::Sine, k)), g.input(inputs.index(Group::Cosine, k)));
+                let (s, c) = geared.map_or((s, c), |by| turned_on((s, c), by));
                 wound.map_or((s, c), |by| turned_back((s, c), by))
             }
             _ => {
@@ -279,6 +305,7 @@ impl<'g> Link<'g> {
         let r = match (row.kind, row.dof) {
             (JointKind::Prismatic, Some(k)) => {
                 let r = g.input(inputs.index(Group::Position, k)) + g.given(row.r);
+                let r = geared.map_or(r, |by| r + by);
                 wound.map_or(r, |by| r - by)
             }
             _ => g.given(row.r),

@@ -12,7 +12,7 @@ use super::dynamics::{self, Values};
 use super::motion::Include;
 use super::param::{DriveTerm, Parameter};
 use crate::robot::Laws;
-use crate::robot::effects::StribeckFriction;
+use crate::robot::effects::{JointSpring, StribeckFriction};
 use crate::sym::{Call, Ex, Graph};
 
 /// Where the states of bristles and the warmth of the gears come from.
@@ -35,14 +35,16 @@ pub(super) fn torques<'g>(
     laws: &[Laws],
     memory: Memory,
 ) -> Vec<Ex<'g>> {
-    let links = chain.over(graph);
+    let geared: Vec<Vec<(usize, f64)>> = laws.iter().map(geared).collect();
+    let links = chain.behind(graph, &[], &geared);
     let values = Values::new(&links, standard);
     let mut load = loads(&links, &values, laws, &[]);
     if laws.iter().any(Laws::is_soft) {
         graph.section("links behind soft joints");
         let wound: Vec<Option<Ex<'g>>> = laws.iter().zip(&load).map(|(law, &load)| wound(law, load)).collect();
-        load = loads(&chain.behind(graph, &wound), &values, laws, &wound);
+        load = loads(&chain.behind(graph, &wound, &geared), &values, laws, &wound);
     }
+    bear(&mut load, &geared);
     graph.section("drives");
     let after = standard.len();
     let drives: Vec<Drive<'g>> = links
@@ -85,19 +87,47 @@ pub(super) fn torques<'g>(
     tau.iter().zip(laws).map(|(&tau, law)| measured(law, tau)).collect()
 }
 
+/// The joints whose motors turn a link besides its own, and by how much.
+fn geared(law: &Laws) -> Vec<(usize, f64)> {
+    law.couplings.iter().filter(|c| c.carried != 0.0).map(|c| (c.other, c.carried)).collect()
+}
+
+/// Motors that turn other links bear a part of their torques.
+fn bear<'g>(load: &mut [Ex<'g>], geared: &[Vec<(usize, f64)>]) {
+    let on_links = load.to_vec();
+    for (&on_link, carried) in on_links.iter().zip(geared) {
+        carried.iter().for_each(|&(k, ratio)| load[k] = load[k] + on_link * ratio);
+    }
+}
+
 /// Torques that the gears transmit: bodies, and the springs of joints.
 fn loads<'g>(links: &Links<'g>, values: &Values<'g>, laws: &[Laws], wound: &[Option<Ex<'g>>]) -> Vec<Ex<'g>> {
     let mut load = dynamics::torques(links, values, Include::ALL, false, false);
     for (k, law) in laws.iter().enumerate() {
         if let Some(spring) = law.spring {
             let mut q = links.input(Group::Position, k) + (law.encoder_offset - spring.rest());
+            for (other, ratio) in geared(law) {
+                q = q + links.input(Group::Position, other) * ratio;
+            }
             if let Some(by) = wound.get(k).copied().flatten() {
                 q = q - by;
             }
-            load[k] = load[k] + q * spring.stiffness(law.rated);
+            load[k] = load[k] + elastic(spring, law.rated, q);
         }
     }
     load
+}
+
+/// Torque of a joint's spring, `x` rad from its rest.
+fn elastic<'g>(spring: JointSpring, rated: f64, x: Ex<'g>) -> Ex<'g> {
+    let zero = x.graph().constant(0.0);
+    let x = match spring.side() {
+        side if side > 0.0 => x.most(zero),
+        side if side < 0.0 => x.least(zero),
+        _ => x,
+    };
+    let linear = x * spring.stiffness(rated);
+    if spring.cubic() == 0.0 { linear } else { linear + x * x * x * spring.cubic() }
 }
 
 /// How far a soft joint's link stands behind its motor.
@@ -141,13 +171,22 @@ impl<'g> Drive<'g> {
         if let Some(e) = law.position {
             level = level + wave(self.q, e.periods(), e.cosine(law.rated), e.sine(law.rated));
         }
-        if let Some(e) = law.nonlinear {
-            level = level + power(self.speed(), e.exponent()) * e.level(law.rated);
+        for &[size, exponent, half] in &law.nonlinear {
+            let saturates = half > 0.0;
+            let grown = if saturates { self.speed() / (self.speed() + half) } else { power(self.speed(), exponent) };
+            level = level + grown * size;
         }
-        if let Some(factor) = law.load.map(|e| e.factor()).filter(|factor| *factor != 0.0) {
-            level = level + self.load.call(Call::Abs) * factor;
+        let [drives, driven] = law.load.map_or([0.0; 2], |e| [e.factor(), e.driven()]);
+        if [drives, driven] != [0.0; 2] {
+            let mean = if drives == driven { drives } else { 0.5 * (drives + driven) };
+            level = level + self.load.call(Call::Abs) * mean;
         }
         let mut friction = level * self.sign;
+        if drives != driven {
+            // `|load| sign(v)` has the sign of the power less or more: the load itself, while the
+            // joint moves.
+            friction = friction + self.sign.call(Call::Abs) * self.load * (0.5 * (drives - driven));
+        }
         let [constant, slope] = [law.asymmetric.level(law.rated), law.asymmetric.viscous(law.rated)];
         if constant != 0.0 {
             friction = friction + self.sign.call(Call::Abs) * constant;

@@ -45,7 +45,7 @@ pub use joint_spring::JointSpring;
 pub use key::{Description, EffectKey, Magnitude, Range, Scope};
 pub use link_inertia_error::LinkInertiaError;
 pub use load_dependent_friction::LoadDependentFriction;
-pub use nonlinear_viscous_friction::NonlinearViscousFriction;
+pub use nonlinear_viscous_friction::{NonlinearViscousFriction, ViscousTerm};
 pub use payload::Payload;
 pub use position_dependent_friction::PositionDependentFriction;
 pub use presliding_hysteresis::PreslidingHysteresis;

@@ -2,8 +2,7 @@
 
 use super::effects::{
     AsymmetricFriction, Backlash, Effect, FrictionDrift, GearCoupling, JointElasticity, JointSpring,
-    LoadDependentFriction, NonlinearViscousFriction, PositionDependentFriction, PreslidingHysteresis, RATED, Scope,
-    StribeckFriction,
+    LoadDependentFriction, PositionDependentFriction, PreslidingHysteresis, RATED, Scope, StribeckFriction,
 };
 use super::{JointKind, NoLink, Robot};
 
@@ -20,6 +19,8 @@ pub struct Coupling {
     pub viscous: f64,
     /// `FCM`, N m.
     pub coulomb: f64,
+    /// `CQ`: the link of this joint stands at `q_m + CQ q_k`.
+    pub carried: f64,
 }
 
 /// The drive of one degree of freedom beyond rotor, `FV`, `FC` and `FO`.
@@ -31,8 +32,8 @@ pub struct Laws {
     pub asymmetric: AsymmetricFriction,
     /// Friction that falls with speed.
     pub stribeck: Option<StribeckFriction>,
-    /// Friction by a power of speed.
-    pub nonlinear: Option<NonlinearViscousFriction>,
+    /// `FN`, `EN`, `VN` of each term of friction that is not in proportion to speed.
+    pub nonlinear: Vec<[f64; 3]>,
     /// Friction by the load.
     pub load: Option<LoadDependentFriction>,
     /// Friction with memory.
@@ -70,7 +71,7 @@ impl Laws {
             rated,
             asymmetric: AsymmetricFriction { level: Some(0.0), viscous: Some(0.0) },
             stribeck: None,
-            nonlinear: None,
+            nonlinear: Vec::new(),
             load: None,
             hysteresis: None,
             drift: None,
@@ -110,7 +111,7 @@ impl Laws {
         match effect {
             Effect::AsymmetricFriction(e) => self.asymmetric = *e,
             Effect::StribeckFriction(e) => self.stribeck = Some(*e),
-            Effect::NonlinearViscousFriction(e) => self.nonlinear = Some(*e),
+            Effect::NonlinearViscousFriction(e) => self.nonlinear.extend(e.terms(rated)),
             Effect::LoadDependentFriction(e) => self.load = Some(*e),
             Effect::PreslidingHysteresis(e) => self.hysteresis = Some(*e),
             Effect::FrictionDrift(e) => self.drift = Some(*e),
@@ -146,6 +147,7 @@ fn coupling(robot: &Robot, row: usize, effect: &GearCoupling, rated: f64) -> Opt
         rotor: effect.rotor.unwrap_or(0.0),
         viscous: effect.viscous([viscous(row), viscous(other)]),
         coulomb: effect.coulomb(rated),
+        carried: effect.carried(),
     })
 }
 

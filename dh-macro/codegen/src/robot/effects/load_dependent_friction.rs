@@ -1,13 +1,22 @@
-//! `load_dependent_friction`: `FL |tau_load| sign(v)`.
+//! `load_dependent_friction`: `FL |tau_load| sign(v)`, `FLB` in place of `FL` where the load drives.
 
 use super::key::{Range, Scope, effect};
 
 effect! {
     /// Friction that grows with the transmitted torque.
     LoadDependentFriction = "load_dependent_friction", Scope::Joint;
-    law: "FL |tau_load| sign(v), tau_load the torque of the bodies that the gear transmits";
+    law: "FL |tau_load| sign(v), tau_load the torque of the bodies that the gear transmits; FLB in place of FL where tau_load v < 0";
     source: "the law: Hamon, Gautier and Garrec, IROS 2010. Size: order of magnitude, our choice (a gear of 92 % efficiency)";
     factor = "FL" [] always 0.08, EFFICIENCY, "friction per transmitted torque";
+    driven = "FLB" [] derived, EFFICIENCY, "the same where the load drives the joint; default: that of FL";
+}
+
+impl LoadDependentFriction {
+    /// `FLB`, or its default.
+    #[must_use]
+    pub fn driven(&self) -> f64 {
+        self.driven.unwrap_or(self.factor())
+    }
 }
 
 /// A gear takes energy, and locks where it loses as much as it transmits. From data that hardly show

@@ -1,0 +1,202 @@
+//! One mechanism a test: a planar arm whose torques are worked out here, by virtual work, tables
+//! and laws other than those that look for them.
+
+use dh_codegen::arm::param;
+use dh_codegen::robot::Robot;
+
+use super::world::{motion, record};
+use crate::diagnose::{Diagnosis, Settings, diagnose, extended, written_errors};
+use crate::model::file_torque_model::FileTorqueModel;
+use crate::model::perturbable_robot::PerturbableRobot;
+use crate::model::rigid_body::Numeric;
+use crate::numerics::prng::Random;
+
+const RATE: f64 = 200.0;
+const NOISE: [f64; 2] = [0.02, 0.01];
+
+fn planar() -> Robot {
+    let text = include_str!("../../../robots/planar2r.yaml");
+    Robot::from_yaml(text, &|_| Err("none".into())).unwrap().robot
+}
+
+/// Torques of an arm at one state.
+struct Bodies {
+    numeric: Numeric,
+    phi: Vec<f64>,
+}
+
+impl Bodies {
+    fn of(robot: &Robot) -> Self {
+        Self { numeric: Numeric::new(robot), phi: param::standard_values(robot).unwrap() }
+    }
+
+    fn torques(&self, [q, v, a]: &[[f64; 2]; 3]) -> [f64; 2] {
+        let (mut work, mut tau) = (self.numeric.workspace(), [0.0; 2]);
+        self.numeric.inverse_dynamics_into(&mut work, q, v, a, &self.phi, &mut tau);
+        tau
+    }
+}
+
+/// The arm's links without what its drives have.
+fn bare(robot: &Robot) -> Robot {
+    let mut robot = robot.clone();
+    for joint in &mut robot.joints {
+        let drive = &mut joint.drive;
+        (drive.viscous_friction, drive.coulomb_friction, drive.rotor_inertia) = (None, None, None);
+    }
+    robot
+}
+
+/// A log of an arm that gives these torques at `[q, v, a]`.
+fn log(robot: &Robot, seconds: f64, random: &mut Random, tau: &dyn Fn(&[[f64; 2]; 3]) -> [f64; 2]) -> Vec<u8> {
+    let q = motion(robot, seconds, RATE, random);
+    let gauss = |random: &mut Random| (0..12).map(|_| random.uniform(0.0, 1.0)).sum::<f64>() - 6.0;
+    let mut text = String::from("t,q1,q2,tau1,tau2\n");
+    for k in 0..q[0].len() {
+        let state: [[f64; 2]; 3] = std::array::from_fn(|i| [q[0][k][i], q[1][k][i]]);
+        let clean = tau(&state);
+        let noisy = [0, 1].map(|j| clean[j] + NOISE[j] * gauss(random));
+        let at = k as f64 / RATE;
+        text.push_str(&format!("{at:.4},{:.6},{:.6},{:.6},{:.6}\n", state[0][0], state[0][1], noisy[0], noisy[1]));
+    }
+    text.into_bytes()
+}
+
+/// Diagnoses the file of an arm that gives these torques; and what the written file misses of a
+/// third log, in noise.
+fn found(robot: &Robot, seed: u64, tau: &dyn Fn(&[[f64; 2]; 3]) -> [f64; 2]) -> (Diagnosis, Vec<f64>) {
+    let mut random = Random::new(seed);
+    let [a, b, c] = [12.0, 8.0, 8.0].map(|seconds| record("log", &log(robot, seconds, &mut random, tau), 2));
+    let plant = PerturbableRobot::new(robot);
+    let found = diagnose(&plant, &[a], &[b], &Settings::default(), &|_| {}).unwrap();
+    let written = FileTorqueModel::new(&extended(robot.clone(), &found)).unwrap();
+    let missed = written_errors(&written, &[c], true).iter().zip(NOISE).map(|(e, s)| e / s).collect();
+    (found, missed)
+}
+
+fn sign(v: f64) -> f64 {
+    (v / 1e-3).tanh()
+}
+
+/// What the file's drives have.
+fn plain(robot: &Robot, v: &[f64; 2]) -> [f64; 2] {
+    [0, 1].map(|j| {
+        let drive = &robot.joints[j].drive;
+        drive.viscous_friction.unwrap_or(0.0) * v[j] + drive.coulomb_friction.unwrap_or(0.0) * sign(v[j])
+    })
+}
+
+fn names(found: &Diagnosis) -> Vec<(&'static str, Vec<usize>)> {
+    found.causes.iter().map(|c| (c.cause, c.joints.clone())).collect()
+}
+
+fn value(found: &Diagnosis, symbol: &str) -> f64 {
+    let all = found.causes.iter().flat_map(|c| &c.parameters);
+    all.into_iter().find(|p| p.symbol == symbol).unwrap_or_else(|| panic!("{symbol}: {:?}", names(found))).value
+}
+
+#[test]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+fn a_cable_that_is_taut_on_one_side_is_a_spring() {
+    let robot = planar();
+    let bodies = Bodies::of(&bare(&robot));
+    let (found, missed) = found(&robot, 11, &|s| {
+        let (rigid, friction) = (bodies.torques(s), plain(&robot, &s[1]));
+        let cable = if s[0][1] > 0.4 { 0.6 * (s[0][1] - 0.4) } else { 0.0 };
+        [rigid[0] + friction[0], rigid[1] + friction[1] + cable]
+    });
+    assert_eq!(names(&found), [("joint_spring", vec![2])]);
+    assert!((value(&found, "KS2") - 0.6).abs() < 0.05 && (value(&found, "QS2") - 0.4).abs() < 0.1);
+    assert_eq!(value(&found, "SIDE2"), 1.0);
+    assert!(missed[1] < 1.5, "{missed:?}");
+}
+
+#[test]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+fn a_cable_that_stiffens_is_a_spring() {
+    let robot = planar();
+    let bodies = Bodies::of(&bare(&robot));
+    let (found, missed) = found(&robot, 12, &|s| {
+        let (rigid, friction) = (bodies.torques(s), plain(&robot, &s[1]));
+        [rigid[0] + friction[0], rigid[1] + friction[1] + 0.08 * (1.6 * (s[0][1] + 0.2)).sinh()]
+    });
+    assert_eq!(names(&found), [("joint_spring", vec![2])]);
+    assert!(value(&found, "KQ2") > 0.0 && (value(&found, "QS2") + 0.2).abs() < 0.2);
+    assert!(missed[1] < 2.0, "{missed:?}");
+}
+
+/// `q_2 = theta_2 + c theta_1`: the power that the motors give is that which the links take.
+#[test]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+fn an_axis_that_another_motor_carries_is_a_gear_coupling() {
+    for (seed, c) in [(13, 0.3), (14, -0.04)] {
+        let robot = planar();
+        let bodies = Bodies::of(&bare(&robot));
+        let (found, missed) = found(&robot, seed, &|s| {
+            let friction = plain(&robot, &s[1]);
+            let links = s.map(|x| [x[0], x[1] + c * x[0]]);
+            let on_links = bodies.torques(&links);
+            [on_links[0] + c * on_links[1] + friction[0], on_links[1] + friction[1]]
+        });
+        assert_eq!(names(&found), [("gear_coupling", vec![2, 1])]);
+        assert!((value(&found, "CQ2") - c).abs() < 0.01, "{}", value(&found, "CQ2"));
+        assert!(missed.iter().all(|m| *m < 1.5), "{missed:?}");
+    }
+}
+
+#[test]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+fn load_friction_that_differs_by_quadrant_is_no_gain_error() {
+    let robot = planar();
+    let bodies = Bodies::of(&bare(&robot));
+    let (found, missed) = found(&robot, 15, &|s| {
+        let (rigid, friction) = (bodies.torques(s), plain(&robot, &s[1]));
+        let share = if rigid[0] * s[1][0] > 0.0 { 0.08 } else { 0.03 };
+        [rigid[0] + friction[0] + share * rigid[0].abs() * sign(s[1][0]), rigid[1] + friction[1]]
+    });
+    assert_eq!(names(&found), [("load_dependent_friction", vec![1])]);
+    assert!((value(&found, "FL1") - 0.08).abs() < 0.01 && (value(&found, "FLB1") - 0.03).abs() < 0.01);
+    assert!(missed[0] < 1.5, "{missed:?}");
+}
+
+#[test]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+fn friction_that_saturates_is_nonlinear_viscous() {
+    let robot = planar();
+    let bodies = Bodies::of(&bare(&robot));
+    let (found, missed) = found(&robot, 16, &|s| {
+        let (rigid, friction) = (bodies.torques(s), plain(&robot, &s[1]));
+        [rigid[0] + friction[0] + 0.4 * (s[1][0] / 0.3).tanh(), rigid[1] + friction[1]]
+    });
+    assert_eq!(names(&found)[0], ("nonlinear_viscous_friction", vec![1]));
+    assert!(missed[0] < 2.0, "{missed:?}");
+}
+
+/// Parallel axes, links that nobody knows, and a rotor that the file does not have: in a refit
+/// without rotors it looks like a motor that two joints share, with an inertia below zero.
+#[test]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+fn a_refit_has_rotors() {
+    let known = planar();
+    let bodies = Bodies::of(&bare(&known));
+    let file = Robot { links: Vec::new(), ..known.clone() };
+    let (found, missed) = found(&file, 17, &|s| {
+        let (rigid, friction) = (bodies.torques(s), plain(&known, &s[1]));
+        [rigid[0] + friction[0], rigid[1] + friction[1] + 0.09 * s[2][1]]
+    });
+    assert!(names(&found).iter().all(|(name, _)| *name != "gear_coupling"), "{:?}", names(&found));
+    assert!(missed.iter().all(|m| *m < 2.0), "{missed:?}");
+    let written = extended(file, &found);
+    let rotor = written.joints[1].drive.rotor_inertia.unwrap();
+    assert!((rotor - 0.09).abs() < 0.02, "{rotor}");
+}
+
+#[test]
+fn what_runs_to_the_end_of_what_is_looked_for_is_no_estimate() {
+    use crate::diagnose::hypotheses::{at_edge, by_name};
+    let power = by_name("nonlinear_viscous_friction").unwrap();
+    assert!(at_edge(power, &[0.201, 0.0]) && at_edge(power, &[4.99, 0.0]));
+    assert!(!at_edge(power, &[0.4, 0.0]) && !at_edge(power, &[1.0, 0.3]));
+    // An exponent that is natural by habit only says little of a law.
+    assert!(!at_edge(by_name("stribeck_friction").unwrap(), &[0.1, 0.5]));
+}
