@@ -34,6 +34,7 @@ mod result;
 mod robot_file;
 mod run;
 mod search;
+mod simplest_laws;
 mod stepwise_exchange;
 mod structure;
 mod torque_noise;

@@ -188,6 +188,9 @@ pub enum Over {
     Time,
 }
 
+/// A law of an effect, with the shapes to try.
+pub type Law = (&'static dyn Cause, Vec<Vec<f64>>);
+
 /// A hypothesis of the vocabulary.
 pub trait Cause: Sync {
     /// The effect that it looks for.
@@ -253,6 +256,12 @@ pub trait Cause: Sync {
 
     /// The family's columns; none where they do not exist.
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term>;
+
+    /// Laws of the same effect with fewer unknowns, the simplest first, each with the shapes to
+    /// try: this law where its further terms are nothing but noise.
+    fn simpler(&self, _scene: &WindowedData<'_>, _place: &[usize], _shape: &[f64]) -> Vec<Law> {
+        Vec::new()
+    }
 
     /// Whether the columns are difference quotients about zero: the shape's first number is their
     /// step, which follows the coefficient.

@@ -12,6 +12,7 @@ use super::model::{Chosen, Fitted, Mode, ModelUnderTest};
 use crate::diagnose::hypotheses::Cause;
 use crate::diagnose::merge_bodies::merge_bodies;
 use crate::diagnose::merge_common_delay::merge_common_delay;
+use crate::diagnose::simplest_laws::simplest_laws;
 use crate::diagnose::stepwise_exchange::stepwise_exchange;
 
 /// How strict the search is.
@@ -126,6 +127,7 @@ pub fn search(
     progress("weighing the causes against each other");
     stepwise_exchange(bench, &mut accepted, &mut fitted, noise, settings);
     merge_alike(bench, &mut accepted, &mut fitted);
+    simplest_laws(bench, &mut accepted, &mut fitted);
     accepted
 }
 

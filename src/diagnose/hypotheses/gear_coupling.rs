@@ -5,6 +5,7 @@ use dh_codegen::robot::EffectKind;
 
 use super::Cause;
 use super::Kind;
+use super::Law;
 use super::Scope;
 use super::Shape;
 use super::Sign;
@@ -41,6 +42,16 @@ impl Cause for GearCoupling {
     /// With all of its parts, or without what comes out below zero: no rotor and no friction is.
     fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
         [1.0, -1.0].into_iter().flat_map(|ratio| (1..8).map(move |parts| vec![ratio, f64::from(parts)])).collect()
+    }
+
+    /// With one part fewer, or two.
+    fn simpler(&self, _: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> Vec<Law> {
+        let parts = shape[1] as u32;
+        let with = |count: u32| {
+            let fewer = (1..parts).filter(|p| p & parts == *p && p.count_ones() == count);
+            (&Self as &'static dyn Cause, fewer.map(|p| vec![shape[0], f64::from(p)]).collect())
+        };
+        (1..parts.count_ones()).map(with).collect()
     }
 
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> bool {

@@ -5,6 +5,7 @@ use dh_codegen::robot::EffectKind;
 use super::Cause;
 use super::Estimate;
 use super::Kind;
+use super::Law;
 use super::Named;
 use super::Shape;
 use super::Sign;
@@ -97,6 +98,20 @@ impl Cause for CableSpring {
         let [low, high] = travel(scene, place[0]);
         let rests = (1..8).map(|k| low + f64::from(k) / 8.0 * (high - low));
         rests.flat_map(|rest| (0..FORMS.len()).map(move |form| vec![rest, form as f64])).collect()
+    }
+
+    /// A linear spring, then a cable that is taut on one side and does not stiffen.
+    fn simpler(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Law> {
+        let mut laws: Vec<Law> = vec![(&JointSpring, vec![Vec::new()])];
+        let (side, stiffens) = Self::form(shape);
+        if stiffens {
+            let like = |s: &Vec<f64>| {
+                let (other, stiffens) = Self::form(s);
+                !stiffens && (side == 0.0 || other == side)
+            };
+            laws.push((&Self, self.grid(scene, place, &[]).into_iter().filter(like).collect()));
+        }
+        laws
     }
 
     /// At the ends of the travel a cable that is always taut, or never, is none.

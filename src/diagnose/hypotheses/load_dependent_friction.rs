@@ -4,6 +4,7 @@ use dh_codegen::robot::EffectKind;
 
 use super::Cause;
 use super::Kind;
+use super::Law;
 use super::Over;
 use super::Shape;
 use super::Sign;
@@ -29,6 +30,10 @@ impl Cause for LoadDependentFriction {
 
     fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
         vec![vec![0.0], vec![1.0]]
+    }
+
+    fn simpler(&self, _: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> Vec<Law> {
+        if shape[0] == 0.0 { Vec::new() } else { vec![(&Self, vec![vec![0.0]])] }
     }
 
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> bool {
