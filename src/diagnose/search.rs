@@ -126,15 +126,15 @@ pub fn search(
     }
     progress("weighing the causes against each other");
     stepwise_exchange(bench, &mut accepted, &mut fitted, noise, settings);
-    merge_alike(bench, &mut accepted, &mut fitted);
-    simplest_laws(bench, &mut accepted, &mut fitted);
+    simplify(bench, &mut accepted, &mut fitted);
     accepted
 }
 
-/// Bodies that are one body, and delays that are one delay.
-fn merge_alike(bench: &mut ModelUnderTest<'_>, accepted: &mut Vec<Accepted>, fitted: &mut Fitted) {
+/// Bodies that are one body, delays that are one delay, and laws that are a simpler one.
+fn simplify(bench: &mut ModelUnderTest<'_>, accepted: &mut Vec<Accepted>, fitted: &mut Fitted) {
     merge_bodies(bench, accepted, fitted);
     merge_common_delay(bench, accepted, fitted);
+    simplest_laws(bench, accepted, fitted);
 }
 
 /// Two causes that share a joint, neither of which is supported alone: what the other leaves

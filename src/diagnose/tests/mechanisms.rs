@@ -169,7 +169,8 @@ fn friction_that_saturates_is_nonlinear_viscous() {
         [rigid[0] + friction[0] + 0.4 * (s[1][0] / 0.3).tanh(), rigid[1] + friction[1]]
     });
     assert_eq!(names(&found)[0], ("nonlinear_viscous_friction", vec![1]));
-    assert!(missed[0] < 2.0, "{missed:?}");
+    let sizes: Vec<_> = found.causes.iter().flat_map(|c| &c.parameters).map(|p| (&p.symbol, p.value)).collect();
+    assert!(missed[0] < 2.0, "{missed:?}, {sizes:?}");
 }
 
 /// Parallel axes, links that nobody knows, and a rotor that the file does not have: in a refit
