@@ -86,12 +86,9 @@ pub fn candidates(
         loop {
             let at = next.fetch_add(1, Ordering::Relaxed);
             let Some((cause, place)) = tasks.get(at) else { return found };
-            let best = cause
-                .grid(&bench.scene, place, &fitted.residual)
-                .iter()
-                .filter_map(|shape| evaluate(bench, fitted, *cause, place, shape))
-                .max_by(|a, b| a.score.total_cmp(&b.score));
-            found.extend(best.map(|b| (at, b)));
+            let shapes = cause.grid(&bench.scene, place, &fitted.residual);
+            let tried = shapes.iter().filter_map(|shape| evaluate(bench, fitted, *cause, place, shape));
+            found.extend(best_of(bench, fitted, tried).map(|b| (at, b)));
         }
     };
     let threads = std::thread::available_parallelism().map_or(1, |n| n.get()).min(4);
@@ -111,6 +108,24 @@ pub fn candidates(
     simplest_first(&mut all, fitted);
     least_change_first(&mut all, bench);
     all
+}
+
+/// The best of the shapes of one cause. Where they are of several laws each law's best is refined
+/// first: a coarse grid does not tell which of them holds.
+fn best_of(bench: &ModelUnderTest<'_>, fitted: &Fitted, tried: impl Iterator<Item = Candidate>) -> Option<Candidate> {
+    let mut best: Vec<Candidate> = Vec::new();
+    for next in tried {
+        let law = |c: &Candidate| c.cause.law(&c.shape);
+        match best.iter_mut().find(|known| law(known) == law(&next)) {
+            Some(known) if known.score > next.score => {}
+            Some(known) => *known = next,
+            None => best.push(next),
+        }
+    }
+    if best.len() > 1 {
+        best.iter_mut().for_each(|candidate| refine(bench, fitted, candidate));
+    }
+    best.into_iter().max_by(|a, b| a.score.total_cmp(&b.score))
 }
 
 /// Beyond this many times a residual's memory, or this share of itself, a difference of scores

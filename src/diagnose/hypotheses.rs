@@ -257,6 +257,11 @@ pub trait Cause: Sync {
     /// The family's columns; none where they do not exist.
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term>;
 
+    /// Which of its laws a shape belongs to, where refining one never leads to another.
+    fn law(&self, _shape: &[f64]) -> usize {
+        0
+    }
+
     /// Laws of the same effect with fewer unknowns, the simplest first, each with the shapes to
     /// try: this law where its further terms are nothing but noise.
     fn simpler(&self, _scene: &WindowedData<'_>, _place: &[usize], _shape: &[f64]) -> Vec<Law> {

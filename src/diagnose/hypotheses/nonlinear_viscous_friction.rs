@@ -40,6 +40,11 @@ impl Cause for NonlinearViscousFriction {
         powers.chain(geometric(slow, fast, 4).into_iter().map(|v| vec![1.0, v])).collect()
     }
 
+    /// A power, or one that saturates.
+    fn law(&self, shape: &[f64]) -> usize {
+        usize::from(shape[1] > 0.0)
+    }
+
     /// Of the two numbers one is in use.
     fn free(&self, _: &[f64]) -> usize {
         1
