@@ -55,12 +55,10 @@ impl Case<'_> {
         if links.is_empty() {
             return causes;
         }
-        let missed = [&without, after].map(|m| evidence::short(root_mean_square(&m.rms)));
+        let [missed, now] = [&without, after].map(|m| evidence::short(root_mean_square(&m.rms)));
+        let on = measured_on("validate", self.own_validation);
         let figures = format!(
-            "with the file's own and everything else that was found {} N m are missed on {} (RMS over joints), with these {} N m",
-            missed[0],
-            measured_on("validate", self.own_validation),
-            missed[1]
+            "with the file's own and everything else that was found {missed} N m are missed on {on} (RMS over joints), with these {now} N m"
         );
         let cause = |name, joints, parameters, probability, evidence| Cause {
             cause: name,
