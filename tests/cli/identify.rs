@@ -343,10 +343,10 @@ fn the_page_and_the_json_have_every_warning_of_the_terminal() {
     let said: Value = serde_json::from_str(&std::fs::read_to_string(&said).unwrap()).unwrap();
     assert_eq!(strings(&said["warnings"]), warnings);
     let page = std::fs::read_to_string(&page).unwrap();
-    let section = page.split("<h2>Warnings</h2>").nth(1).unwrap().split("</section>").next().unwrap();
+    let section = page.split(">Warnings</h2>").nth(1).unwrap().split("</section>").next().unwrap();
     assert_eq!(section.matches("<li class=warning>").count(), warnings.len());
     assert!(section.contains("carry over to other motions"));
-    assert!(page.find("<h2>Warnings</h2>") < page.find("<h2>Torque error per joint</h2>"));
+    assert!(page.find(">Warnings</h2>") < page.find(">Torque error per joint</h2>"));
 }
 
 /// Friction of the other sign is no drive's.
