@@ -248,7 +248,7 @@ fn of_wrong_use() {
     fails(&[ROBOT], &["--loaded", "--help"]);
     fails(&["robots/stanford.yaml", "--loaded", large], &["large.csv", "6"]);
     fails(&[ROBOT, "--loaded", large, "--tools", "no/such"], &["no/such", "--tools"]);
-    fails(&[ROBOT, "--loaded", large, "--tools", "docs"], &["docs", "no tool file"]);
+    fails(&[ROBOT, "--loaded", large, "--tools", "data"], &["data", "no tool file"]);
     fails(&[ROBOT, "--loaded", large, "--known-mass", "0"], &["0 kg", "positive"]);
     fails(&[ROBOT, "--loaded", large, "--known-mass", "-1"], &["-1 kg", "positive"]);
     fails(&[ROBOT, "--loaded", large, "--level", "2"], &["--level 2"]);

@@ -133,7 +133,7 @@ fn the_papers_identification() {
 /// The diagnosis of what a seed hides in the simulator: one case of each kind, short logs. `denavit
 /// reproduce diagnosis` is the whole.
 #[test]
-#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn hidden_effects_are_named() {
     use super::diagnosis::{Settings, battery};
     use crate::simulate::Mode;

@@ -96,7 +96,7 @@ fn value(found: &Diagnosis, symbol: &str) -> f64 {
 }
 
 #[test]
-#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn a_cable_that_is_taut_on_one_side_is_a_spring() {
     let robot = planar();
     let bodies = Bodies::of(&bare(&robot));
@@ -112,7 +112,7 @@ fn a_cable_that_is_taut_on_one_side_is_a_spring() {
 }
 
 #[test]
-#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn a_cable_that_stiffens_is_a_spring() {
     let robot = planar();
     let bodies = Bodies::of(&bare(&robot));
@@ -127,7 +127,7 @@ fn a_cable_that_stiffens_is_a_spring() {
 
 /// `q_2 = theta_2 + c theta_1`: the power that the motors give is that which the links take.
 #[test]
-#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn an_axis_that_another_motor_carries_is_a_gear_coupling() {
     for (seed, c) in [(13, 0.3), (14, -0.04)] {
         let robot = planar();
@@ -145,7 +145,7 @@ fn an_axis_that_another_motor_carries_is_a_gear_coupling() {
 }
 
 #[test]
-#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn load_friction_that_differs_by_quadrant_is_no_gain_error() {
     let robot = planar();
     let bodies = Bodies::of(&bare(&robot));
@@ -160,7 +160,7 @@ fn load_friction_that_differs_by_quadrant_is_no_gain_error() {
 }
 
 #[test]
-#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn friction_that_saturates_is_nonlinear_viscous() {
     let robot = planar();
     let bodies = Bodies::of(&bare(&robot));
@@ -176,7 +176,7 @@ fn friction_that_saturates_is_nonlinear_viscous() {
 /// Parallel axes, links that nobody knows, and a rotor that the file does not have: in a refit
 /// without rotors it looks like a motor that two joints share, with an inertia below zero.
 #[test]
-#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn a_refit_has_rotors() {
     let known = planar();
     let bodies = Bodies::of(&bare(&known));

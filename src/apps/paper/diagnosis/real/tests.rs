@@ -85,7 +85,7 @@ fn positions_differentiated_by_the_measure_are_right() {
 }
 
 #[test]
-#[cfg_attr(debug_assertions, ignore = "slow without optimisation; .ci/run runs it in release")]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn a_battery_counts_what_it_says() {
     let settings = RealSettings { cases: 2, seed: 4, sizes: vec![3.0], ..RealSettings::default() };
     let found = on_real(&settings, &[small()], &|_, _| {}).unwrap();
