@@ -251,14 +251,14 @@ fn of_wrong_use() {
     fails(&[ROBOT, "--loaded", large, "--tools", "data"], &["data", "no tool file"]);
     fails(&[ROBOT, "--loaded", large, "--known-mass", "0"], &["0 kg", "positive"]);
     fails(&[ROBOT, "--loaded", large, "--known-mass", "-1"], &["-1 kg", "positive"]);
-    fails(&[ROBOT, "--loaded", large, "--level", "2"], &["--level 2"]);
+    fails(&[ROBOT, "--loaded", large, "--tools", "robots/tools", "--level", "2"], &["--level 2"]);
     fails(&[ROBOT, "--loaded", large, "--trim", "-1"], &["--trim -1: seconds"]);
     fails(&[ROBOT, "--loaded", large, "--dead-zone", "nan"], &["--dead-zone NaN"]);
     fails(&[ROBOT, "--loaded", large, "--unloaded", large], &["large.csv: the same log", "empty hand"]);
     let without = |flag| fails(&[ROBOT, "--loaded", large, "--unloaded", &logs.empty, flag], &[flag, "--unloaded"]);
     without("--on-top");
     without("--refresh-friction");
-    fails(&[ROBOT, "--loaded", large, "--tolerance", "1,2"], &["--tolerance"]);
+    fails(&[ROBOT, "--loaded", large, "--tools", "robots/tools", "--tolerance", "1,2"], &["--tolerance", "give three"]);
     fails(&[ROBOT, "--loaded", "no.csv"], &["no.csv", "check the path"]);
     // A robot whose links are not known needs the unloaded log.
     fails(&["robots/kuka-lbr-med7.yaml", "--loaded", large], &["--unloaded", "identify"]);
