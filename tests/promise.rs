@@ -264,6 +264,7 @@ fn whole(name: &str, keys: &[(&str, f64)]) -> Effects {
 }
 
 promises! {
+    #[cfg_attr(debug_assertions, ignore = "minutes without optimisation: cargo test --release --test promise")]
     stribeck_and_ripple: both(
         on(2, &[effect("stribeck_friction", &[("FS", 2.0), ("VS", 0.1)])]),
         on(4, &[effect("torque_ripple", &[("RN", 20.0), ("RC", 0.3), ("RS", 0.2)])]),
@@ -276,6 +277,7 @@ promises! {
         whole("time_delay", &[("TD", 0.01)]),
         on(2, &[effect("presliding_hysteresis", &[("HC", 1.5), ("HX", 0.03)])]),
     );
+    #[cfg_attr(debug_assertions, ignore = "minutes without optimisation: cargo test --release --test promise")]
     coupled_with_a_spring: both(
         on(6, &[effect("gear_coupling", &[("joint", 5.0), ("KC", 1.0), ("IAM", 0.02), ("FVM", 0.5), ("FCM", 0.4)])]),
         on(4, &[effect("joint_spring", &[("KS", 3.0), ("QS", 0.4)])]),
@@ -352,6 +354,7 @@ fn one_sine(phase: f64, seconds: f64) -> Trajectory {
 /// On one sine a rotor is a spring pulled the wrong way round; the motion that is designed tells
 /// them apart.
 #[test]
+#[cfg_attr(debug_assertions, ignore = "minutes without optimisation: cargo test --release --test promise")]
 fn the_next_experiment_resolves_what_was_open() {
     let robot = robot();
     let plant = PerturbableRobot::new(&robot);
