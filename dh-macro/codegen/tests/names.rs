@@ -201,7 +201,9 @@ fn expanded(name: &str, robot: &Robot) -> String {
     let body = module.body.replace("::denavit_runtime::", "crate::shared::");
     let tokens: TokenStream = body.parse().expect("tokens");
     let traits: TokenStream = module.implementations("Own", "__robot").parse().expect("tokens");
-    format!("pub mod {name} {{ {tokens} }}\nconst _: () = {{ #[allow(dead_code)] struct Own; use {name} as __robot; {traits} }};\n")
+    format!(
+        "pub mod {name} {{ {tokens} }}\nconst _: () = {{ #[allow(dead_code)] struct Own; use {name} as __robot; {traits} }};\n"
+    )
 }
 
 fn runtime() -> Runtime {
