@@ -3,8 +3,8 @@
 
     pip install mujoco pyyaml
     cargo build --release
-    python3 benches/mujoco.py target/release/denavit robots/kuka-lwr4.yaml identified.yaml
-    python3 benches/mujoco.py target/release/denavit tests/import/arm.xml
+    python3 benches/mujoco/export.py target/release/denavit robots/kuka-lwr4.yaml identified.yaml
+    python3 benches/mujoco/export.py target/release/denavit tests/import/arm.xml
 
 A robot file is exported to MJCF, an MJCF file imported (the first of several tips, joints beside the arm
 at zero). Inverse dynamics of both sides at 50 random states, relative to the largest torque: the mass
