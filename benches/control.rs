@@ -2,9 +2,8 @@
 //! (15), gravity, closed-form inverse kinematics.
 //!
 //! `cargo bench --bench control` prints the distribution over a million steps along a painting
-//! stroke, and over a tenth as many of what could cost more (a wall out of reach, an outstretched
-//! arm, a wrist in line, samples that are missing): median, 99th, 99.99th percentile, worst, by
-//! three clocks:
+//! stroke: median, 99th and 99.99th percentile and worst, by three clocks. Costly cases get a tenth
+//! as many steps: a wall out of reach, an outstretched arm, a wrist in line, missing samples.
 //!
 //! - wall: with whatever else the machine did meanwhile; worth something on an idle machine, or on
 //!   a core of its own;
@@ -94,7 +93,7 @@ impl Body<N> for Lwr {
     }
 }
 
-/// What is asked of the law at a step.
+/// Work of the law in one step.
 struct Scene {
     name: &'static str,
     /// Middle of the motion, rad.

@@ -1,6 +1,6 @@
-//! All branches of one pose, and the swivel intervals of one branch: medians per pose over random
-//! poses, and clock cycles of the best round, which a slower clock does not change. `benches/peers`
-//! measures other crates in the same run.
+//! All branches of one pose, and the swivel intervals of one branch. Printed are medians per pose
+//! over random poses, and clock cycles of the best round, which a slower clock does not change.
+//! `benches/peers` measures other crates in the same run.
 //!
 //! For the figures of the README: `RUSTFLAGS="-C target-cpu=native" cargo bench --bench ik`.
 

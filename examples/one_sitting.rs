@@ -40,7 +40,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         logs.push(simulator.run(&played, &Request { sensors, seed, ..Request::default() }, &mut |_| {})?.log);
     }
 
-    // What a plain identification leaves.
+    // Residual of a plain identification.
     let arm = Interpreted::new(&robot, &[]);
     let mut factors = Vec::new();
     for log in &logs {

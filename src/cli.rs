@@ -2,8 +2,28 @@
 
 #![deny(clippy::print_stdout, clippy::print_stderr)] // `terminal` writes, and shows control characters
 
+/// The columns of a log, for the end of a help.
+macro_rules! log_columns {
+    () => {
+        "\n\nColumns of a log, in SI units:
+  t                    time, s
+  q1..                 positions of the joints, rad or m
+  tau1.. or i1..       torques, N m; or motor currents, A, with `torque_constant` in the robot file
+Optional columns:
+  dq1.. ddq1..         velocities and accelerations
+  qm1.. qd1..          motor-side and desired positions
+  taum1.. temp1..      motor-side torques, N m; temperatures, deg C
+  fx fy fz mx my mz    wrench on the tool, N and N m
+  seg                  number of the recording
+Other names and units: `denavit log inspect LOG` proposes a mapping for --map or the robot file.
+Formats (CSV, Parquet, MCAP, npz, mat) and mappings: docs/logs.md"
+    };
+}
+
+mod calibrate;
 mod check;
 mod column_check;
+mod delivery;
 mod diagnose;
 mod eval;
 mod excite;
@@ -51,6 +71,9 @@ pub struct Cli {
 enum Command {
     /// Write a commented robot file for an arm of n joints, to fill in.
     New(new::New),
+    /// Identify the robot, diagnose what is left, and measure both on logs that nothing was fitted
+    /// to.
+    Calibrate(calibrate::Calibrate),
     /// Read a robot file, validate it, and say what it describes.
     Check(check::Check),
     /// Write the drop-in crate with the robot's closed-form functions.
@@ -60,7 +83,7 @@ enum Command {
     Diagnose(diagnose::Diagnose),
     /// Evaluate a quantity of the robot at given states.
     Eval(eval::Eval),
-    /// Design the motion that tells the most about the parameters, inside every limit.
+    /// Design the most informative motion for the parameters, inside every limit.
     Excite(excite::Excite),
     /// Write a robot file as URDF or MJCF, for simulators that read those.
     Export(export::Export),
@@ -110,6 +133,7 @@ impl Cli {
         let provenance = self.provenance;
         match self.command {
             Command::New(verb) => verb.run(provenance),
+            Command::Calibrate(verb) => verb.run(provenance),
             Command::Check(verb) => verb.run(provenance),
             Command::Generate(verb) => verb.run(provenance),
             Command::Diagnose(verb) => verb.run(provenance),
@@ -143,11 +167,11 @@ fn with_negative_numbers(command: clap::Command) -> clap::Command {
 }
 
 /// Why a command stopped.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct Failure {
     /// 2: wrong use or bad input. 1: anything else.
     pub status: u8,
-    /// What, where, how to mend it.
+    /// What went wrong, where, and how to mend it.
     pub message: String,
 }
 

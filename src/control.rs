@@ -3,8 +3,8 @@
 //!
 //! [`law`] is the controller itself: plain arrays, no allocation, nothing but `core`, so that its
 //! files can be copied verbatim into firmware (`tests/control.rs` compiles them under
-//! `#![no_std]`). [`robot`] lends it a robot file, [`gains`] proposes gains from a linear model of
-//! arm, wall, filter and sampling, [`iterative_learning`] is what one coat teaches the next.
+//! `#![no_std]`). [`robot`] adapts a robot file to it, [`gains`] proposes gains from a linear model
+//! of arm, wall, filter and sampling, [`iterative_learning`] learns from one coat for the next.
 
 pub mod estimate;
 pub mod gains;

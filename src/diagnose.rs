@@ -1,9 +1,11 @@
-//! What a simulation of the robot file gets wrong, why, and what it gains to put it right.
+//! Diagnosis of a simulation of the robot file: its errors, their likely cause, and the gain of
+//! mending them on held-out logs.
 //!
-//! [`Motion`](crate::data::signal::Motion)s -> [`Recording`] -> windows (`scene`) -> every cause of
-//! the vocabulary in every place (`causes`) against every other (`search`), everything else
-//! refitted (`model`, `moments`) -> what is left (`structure`) -> [`Diagnosis`], measured on logs
-//! that were used neither to fit nor to choose.
+//! The pipeline is [`Motion`](crate::data::signal::Motion)s -> [`Recording`] -> windows
+//! (`windowed_data`) -> every cause of the vocabulary in every place (`hypotheses`) against every
+//! other (`search`), everything else refitted (`model`, `moments`) -> remaining structure
+//! (`structure`) -> [`Diagnosis`]. It is measured on logs that were used neither to fit nor to
+//! choose.
 //!
 //! Sees a robot only as a [`PerturbableArm`](crate::model::PerturbableArm); prints nothing.
 
@@ -11,8 +13,12 @@ mod attribution;
 mod baseline_friction;
 mod calibration;
 mod candidate;
+mod contenders;
+mod deflection;
 mod evidence;
+mod excess;
 mod hypotheses;
+mod impacts;
 mod judge;
 mod links;
 mod maps;

@@ -59,10 +59,10 @@ pub enum ImportError {
     /// Mistakes in the file, each with line and column.
     #[error("{0}")]
     File(Problems),
-    /// What the file holds, or what was asked, does not make a serial arm.
+    /// The content of the file, or the request, does not make a serial arm.
     #[error("{what}{}{mend}", if mend.is_empty() { "" } else { "; " })]
     Arm {
-        /// What stands in the way, by name.
+        /// Obstacles, by name.
         what: String,
         /// How to go on; may be empty.
         mend: String,

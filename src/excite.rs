@@ -6,8 +6,8 @@
 //!
 //! - `curve`: splines and Fourier series as linear functions of the search variables; bounds that
 //!   hold between samples.
-//! - `columns`, `extra`: which columns of the regressor count. `information`, `criterion`: what
-//!   they tell.
+//! - `columns`, `extra`: which columns of the regressor count. `information`, `criterion`: their
+//!   evaluation.
 //! - `bodies`, `constraints`: torque, ground, spheres, boxes. `program`: all of it as one nonlinear
 //!   program.
 //! - `sqp`, `subproblem`: the solver. `start`: where it begins. `design`: several starts, grids
@@ -23,6 +23,7 @@ mod criterion;
 mod curve;
 mod design;
 mod durations;
+mod error;
 mod extra;
 mod information;
 mod limits;
@@ -41,6 +42,7 @@ pub use criterion::Criterion;
 pub use curve::Curve;
 pub use design::{Design, Effort, Progress, Record, Watch, design, discriminate};
 pub use durations::{AtDuration, by_duration};
+pub use error::{DesignError, LimitsError, MotionError, ShortestError};
 pub use extra::{Extra, FrictionCoverage};
 pub use information::{Conditions, Information};
 pub use limits::{JointLimits, Missing};

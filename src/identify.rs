@@ -1,4 +1,4 @@
-//! From motion and torque to base parameters, with standard deviations that can be believed.
+//! From motion and torque to base parameters, with honest standard deviations.
 //!
 //! [`Motion`](crate::data::signal::Motion)s -> [`QrAccumulator`]: one triangular factor per joint
 //! -> [`solve`]: weighted least squares on the small stacked factors -> [`Identification`]. The log

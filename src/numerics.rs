@@ -1,4 +1,4 @@
-//! Numerical methods that know no robot: filters, splines, integrators, direct search.
+//! Numerical methods, independent of robots: filters, splines, integrators, direct search.
 
 pub(crate) mod butterworth;
 pub(crate) mod chebyshev;

@@ -2,6 +2,7 @@
 //! no terminal.
 
 pub use check::{json::check_json, text::check_text};
+pub use diagnose::calibrate::{Identified, calibrate_text, calibrate_verdict};
 pub use diagnose::json::diagnose_json;
 pub use diagnose::next_experiment::{next_experiment_json, next_experiment_text};
 pub use diagnose::page::diagnose_html;
@@ -10,6 +11,7 @@ pub use diagnose::written::{WrittenCheck, written_json, written_text};
 pub use eval::json::eval_json;
 pub use excite::motion_check::{motion_check_json, motion_check_text};
 pub use excite::page::excite_html;
+pub use excite::saved::{trajectory_json, trajectory_of_json};
 pub use excite::text::{Outcome, excite_json, excite_text, joint_trajectory, missing_text, motion_csv};
 pub use export::{export_json, export_text};
 pub use force::json::{force_json, uncertainty_of_json};
@@ -31,8 +33,10 @@ pub use log::text::{converted_text, inspect_text, mapping_yaml};
 pub use paint::page::paint_html;
 pub use paint::run::{paint_run_csv, paint_run_json, paint_run_text};
 pub use paint::run_page::{Painted, paint_run_html};
+pub use paint::saved::{plan_json, plan_of_json};
 pub use paint::text::{Planned, paint_csv, paint_json, paint_path_csv, paint_text};
 pub use parts::bodies::Links;
+pub use parts::fields::FieldError;
 pub use parts::visible::{is_control, visible};
 pub use parts::warnings::Warnings;
 pub use reproduce::json::reproduce_json;
@@ -64,5 +68,5 @@ pub(crate) mod simulate;
 mod tests;
 pub(crate) mod tool;
 
-/// Where a result comes from, for the foot of a report: what and value, in order.
+/// Provenance of a result, for the foot of a report: name and value, in order.
 pub type Provenance = [(String, String)];

@@ -1,13 +1,12 @@
 //! The robot as it might be: bodies, drives with all their effects, a controller, sensors; and the
 //! log that it leaves.
 //!
-//! `Robot + Effects -> Simulator` (bodies as they truly are, a [`Drive`] for each joint) `-> Plant`
-//! (an ordinary differential equation) `-> Rosenbrock or Dormand-Prince -> Truth -> Sensors ->
-//! Log`.
+//! `Robot + Effects -> Simulator` (true bodies, a [`Drive`] for each joint) `-> Plant` (an
+//! ordinary differential equation) `-> Rosenbrock or Dormand-Prince -> Truth -> Sensors -> Log`.
 //!
-//! The log's `tau` is the torque of the motor at the joint's side of the gear, so `tau = M ddq +
-//! c + g + rotor + friction + ...`; with [`Side::Link`] it is what the gear transmits, and `taum`
-//! is the motor's.
+//! The log's `tau` is the torque of the motor at the joint's side of the gear, so `tau = M ddq + c
+//! + g + rotor + friction + ...`. With [`Side::Link`] it is the torque that the gear transmits, and
+//! `taum` is the motor's.
 //!
 //! ```
 //! use denavit::simulate::{Control, Effects, Mode, Request, Sensors, Simulator, Trajectory};
@@ -91,7 +90,7 @@ pub enum SimulateError {
     },
     /// Joints do not agree.
     #[error(
-        "the trajectory has {found} joints (q1..q{found}), the robot has {expected}; take the trajectory or the robot file that belongs to it"
+        "the number of joints is {found} in the trajectory (counted by its columns q1 ..) and {expected} in the robot file; take the trajectory or the robot file that belongs to it"
     )]
     Joints {
         /// Of the trajectory.
@@ -102,15 +101,15 @@ pub enum SimulateError {
     /// A law with an impossible parameter.
     #[error("{effect}{}: {key} is {value}; it must {must}", joint.map_or(String::new(), |joint| format!(" of joint {joint}")))]
     Effect {
-        /// Which effect.
+        /// The effect.
         effect: EffectKind,
         /// Number of the joint; `None`: of the whole robot.
         joint: Option<usize>,
         /// Its key.
         key: String,
-        /// What was given.
+        /// Given value.
         value: f64,
-        /// What it must be.
+        /// Condition on the value.
         must: String,
     },
     /// A contact that ends before it begins.
@@ -122,7 +121,7 @@ pub enum SimulateError {
     /// An effect of a link that is not there.
     #[error("{}: {}; write the number of a link, 1 to {last}", EffectKind::LinkInertiaError, number.map_or("no `link` is named".to_string(), |n| format!("there is no link {n}")))]
     Link {
-        /// What was given.
+        /// Given value.
         number: Option<usize>,
         /// Number of links.
         last: usize,
@@ -130,17 +129,17 @@ pub enum SimulateError {
     /// A setting that makes no sense.
     #[error("{what} is {value}; it must {must}")]
     Setting {
-        /// Which.
+        /// The key.
         what: &'static str,
-        /// What was given.
+        /// Given value.
         value: f64,
-        /// What it must be.
+        /// Condition on the value.
         must: &'static str,
     },
     /// A list of the wrong length.
     #[error("{what} has {found} values; write one, or one for each of the {expected} joints")]
     List {
-        /// Which.
+        /// The key.
         what: &'static str,
         /// Number of values.
         found: usize,
@@ -166,9 +165,9 @@ pub enum SimulateError {
 /// All settings of a run.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Request {
-    /// What drives the arm.
+    /// Control of the arm.
     pub control: Control,
-    /// What is recorded.
+    /// Recorded quantities.
     pub sensors: Sensors,
     /// How it is integrated.
     pub solver: Solver,
@@ -179,11 +178,11 @@ pub struct Request {
 /// A run's results.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
-    /// What the sensors saw: contract section 3.
+    /// Sensor readings, in the format of docs/logs.md.
     pub log: Log,
-    /// What was.
+    /// True motion and torques.
     pub truth: Truth,
-    /// The drives as they were, defaults resolved.
+    /// The drives with defaults resolved.
     pub drives: Vec<Drive>,
     /// How the integration went; `None` in exact mode.
     pub integration: Option<Integration>,
@@ -200,7 +199,7 @@ impl Recording {
 /// How an integration went.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Integration {
-    /// Which method worked, never [`Method::Auto`].
+    /// Method in use, never [`Method::Auto`].
     pub method: Method,
     /// Steps that were taken.
     pub steps: usize,
@@ -214,9 +213,9 @@ pub struct Simulator {
 }
 
 impl Simulator {
-    /// The robot with the effects of its file and these; a law of the latter takes the place of the
-    /// file's law of the same name, plain friction, inertias and offsets add up. The slow part: run
-    /// it more than once.
+    /// The robot with the effects of its file and these. A law of the latter replaces the file's
+    /// law of the same name; plain friction, inertias and offsets add up. The slow part: run it
+    /// more than once.
     pub fn new(robot: &Robot, effects: &Effects) -> Result<Self, SimulateError> {
         Ok(Self { built: SimulatedRobot::new(robot, effects)? })
     }
@@ -232,7 +231,7 @@ impl Simulator {
         &self.built.drives
     }
 
-    /// Plays the motion. `progress` is told the time in the motion, s, now and then.
+    /// Plays the motion. `progress` receives the time in the motion, s, now and then.
     pub fn run(
         &self,
         trajectory: &Trajectory,
@@ -375,7 +374,7 @@ impl Simulator {
         for j in 0..n {
             peak[j] = torques[j * len..(j + 1) * len].iter().fold(0.0, |a: f64, t| a.max(t.abs()));
         }
-        // Forty places along the motion tell what a joint has to move.
+        // Forty places along the motion show the load of a joint.
         let mut inertia = vec![0.0; n];
         let mut bodies = given.bodies(standard);
         let mut mass = vec![0.0; n * n];

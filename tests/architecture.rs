@@ -184,10 +184,8 @@ fn identifiers(tokens: TokenStream, into: &mut BTreeSet<String>) {
 /// Identifiers outside which domains must not use.
 #[test]
 fn only_report_serialises_and_only_cli_touches_disk_and_terminal() {
-    // Readers of two small formats, to be moved.
-    let readers = ["src/apps/painting/plan.rs", "src/data/trajectory.rs"];
     let rules: [(&[&str], &[&str]); 2] = [
-        (&["serde_json"], &["report", "cli"]),
+        (&["serde_json", "serde_saphyr", "saphyr_parser"], &["report", "cli"]),
         (&["println", "eprintln", "print", "eprint", "fs", "stdout", "stderr", "clap", "indicatif"], &["cli", "main"]),
     ];
     let mut wrong = Vec::new();
@@ -200,8 +198,7 @@ fn only_report_serialises_and_only_cli_touches_disk_and_terminal() {
         let text = text.to_string();
         for (forbidden, allowed) in rules {
             for word in forbidden.iter().filter(|w| words.contains(**w) && !allowed.contains(&own.as_str())) {
-                let known = *word == "serde_json" && readers.iter().any(|r| path == Path::new(r));
-                if !known && (!macros(word) || text.contains(&format!("{word} !"))) {
+                if !macros(word) || text.contains(&format!("{word} !")) {
                     wrong.push(format!("{}: {word}", path.display()));
                 }
             }
@@ -335,6 +332,47 @@ fn functions_are_short() {
     only_shrinks("tests/architecture/long_functions.txt", &table(LONG_FUNCTIONS), &found);
 }
 
+/// Public functions whose error is a text.
+struct TextErrors<'a> {
+    file: &'a str,
+    found: Vec<String>,
+}
+
+impl TextErrors<'_> {
+    fn add(&mut self, visibility: &syn::Visibility, signature: &syn::Signature) {
+        let output = signature.output.to_token_stream().to_string();
+        let text = output.contains("Result <") && output.contains(", String >");
+        if matches!(visibility, syn::Visibility::Public(_)) && text {
+            self.found.push(format!("{} {}", self.file, signature.ident));
+        }
+    }
+}
+
+impl<'ast> Visit<'ast> for TextErrors<'_> {
+    fn visit_item_fn(&mut self, item: &'ast syn::ItemFn) {
+        self.add(&item.vis, &item.sig);
+    }
+    fn visit_impl_item_fn(&mut self, item: &'ast syn::ImplItemFn) {
+        self.add(&item.vis, &item.sig);
+    }
+    fn visit_item_mod(&mut self, item: &'ast syn::ItemMod) {
+        if !for_tests(&item.attrs) {
+            visit::visit_item_mod(self, item);
+        }
+    }
+}
+
+#[test]
+fn public_functions_have_errors_of_a_type() {
+    let mut found = Vec::new();
+    for (path, file) in ["src", "dh-macro/codegen/src"].iter().flat_map(|folder| sources(folder)) {
+        let mut functions = TextErrors { file: &path.display().to_string(), found: Vec::new() };
+        functions.visit_file(&file);
+        found.extend(functions.found);
+    }
+    assert!(found.is_empty(), "give these an error enum in place of a text:\n{}", found.join("\n"));
+}
+
 #[test]
 fn public_types_of_a_domain_have_names_of_their_own() {
     let mut count: BTreeMap<String, usize> = BTreeMap::new();
@@ -382,7 +420,7 @@ fn paths_in_documents_exist() {
             let mut places = folders.map(|f| Path::new(f).join(&path)).to_vec();
             places.push(beside.join(&path));
             let known = places.iter().any(|p| root().join(p).exists());
-            // What others keep beside a checkout, and what a command of the text writes.
+            // Files that others keep beside a checkout, and outputs of the text's commands.
             if !known && !path.starts_with("..") && !path.starts_with('/') {
                 missing.push(format!("{}: {path}", document.display()));
             }

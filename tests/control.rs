@@ -180,8 +180,8 @@ fn a_drag_aside_is_carried_by_its_estimate() {
 #[test]
 fn drag_is_learned_and_then_known_before_the_estimate_shows_it() {
     const FRICTION: f64 = 0.4;
-    // To and fro along y, the push aside known as late as a low-pass of 10 Hz makes it; how far the
-    // tool is off in the last of seven turns.
+    // Moves to and fro along y, the push aside measured through a low-pass of 10 Hz. Returns how
+    // far the tool is off in the last of seven turns.
     let run = |drag: f64| {
         let settings = Settings { carry: 1.0, feed: 1.0, aside: 0.5, aside_pole: 4.0, drag, ..settings() };
         let mut controller = Controller::new(Gantry::default(), settings).unwrap();
@@ -460,8 +460,8 @@ fn what_may_be_friction_is_no_force() {
         assert!((0.0..0.25).contains(&off), "{found:?} {wanted} {to}");
     };
     let is = |found: Option<f64>, wanted: f64| assert!((found.unwrap() - wanted).abs() < 1e-3, "{found:?} {wanted}");
-    // Friction that is 0.4 N less than the model says is a force that is up to 0.4 N more than was
-    // told, and no less.
+    // Friction that is 0.4 N less than the model's is a force that is up to 0.4 N more than
+    // reported, and no less.
     near(told(-0.4, 1.0, 4.7), 5.0, 4.7);
     near(told(-0.4, 1.0, 4.0), 4.4, 4.0);
     is(told(-0.4, 1.0, 5.3), 5.3);
@@ -535,8 +535,8 @@ fn at_rest_friction_is_no_force() {
     near(told(0.0)[2], [-0.6, 0.0], false);
 }
 
-/// What the estimator of the loop says along a log: times and wrenches (N, N m), and whether
-/// friction alone explains the torques. `held`: each row is a pose that is held for a second.
+/// Output of the loop's estimator along a log: times and wrenches (N, N m), and whether friction
+/// alone explains the torques. `held`: each row is a pose that is held for a second.
 type Along<const N: usize> = Vec<(f64, [f64; 6], bool)>;
 
 /// A robot file of the repository, and a recording where it is at hand (`shared/data`); `scale`
@@ -593,8 +593,9 @@ fn along<const N: usize>(robot: &str, log: &str, torque: &str, scale: [f64; N], 
     Some(found)
 }
 
-/// A UR10e that stands and is pushed by hand four times: nothing before, each push, and nothing
-/// half a minute after it either, though friction keeps a part of the currents.
+/// A UR10e that stands and is pushed by hand four times. There is nothing before, each push is
+/// reported, and nothing half a minute after it either, though friction keeps a part of the
+/// currents.
 #[test]
 fn pushes_on_a_standing_arm() {
     let gains = [10.0, 10.6956, 8.4566, 9.0029, 9.48, 10.1232];

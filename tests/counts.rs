@@ -1,5 +1,5 @@
-//! What the closed form costs and how many base parameters it finds: figures that must not get
-//! worse unnoticed.
+//! Cost of the closed form and number of base parameters: figures that must not get worse
+//! unnoticed.
 
 use denavit::model::rigid_body::base::{Torques, rank, rank_of};
 use dh_codegen::arm::param::{DriveTerm, Parameter};

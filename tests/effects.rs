@@ -65,7 +65,7 @@ fn sign(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { x.signum() }
 }
 
-/// What the interpreter says.
+/// Output of the interpreter.
 fn predicted(robot: &Robot, state: &[[f64; 2]; 3]) -> [f64; 2] {
     let states = States { len: 1, q: state[0].to_vec(), dq: state[1].to_vec(), ddq: state[2].to_vec() };
     let mut out = [0.0; 2];
@@ -220,7 +220,7 @@ fn the_generated_crate_says_the_same_bits() {
         std::fs::write(path, text).unwrap();
     }
     let predictor = FileTorqueModel::new(&robot).unwrap();
-    let phi = param::standard_values(&robot.as_it_is()).unwrap();
+    let phi = param::standard_values(&robot.effective()).unwrap();
     let arm = Interpreted::with_effects(&robot, &[Function::DriveTorques]);
     let mut rows = String::new();
     for state in &STATES {
@@ -343,7 +343,7 @@ fn a_simulated_log_is_what_was_predicted() {
         };
         let run = simulator.run(&trajectory, &request, &mut |_| {}).unwrap();
         let n = run.truth.t.len();
-        // The motion as it was measured.
+        // The measured motion.
         let offsets: Vec<f64> = robot.laws().iter().map(|l| l.encoder_offset).collect();
         let q: Vec<f64> = run.truth.motor_q.iter().enumerate().map(|(at, q)| q - offsets[at / n]).collect();
         let ddq: Vec<f64> = (0..2)
@@ -364,7 +364,7 @@ fn a_simulated_log_is_what_was_predicted() {
             let scale = tau[j].iter().fold(0.0_f64, |m, t| m.max(t.abs()));
             let mut errors: Vec<f64> = (0..n).map(|k| (predicted[j * n + k] - tau[j][k]).abs() / scale).collect();
             errors.sort_by(f64::total_cmp);
-            // Where a joint turns about, the simulator's bristles take some microradians to do so.
+            // At a reversal the simulator's bristles need some microradians to turn about.
             assert!(errors[n * 95 / 100] < tolerance, "joint {}: {}", j + 1, errors[n * 95 / 100]);
         }
     }
@@ -396,7 +396,7 @@ fn links_swing_on_their_springs() {
     predictor.torques(&states, &mut still);
     predictor.torques_along(&truth.t, &states, &[], &mut swings);
     for j in 0..2 {
-        // How it swung at the start is gone after half of the motion.
+        // Its initial swing is gone after half of the motion.
         let rms = |x: &[f64]| {
             let span = j * n + n / 2..(j + 1) * n - 5;
             (span.clone().map(|k| (x[k] - truth.motor_torque[k]).powi(2)).sum::<f64>() / span.len() as f64).sqrt()

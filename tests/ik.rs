@@ -149,7 +149,8 @@ fn random_postures() {
             uncertain += usize::from(found.uncertain);
             unflagged += usize::from(nearest > 1e-6 && found.status == Status::Ok && !found.uncertain);
             if nearest > 1e-6 && found.status == Status::Singular {
-                // So near a singularity that the pose's last digits do not tell it, and said to be.
+                // So near a singularity that the pose's last digits do not determine it, and
+                // reported as such.
                 loose += 1;
             } else if nearest > 1e-6 {
                 missed += 1;
@@ -167,7 +168,7 @@ fn random_postures() {
             "{name}: {count} postures, missed {missed}, singular {loose}, uncertain {uncertain}, worst pose {worst:.1e}, farthest {far:.1e}, outside {outside}"
         );
         // Away from singularities an arm that is nearly of its family has the branches of the
-        // nominal one, and it knows where that is.
+        // nominal one, and reports where that is.
         assert_eq!(unflagged, 0, "{name}");
         if bench.ik.inverse().exact {
             assert_eq!(uncertain, 0, "{name}");
@@ -181,7 +182,7 @@ fn random_postures() {
     }
 }
 
-/// What becomes of postures that are special.
+/// Treatment of special postures.
 #[derive(Default)]
 struct Special {
     count: usize,
@@ -222,7 +223,7 @@ impl Special {
         );
         assert!(worst < 1e-12, "{name}: {worst}");
         assert_eq!((missed, empty), (0, 0), "{name}");
-        // Singular twice over or not: what the pose does not tell is said.
+        // Singular twice over or not: undetermined joints are reported.
         assert_eq!(unmarked, 0, "{name}");
     }
 }
@@ -411,7 +412,7 @@ fn a_calibrated_arm_keeps_its_branches() {
     assert!(worst < 1e-12 && own + told == 500, "{own} {told} {worst}");
 }
 
-/// What the solver says of poses that no posture reaches, and of those that are none.
+/// Answers for poses that no posture reaches, and for matrices that are no poses.
 #[test]
 fn a_turned_and_shifted_base_moves_the_poses_with_it() {
     let text = "base: { xyz: [0.3, -0.2, 0.7], rpy: [pi, 0.4, -pi/3] }\n";
@@ -460,9 +461,9 @@ fn poses_out_of_reach_and_poses_that_are_none() {
     }
 }
 
-/// Whatever is finite gives postures of the pose or none, no NaN; what is not finite gives an
-/// error. A near posture far away, of which no digit is left of a turn, is no reason for a posture
-/// that does not reach the pose.
+/// Any finite input gives postures of the pose or none, no NaN; any other input gives an error. A
+/// near posture far away, of which no digit is left of a turn, is no reason for a posture that does
+/// not reach the pose.
 #[test]
 fn absurd_input_gives_no_wrong_answer() {
     const ODD: [f64; 14] =

@@ -50,7 +50,8 @@ fn check_energies(text: &str, options: &ImportOptions) -> Imported {
     let gravity = at_zero[base].unwrap().rotation.tr_mul(&Vector3::from(tree.gravity));
     let numeric = Numeric::new(&made.robot);
     let phi = standard_values(&made.robot).unwrap();
-    // Links that do not move count in the tree's sum alone: only what the joints change is compared.
+    // Links that do not move count in the tree's sum alone: only what the joints change is
+    // compared.
     let held: Vec<(usize, f64)> =
         made.held.iter().map(|(name, q)| (tree.joints.iter().position(|j| j.name == *name).unwrap(), *q)).collect();
     let moving: Vec<usize> = made
@@ -224,15 +225,16 @@ fn urdf_files(folder: &Path, into: &mut Vec<PathBuf>) {
     }
 }
 
-/// One line: what became of a file. Where several links end the longest chain the first is taken,
-/// and what stands beside the arm stands at zero.
+/// One line: what became of a file. If several links end the longest chain the first is taken, and
+/// joints beside it stand at zero.
 fn outcome(text: &str) -> String {
     let mut options = ImportOptions { at_zero: true, ..ImportOptions::default() };
     let mut chosen = "";
     for _ in 0..3 {
         match import(text, &options) {
             Ok(made) => {
-                // More only where angles of the file were taken for exact ones, which the report says.
+                // More only where angles of the file were taken for exact ones, which the report
+                // says.
                 let allowed = if made.snap.largest > 1e-10 { 10.0 * REQUIRED } else { REQUIRED };
                 assert!(made.error.position <= allowed && made.error.rotation <= allowed, "{:?}", made.error);
                 let rows = made.robot.joints.len() - made.robot.dof();
@@ -370,7 +372,7 @@ fn same_torques(one: &Robot, other: &Robot) -> f64 {
     worst
 }
 
-/// What no model has: constant torques and, in URDF, rotors.
+/// Entries that no model has: constant torques and, in URDF, rotors.
 fn sayable(mut robot: Robot, rotors: bool) -> Robot {
     for joint in &mut robot.joints {
         joint.drive.offset = None;

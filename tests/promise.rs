@@ -1,5 +1,5 @@
-//! What a diagnosis promises, the extended file keeps: its inverse dynamics leaves the errors on
-//! the validating log that were reported.
+//! The extended file keeps the promise of a diagnosis: its inverse dynamics leaves the reported
+//! errors on the validating log.
 
 use denavit::data::log::open;
 use denavit::data::signal::{Filter, Prepare, each_motion};
@@ -125,7 +125,7 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
     let causes: Vec<(&str, &[usize], &str)> =
         found.causes.iter().map(|c| (c.cause, &c.joints[..], &c.evidence[..])).collect();
     println!("{causes:?}\n {:?}\n before {before:.4?}\n promised {promised:.4?}\n kept {is:.4?}", found.offer.why);
-    // What was promised is what the file's own laws give. Elastic joints and gear couplings are
+    // The file's own laws give the promised errors. Elastic joints and gear couplings are
     // differenced again along the log's own samples there.
     for j in 0..is.len() {
         let holds = (is[j] - promised[j]).abs() < 0.12 * promised[j] + 0.03 * before[j].min(0.1);
@@ -142,8 +142,8 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
     (found, back)
 }
 
-/// The extended file knows what was hidden: on other motion of the same robot nothing is wrong with
-/// it.
+/// The extended file contains the hidden effects: on other motion of the same robot nothing is
+/// wrong with it.
 fn nothing_more(hidden: &Effects, extended: &Robot) {
     let simulator = Simulator::new(&robot(), hidden).unwrap();
     let (fit, validate) = (record(&simulator, "fit", 10.0, 5), record(&simulator, "validate", 6.0, 6));
@@ -171,8 +171,8 @@ fn assert_possible(robot: &Robot) {
     }
 }
 
-/// Where the file has neither links nor friction all of it is fitted: what is written can exist,
-/// and it is the model that was measured and compared.
+/// If the file has neither links nor friction all of it is fitted. The written model can exist, and
+/// it is the one that was measured and compared.
 #[test]
 fn what_is_fitted_from_a_bare_file_is_possible_and_is_what_was_measured() {
     let rms = |x: &[f64]| (x.iter().map(|x| x * x).sum::<f64>() / x.len() as f64).sqrt();
@@ -199,9 +199,10 @@ fn what_is_fitted_from_a_bare_file_is_possible_and_is_what_was_measured() {
     }
 }
 
-/// A log in which one joint moves tells little of the arm; what it does not tell stays with the
-/// file, and the model that comes out is no worse than the file on motion of all joints.
+/// A log in which one joint moves has little information on the arm. Undetermined directions stay
+/// at the file, and the resulting model is no worse than the file on motion of all joints.
 #[test]
+#[cfg_attr(debug_assertions, ignore = "minutes without optimisation: cargo test --release --test promise")]
 fn a_poor_log_ruins_nothing() {
     let mut file = robot();
     // A file that is wrong throughout: links by a tenth or two to either side, friction of two
@@ -269,10 +270,12 @@ promises! {
         on(2, &[effect("stribeck_friction", &[("FS", 2.0), ("VS", 0.1)])]),
         on(4, &[effect("torque_ripple", &[("RN", 20.0), ("RC", 0.3), ("RS", 0.2)])]),
     );
+    #[cfg_attr(debug_assertions, ignore = "minutes without optimisation: cargo test --release --test promise")]
     gain_zero_and_ripple: both(
         on(2, &[effect("torque_gain_error", &[("GT", 0.9)]), effect("torque_offset", &[("TO", 1.0)])]),
         on(4, &[effect("encoder_offset", &[("QO", 0.05)]), effect("torque_ripple", &[("RN", 20.0), ("RC", 0.3)])]),
     );
+    #[cfg_attr(debug_assertions, ignore = "minutes without optimisation: cargo test --release --test promise")]
     late_with_a_bristle: both(
         whole("time_delay", &[("TD", 0.01)]),
         on(2, &[effect("presliding_hysteresis", &[("HC", 1.5), ("HX", 0.03)])]),
@@ -311,6 +314,7 @@ promises! {
 /// A link that swings behind its motor in a position loop, and a gap: both by name, on their joint,
 /// of their size.
 #[test]
+#[cfg_attr(debug_assertions, ignore = "minutes without optimisation: cargo test --release --test promise")]
 fn springs_and_gaps_have_names() {
     let rotor = || effect("rotor_inertia", &[("IA", 0.01)]);
     let cases = [
@@ -351,8 +355,7 @@ fn one_sine(phase: f64, seconds: f64) -> Trajectory {
     Trajectory::new(7, t.clone(), q, Some(dq), Some(ddq)).unwrap()
 }
 
-/// On one sine a rotor is a spring pulled the wrong way round; the motion that is designed tells
-/// them apart.
+/// On one sine a rotor is a spring pulled the wrong way round; the designed motion separates them.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "minutes without optimisation: cargo test --release --test promise")]
 fn the_next_experiment_resolves_what_was_open() {

@@ -197,3 +197,60 @@ fn damaged_recordings_are_errors() {
         }
     }
 }
+
+#[cfg(not(feature = "rosbag2"))]
+#[test]
+fn sqlite_is_refused_with_the_way_to_read_it() {
+    let error = read("rosbag2/bag.db3", &by_name()).unwrap_err().to_string();
+    assert!(error.contains("--features rosbag2") && error.contains("ros2 bag convert"), "{error}");
+}
+
+#[cfg(feature = "rosbag2")]
+#[test]
+fn sqlite_is_read_as_mcap_is() {
+    let connection = rusqlite::Connection::open(path("rosbag2/bag.db3")).unwrap();
+    let table = denavit::data::log::open_sqlite("bag.db3", connection, &by_name()).unwrap();
+    let mut source = denavit::data::log::source("bag.db3", table, &by_name()).unwrap();
+    let log = Log::read(&mut *source, Quantity::Tau, Acceptance::default()).unwrap();
+    assert_motion(&log, 200, 1e-9);
+    let other = rusqlite::Connection::open_in_memory().unwrap();
+    let error = denavit::data::log::open_sqlite("empty.db3", other, &by_name()).err().unwrap().to_string();
+    assert!(error.contains("its tables are not those of rosbag2"), "{error}");
+}
+
+#[test]
+fn more_rows_than_a_file_can_hold_are_refused() {
+    use denavit::data::log::parquet::ParquetWriter;
+    let layout = denavit::data::log::Layout::new("still.csv", &["t", "q1", "tau1"]).unwrap();
+    let mut bytes = Vec::new();
+    let mut writer = ParquetWriter::new(&layout, &mut bytes).unwrap();
+    let rows = vec![vec![1.0; 1 << 15]; 3];
+    (0..150).for_each(|_| writer.rows(&rows).unwrap());
+    writer.finish().unwrap();
+    let error = open_with("still.parquet", &bytes[..], &Reading::default()).err().unwrap().to_string();
+    assert!(error.contains("it claims 4915200 rows"), "{error}");
+}
+
+#[test]
+fn rows_are_the_same_in_groups_of_any_size() {
+    use denavit::data::log::csv::CsvWriter;
+    use denavit::data::log::parquet::ParquetWriter;
+    let layout = denavit::data::log::Layout::new("run.csv", &["t", "q1", "tau1"]).unwrap();
+    let number = |k: usize| [k as f64 * 0.001, (k as f64 * 0.01).sin(), (k as f64 * 0.013).cos()];
+    let columns: Vec<Vec<f64>> = (0..3).map(|c| (0..70_000).map(|k| number(k)[c]).collect()).collect();
+    let (mut parquet, mut csv) = (Vec::new(), Vec::new());
+    let mut to_parquet = ParquetWriter::new(&layout, &mut parquet).unwrap();
+    let mut to_csv = CsvWriter::new(&layout, &mut csv).unwrap();
+    for part in [0..1, 1..40_000, 40_000..70_000] {
+        let rows: Vec<Vec<f64>> = columns.iter().map(|c| c[part.clone()].to_vec()).collect();
+        to_parquet.rows(&rows).unwrap();
+        to_csv.rows(&rows).unwrap();
+    }
+    to_parquet.finish().unwrap();
+    to_csv.finish().unwrap();
+    for bytes in [parquet, csv] {
+        let mut source = open_with("run", &bytes[..], &Reading::default()).unwrap();
+        let log = Log::read(&mut *source, Quantity::Tau, Acceptance::all()).unwrap();
+        assert_eq!(log.columns, columns);
+    }
+}

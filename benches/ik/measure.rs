@@ -7,7 +7,7 @@ use dh_codegen::arm::{Inverse, Model};
 use dh_codegen::ik::{Arm, Branch, Query, Reference};
 use dh_codegen::robot::Robot;
 
-/// Poses that are taken in turn: more than a branch predictor remembers.
+/// Poses taken in turn: more than a branch predictor can learn.
 pub const POSES: usize = 2000;
 const ROUNDS: usize = 31;
 

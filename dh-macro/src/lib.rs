@@ -1,14 +1,18 @@
 //! `#[derive(DhRobot)]`: closed-form kinematics and dynamics of a robot from its DH table, at
 //! compile time.
 //!
-//! ```ignore
+//! ```
 //! use dh_macro::DhRobot;
 //!
+//! /// Two links in a plane.
 //! #[derive(DhRobot)]
-//! #[dh(file = "robots/kuka-lwr4.yaml")]
-//! pub struct KukaLwr4;
+//! #[dh(file = "../robots/planar2r.yaml")]
+//! pub struct Planar2r;
 //!
-//! let w = kuka_lwr4::base_regressor(&q, &dq, &ddq);
+//! fn main() {
+//!     let pose = planar2r::forward_kinematics(&[0.3, 0.4]);
+//!     assert!((pose[0][0] - 0.7_f64.cos()).abs() < 1e-12);
+//! }
 //! ```
 //!
 //! Beside the struct stands a module with its name in snake case: the text that `denavit generate`
@@ -17,6 +21,9 @@
 //!
 //! The derive of this crate brings its runtime along. That of `denavit-runtime` (feature `derive`)
 //! takes the runtime from there, so that all robots share their types and traits.
+
+// The example's struct needs a place outside `main`.
+#![allow(clippy::needless_doctest_main)]
 
 use std::cell::RefCell;
 use std::path::{Path, PathBuf};

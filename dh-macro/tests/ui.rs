@@ -1,4 +1,4 @@
-//! What the compiler says where the derive can't do its work: each `ui/*.rs` with its `.stderr`.
+//! Messages of the compiler for uses that the derive refuses: each `ui/*.rs` with its `.stderr`.
 
 use std::path::Path;
 

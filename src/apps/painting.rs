@@ -1,16 +1,16 @@
-//! Painting a wall with a roller (the paper, sections IV to VI): the motion is planned here, and
-//! run.
+//! Painting a wall with a roller (the paper, sections IV to VI): planning of the motion, and
+//! its run against a simulated wall.
 //!
 //! `Task -> plan -> Plan`: equation (12) with the closed-form inverse, quintics between way points,
 //! and every limit.
 //!
 //! - `surface`: the wall, its axes, how a roller stands on it. `strokes`: the lanes (Fig. 7) and
 //!   the legs they are made of.
-//! - `track`: postures along a leg. `chebyshev`: their derivatives. `pace`: how fast a leg can be,
-//!   what its jerk costs, what it breaks.
-//! - `surroundings`: distances. `score`: a candidate's cost. `compass`, `search`: the search.
-//!   `motion`: the joints' spline.
-//! - `plan`: what comes out. `cover`: what it paints.
+//! - `track`: postures along a leg; their derivatives are those of Chebyshev polynomials.
+//!   `leg_timing`: shortest time, cost of the jerk and broken limits of a leg.
+//! - `clearance`: distances. `cost`: a candidate's cost. `search`: the search over candidates, by
+//!   `numerics::pattern_search`. `motion`: the joints' spline.
+//! - `plan`: the result. `coverage`: the painted area.
 //! - [`run`]: a plan under control against the simulated wall ([`wall`]), with the gains of
 //!   [`tune`].
 
@@ -36,7 +36,7 @@ pub use motion::Motion;
 pub use plan::{Infeasible, Moment, Plan, Side, Span, plan};
 pub use search::Progress;
 pub use strokes::{Leg, Pattern, Phase, Strokes};
-pub use surface::{Roller, Surface};
+pub use surface::{Roller, Surface, SurfaceError};
 pub use task::{Cover, Swivel, Task, Weights};
 
 #[cfg(test)]

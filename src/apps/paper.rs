@@ -51,9 +51,9 @@ pub enum ReproduceError {
     /// The exciting motion.
     #[error("{what}: {why}")]
     Design {
-        /// Which motion.
+        /// The motion.
         what: String,
-        /// What is in the way.
+        /// The obstacle.
         why: String,
     },
     /// The simulation.
@@ -76,6 +76,6 @@ pub enum ReproduceError {
     Paint(#[from] RunError),
 }
 
-/// Told now and then, from any thread: what is being done, and the share that is done of all, 0
+/// Called now and then, from any thread, with the present step and the share that is done of all, 0
 /// to 1.
 pub type Watch<'a> = &'a (dyn Fn(&str, f64) + Sync);

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Failure;
+use super::delivery::deliver;
 use super::files;
 use super::provenance::Provenance;
 use crate::model::interpreted::Interpreted;
@@ -29,13 +30,8 @@ impl Check {
         let file = files::robot(&self.robot)?;
         files::check_outputs(&[("--json", &self.json)], &file.read)?;
         let arm = Interpreted::with_effects(&file.robot, &[]);
-        if let Some(target) = &self.json {
-            let provenance = provenance.robot(&self.robot, &file);
-            files::json(target, report::check_json(&file.robot, arm.model()), &provenance)?;
-        }
-        if !files::is_stdout(&self.json) {
-            files::print(&report::check_text(&file.robot, arm.model()))?;
-        }
-        Ok(())
+        deliver(&provenance.robot(&self.robot, &file))
+            .json(self.json.as_ref(), || report::check_json(&file.robot, arm.model()))?
+            .text(|| report::check_text(&file.robot, arm.model()))
     }
 }

@@ -11,10 +11,10 @@ use crate::data::signal::{Motion, Prepared};
 use crate::identify::{KnownEffects, Reference, TorqueColumns};
 use crate::model::Arm;
 
-/// Samples per second that are enough to tell columns apart.
+/// Samples per second that suffice to distinguish columns.
 const RATE: f64 = 50.0;
 
-/// What the torques of logs are compared with.
+/// References for the torques of logs.
 pub(super) struct ColumnCheck<'a> {
     arm: &'a dyn Arm,
     /// Base parameters of the robot file, where it has links.
@@ -54,7 +54,8 @@ impl<'a> ColumnCheck<'a> {
         columns.absorb(&thin);
     }
 
-    /// Adds another reading of the columns that explains the log far better to what was found in it.
+    /// Adds another reading of the columns that explains the log far better to what was found in
+    /// it.
     ///
     /// # Errors
     /// Where there is one, and that is not allowed.

@@ -9,6 +9,7 @@ use indicatif::ProgressBar;
 
 use super::Failure;
 use super::column_check::ColumnCheck;
+use super::delivery::deliver;
 use super::files;
 use super::known_effects::FileEffects;
 use super::logbook::{Logbook, Purpose};
@@ -17,25 +18,28 @@ use super::motors;
 use super::prepare::{Torque, against_limits, keep, torque_constants, warned};
 use super::provenance::Provenance;
 use crate::data::log::Acceptance;
-use crate::data::signal::{Motion, Prepare, PrepareError, Prepared};
+use crate::data::signal::{Motion, Prepare, Prepared, lower_cutoff};
 use crate::diagnose::{self, Cause, Diagnosis, Recording, Separation, Settings};
 use crate::identify::implausible_links;
 use crate::model::PerturbableArm;
 use crate::model::file_torque_model::FileTorqueModel;
 use crate::model::perturbable_robot::PerturbableRobot;
 use crate::report;
-use crate::report::WrittenCheck;
+use crate::report::{Identified, WrittenCheck};
 
 /// Find what a simulation of the robot file gets wrong, name the causes, extend the model, and
 /// measure the gain on logs that were not used.
 ///
 /// Every effect of the vocabulary (see the robots' README) is tried on every joint against every
-/// other, all other parameters refitted with it; what is accepted must be confirmed by parts of the
-/// data that did not fit it. Torques are used as they were recorded; only positions are low-passed.
+/// other, all other parameters refitted with it. An accepted cause must be confirmed by parts of
+/// the data that did not fit it. Torques are used unfiltered; only positions are low-passed.
 /// Without --validate the last three tenths of each stretch are kept for the measure.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit diagnose robots/kuka-lwr4.yaml run1.csv --validate run2.csv \\\n      --out extended.yaml --report diagnosis.html"
+    after_help = concat!(
+        "Example:\n  denavit diagnose robots/kuka-lwr4.yaml run1.csv --validate run2.csv \\\n      --out extended.yaml --report diagnosis.html",
+        log_columns!()
+    )
 )]
 pub(super) struct Diagnose {
     /// Robot file, with or without link parameters.
@@ -51,8 +55,8 @@ pub(super) struct Diagnose {
     /// `provenance`.
     #[arg(long, value_name = "ROBOT2")]
     out: Option<PathBuf>,
-    /// Where the next experiment goes: where two causes can't be told apart, the motion (CSV, as
-    /// `excite` writes it) on which they would differ most. Default: beside --out, with the ending
+    /// Path of the next experiment: if two causes can't be separated, the motion (CSV, as `excite`
+    /// writes it) on which they would differ most. Default: beside --out, with the ending
     /// `.next.csv`.
     #[arg(long, value_name = "CSV")]
     next: Option<PathBuf>,
@@ -62,17 +66,17 @@ pub(super) struct Diagnose {
     /// Write a page with the evidence.
     #[arg(long, value_name = "FILE.html")]
     report: Option<PathBuf>,
-    /// Cut-off frequency of the low-pass for positions, Hz. Default: for each joint the one at which
-    /// the error expected of its acceleration is least, given the spectrum of its motion and the
-    /// noise of its encoder, at most 15; where a joint breaks away after a reversal more is let
-    /// through.
+    /// Cut-off frequency of the low-pass for positions, Hz. Default: for each joint the one at
+    /// which the expected error of its acceleration is least, given the spectrum of its motion and
+    /// the noise of its encoder, at most 15. Where a joint breaks away after a reversal a wider
+    /// band is passed.
     #[arg(long)]
     cutoff: Option<f64>,
-    /// Windows per second over which torques are averaged to tell causes apart.
+    /// Windows per second over which torques are averaged to separate causes.
     #[arg(long, default_value_t = 100.0)]
     rate: f64,
-    /// Which torque: `tau` (of a log that has currents alone: `current`), `taum` (motor side), or
-    /// `current` (motor current times the robot file's `torque_constant`).
+    /// Source of the torque: `tau` (of a log that has currents alone: `current`), `taum` (motor
+    /// side), or `current` (motor current times the robot file's `torque_constant`).
     #[arg(long, value_enum, default_value_t = Torque::Tau)]
     torque: Torque,
     /// Accept what is normally refused, as for `identify`.
@@ -80,6 +84,26 @@ pub(super) struct Diagnose {
     keep: Vec<String>,
     #[command(flatten)]
     map: MapOption,
+}
+
+/// Options of a diagnosis that is part of another verb.
+pub(super) struct Given {
+    pub(super) out: Option<PathBuf>,
+    pub(super) json: Option<PathBuf>,
+    pub(super) report: Option<PathBuf>,
+    pub(super) torque: Torque,
+    pub(super) keep: Vec<String>,
+    pub(super) map: MapOption,
+}
+
+/// A diagnosis, and what is to be written.
+pub(super) struct Made {
+    found: Diagnosis,
+    written: Option<Result<Extended, Failure>>,
+    /// The next motion, and where it goes.
+    next: Option<(Separation, PathBuf)>,
+    prepared: Vec<Prepared>,
+    provenance: Provenance,
 }
 
 /// A robot file to be written, and what it misses.
@@ -92,7 +116,7 @@ struct Extended {
 
 /// Links (from 1) that no body can have, with what the effects of the file add to them.
 fn impossible(robot: &Robot) -> Vec<usize> {
-    let bare = Robot { tool: None, ..robot.as_it_is() };
+    let bare = Robot { tool: None, ..robot.effective() };
     let names: Vec<String> = param::standard(&bare).iter().map(Parameter::name).collect();
     param::standard_values(&bare).map_or(Vec::new(), |values| implausible_links(&names, &values))
 }
@@ -100,7 +124,23 @@ fn impossible(robot: &Robot) -> Vec<usize> {
 /// Rows per second of the motion that is written.
 const NEXT_RATE: f64 = 100.0;
 
-/// What is known of the logs after reading them.
+/// Samples of joints that a diagnosis holds at most: ten minutes of seven joints at 1 kHz.
+const MOST_HELD: usize = 4_200_000;
+
+/// Refuses logs that are too long together.
+fn within_memory(held: usize, dof: usize) -> Result<(), Failure> {
+    if held <= MOST_HELD {
+        return Ok(());
+    }
+    Err(Failure::input(format!(
+        "up to here the logs have {} samples of {dof} joints; a diagnosis holds all of them in memory, {} at most: give shorter or fewer logs, or such of a lower \
+         rate",
+        held / dof.max(1),
+        MOST_HELD / dof.max(1)
+    )))
+}
+
+/// Facts about the logs after reading them.
 #[derive(Default)]
 struct Reading {
     prepared: Vec<Prepared>,
@@ -108,24 +148,38 @@ struct Reading {
     provenance: Provenance,
     /// How the columns are read.
     columns: crate::data::log::Reading,
+    /// Samples of joints that are held.
+    held: usize,
 }
 
 impl Diagnose {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         self.check_options()?;
-        let keep = keep(&self.keep)?;
         let file = files::robot(&self.robot)?;
         motors::on_every_joint(&self.robot, &file.robot, "a diagnosis takes the torque of every joint from the log")?;
         files::check_outputs(
             &[("--out", &self.out), ("--next", &self.next_path()), ("--json", &self.json), ("--report", &self.report)],
             file.read.iter().chain(&self.logs).chain(&self.validate),
         )?;
+        let made = self.made(&file, provenance.robot(&self.robot, &file))?;
+        self.deliver(&made, None)
+    }
+
+    /// With the defaults of all options that are not given here.
+    pub(super) fn plainly(robot: PathBuf, logs: Vec<PathBuf>, validate: Vec<PathBuf>, given: Given) -> Self {
+        let Given { out, json, report, torque, keep, map } = given;
+        Self { robot, logs, validate, out, next: None, json, report, cutoff: None, rate: 100.0, torque, keep, map }
+    }
+
+    /// The diagnosis of a robot file, and the robot file that comes of it.
+    pub(super) fn made(&self, file: &files::RobotFile, provenance: Provenance) -> Result<Made, Failure> {
+        let keep = keep(&self.keep)?;
         let plant = PerturbableRobot::new(&file.robot);
         let effects = FileEffects::of(&file.robot, &[]);
         let known = effects.as_ref().and_then(|effects| effects.known(&plant, plant.given(), None));
         let check = ColumnCheck::new(&file.robot, &plant, plant.given(), known, keep);
         let mut reading = Reading {
-            provenance: provenance.robot(&self.robot, &file),
+            provenance,
             logbook: Logbook::of(&file.text),
             columns: self.map.reading(Some(&file.robot))?,
             ..Reading::default()
@@ -147,8 +201,8 @@ impl Diagnose {
         });
         bar.finish_and_clear();
         let measured = if self.validate.is_empty() { &fit } else { &validate };
-        let written = self.out.as_ref().map(|path| self.extended_file(path, &found, &file, measured, &provenance));
-        self.deliver(&found, written, next.as_ref(), &prepared, &provenance)
+        let written = self.out.as_ref().map(|path| self.extended_file(path, &found, file, measured, &provenance));
+        Ok(Made { found, written, next, prepared, provenance })
     }
 
     fn check_options(&self) -> Result<(), Failure> {
@@ -202,16 +256,12 @@ impl Diagnose {
         self.next.clone().or_else(|| self.out.as_ref().map(|out| out.with_extension("next.csv")))
     }
 
-    fn deliver(
-        &self,
-        found: &Diagnosis,
-        written: Option<Result<Extended, Failure>>,
-        next: Option<&(Separation, PathBuf)>,
-        prepared: &[Prepared],
-        provenance: &Provenance,
-    ) -> Result<(), Failure> {
+    /// Files and text; `identified`: the identification that the robot file comes from, where it was
+    /// made on the way.
+    pub(super) fn deliver(&self, made: &Made, identified: Option<&Identified<'_>>) -> Result<(), Failure> {
+        let Made { found, written, next, prepared, provenance } = made;
         let mut warnings = report::diagnose_warnings(found, prepared);
-        let failed = match &written {
+        let failed = match written {
             Some(Err(failure)) => Some(&failure.message),
             Some(Ok(file)) => file.differs.as_ref(),
             None => None,
@@ -221,49 +271,63 @@ impl Diagnose {
         }
         if let (Some(path), None) = (&self.next, next) {
             warnings.push(format!(
-                "{} is not written: no two causes are left that a motion would tell apart.",
+                "{} is not written: no two causes are left that a motion would separate.",
                 path.display()
             ));
         }
-        if let (Some(path), Some(Ok(file))) = (&self.out, &written) {
-            files::write(path, file.text.as_bytes())?;
-        }
-        if let Some((next, path)) = next {
-            files::write(path, report::motion_csv(&next.motion, NEXT_RATE).as_bytes())?;
-        }
-        if let Some(target) = &self.json {
+        let extended = written.as_ref().and_then(|file| file.as_ref().ok());
+        let next_shown = next.as_ref().map(|(next, path)| (next, path.display().to_string()));
+        let json = || {
             let mut value = report::diagnose_json(found, prepared, &warnings, &provenance.rows());
-            if let Some((next, path)) = next {
-                value["next_experiment"] = report::next_experiment_json(next, &path.display().to_string());
+            if let Some((next, path)) = &next_shown {
+                value["next_experiment"] = report::next_experiment_json(next, path);
             }
-            if let Some(Ok(file)) = &written {
+            if let Some(file) = extended {
                 value["written"] = report::written_json(&file.check);
             }
-            files::json(target, value, provenance)?;
-        }
-        if let Some(path) = &self.report {
-            files::write(path, report::diagnose_html(found, prepared, &warnings, &provenance.rows()).as_bytes())?;
-        }
-        if !files::is_stdout(&self.json) {
-            files::print(&report::diagnose_text(found, &warnings))?;
-            if let Some((next, path)) = next {
-                files::print(&report::next_experiment_text(next, &path.display().to_string()))?;
+            if let Some(identified) = identified {
+                value["identified"] = report::identify_json(identified.found, &[], identified.warnings, &[]);
             }
-            if let (Some(path), Some(Ok(file @ Extended { differs: None, .. }))) = (&self.out, &written) {
-                files::print(&report::written_text(&file.check, &path.display().to_string()))?;
-            }
-            if let Some(path) = &self.report {
-                files::print(&format!("wrote {}\n", path.display()))?;
-            }
+            value
+        };
+        let verdict = || match identified {
+            Some(identified) => report::calibrate_text(found, identified, &warnings),
+            None => report::diagnose_text(found, &warnings),
+        };
+        let text = || self.text(verdict(), next_shown.as_ref(), extended);
+        let mut out = deliver(provenance);
+        if let Some(file) = extended {
+            out = out.file(self.out.as_ref(), || &file.text)?;
         }
+        if let Some((next, path)) = next {
+            out = out.file(Some(path), || report::motion_csv(&next.motion, NEXT_RATE))?;
+        }
+        let page = || report::diagnose_html(found, prepared, &warnings, identified, &provenance.rows());
+        out.file(self.report.as_ref(), page)?.json(self.json.as_ref(), json)?.only_text(text)?;
         match written {
-            Some(Err(failure)) => Err(failure),
+            Some(Err(failure)) => Err(failure.clone()),
             Some(Ok(Extended { differs: Some(words), .. })) => Err(Failure::other(words)),
             _ => Ok(()),
         }
     }
 
-    /// A log, whole; where the log decides about the band, slow ones with as much of it as they have.
+    /// The verdict, the next experiment, and the files.
+    fn text(&self, verdict: String, next: Option<&(&Separation, String)>, extended: Option<&Extended>) -> String {
+        let mut text = verdict;
+        if let Some((next, path)) = next {
+            text += &report::next_experiment_text(next, path);
+        }
+        if let (Some(path), Some(file @ Extended { differs: None, .. })) = (&self.out, extended) {
+            text += &report::written_text(&file.check, &path.display().to_string());
+        }
+        if let Some(path) = &self.report {
+            text += &format!("wrote {}\n", path.display());
+        }
+        text
+    }
+
+    /// A log, whole; where the log decides about the band, slow ones with as much of it as they
+    /// have.
     fn record(
         &self,
         purpose: Purpose,
@@ -274,38 +338,48 @@ impl Diagnose {
         reading: &mut Reading,
     ) -> Result<Recording, Failure> {
         let by_the_log = self.cutoff.is_none();
-        let mut cutoff = self.cutoff.unwrap_or(diagnose::HIGHEST);
         let constants = torque_constants(robot);
-        loop {
+        let Reading { columns: map, logbook, held: before, .. } = reading;
+        let before = *before;
+        let mut pass = |cutoff: f64| {
             let prepare = Prepare {
                 torque: self.torque.quantity(),
                 torque_constants: constants.clone(),
-                reading: reading.columns.clone(),
+                reading: map.clone(),
                 keep,
                 ..if by_the_log { diagnose::preparation(cutoff) } else { diagnose::fixed_preparation(cutoff) }
             };
             let mut recording = Recording::new(&path.display().to_string());
             let mut columns = check.columns();
+            let mut held = before;
             let sink = |motion: &Motion| {
                 check.absorb(&mut columns, motion);
-                recording.absorb(motion);
-            };
-            match reading.logbook.try_pass(purpose, path, constants.len(), &prepare, sink)? {
-                Ok(found) => {
-                    let mut found = warned(path, found);
-                    against_limits(std::slice::from_mut(&mut found), robot, keep)?;
-                    check.finish(&columns, &mut found)?;
-                    reading.prepared.push(found);
-                    if by_the_log && cutoff < diagnose::HIGHEST {
-                        let what = format!("cut-off for {}, as it is sampled slowly", path.display());
-                        reading.provenance =
-                            std::mem::take(&mut reading.provenance).with(&what, format!("{cutoff} Hz"));
-                    }
-                    return Ok(recording);
+                held += motion.core.len() * constants.len();
+                // What is too much is counted, and not held.
+                if held <= MOST_HELD {
+                    recording.absorb(motion);
                 }
-                Err(PrepareError::Cutoff { .. }) if by_the_log && cutoff > 1.0 => cutoff *= 0.6,
-                Err(error) => return Err(Failure::input(error)),
+            };
+            match logbook.try_pass(purpose, path, constants.len(), &prepare, sink) {
+                Ok(prepared) => prepared.map(|found| Ok((found, recording, columns, held))),
+                Err(failure) => Ok(Err(failure)),
             }
+        };
+        let (found, cutoff) = match self.cutoff {
+            Some(cutoff) => (pass(cutoff).map_err(Failure::input)?, cutoff),
+            None => lower_cutoff(diagnose::HIGHEST, pass).map_err(Failure::input)?,
+        };
+        let (found, recording, columns, held) = found?;
+        reading.held = held;
+        within_memory(held, constants.len())?;
+        let mut found = warned(path, found);
+        against_limits(std::slice::from_mut(&mut found), robot, keep)?;
+        check.finish(&columns, &mut found)?;
+        reading.prepared.push(found);
+        if by_the_log && cutoff < diagnose::HIGHEST {
+            let what = format!("cut-off for {}, which is sampled slowly", path.display());
+            reading.provenance = std::mem::take(&mut reading.provenance).with(&what, format!("{cutoff} Hz"));
         }
+        Ok(recording)
     }
 }

@@ -21,9 +21,9 @@ use crate::report;
 /// the quantity does not need may be left out. Joints count from 1 and leave out fixed rows.
 /// Torques include the friction and the tool of the robot file.
 ///
-/// Effects of the file (`drive`, `effects`) are in everything: the arm's geometry and bodies are
-/// the true ones, and inverse_dynamics is what the torque sensors say, bit for bit like the
-/// generated code. Without a column `t` each row stands for itself: friction with memory has
+/// Effects of the file (`drive`, `effects`) are in everything. The arm's geometry and bodies are
+/// the true ones, and inverse_dynamics gives the readings of the torque sensors, bit for bit like
+/// the generated code. Without a column `t` each row stands for itself: friction with memory has
 /// slipped, gears are warm, nothing is late. With a column `t` (s) the rows are a recording:
 /// bristles bend, gears warm (`temp1..` is read where it is there), and torques are late by
 /// time_delay.
@@ -34,13 +34,13 @@ use crate::report;
 pub(super) struct Eval {
     /// Robot file.
     robot: PathBuf,
-    /// What to evaluate.
+    /// Quantity to evaluate.
     #[arg(long, value_enum)]
     quantity: Quantity,
     /// States, CSV with a header.
     #[arg(long, value_name = "CSV")]
     states: PathBuf,
-    /// Where the result goes as JSON; `-` for standard output.
+    /// Write the result as JSON; `-` for standard output.
     #[arg(long, value_name = "FILE", default_value = "-")]
     json: PathBuf,
 }
@@ -111,7 +111,7 @@ impl Eval {
         };
         let tau = if wants(Argument::Torques) { table.joints("tau", n)? } else { Vec::new() };
         let standard = if wants(Argument::StandardParameters) || wants(Argument::BaseParameters) {
-            param::standard_values(&file.robot.as_it_is()).ok_or_else(|| {
+            param::standard_values(&file.robot.effective()).ok_or_else(|| {
                 Failure::input(format!(
                     "{}: {} needs the inertial parameters of every link; add a `links:` list with one entry per joint, or identify them (`denavit identify`)",
                     self.robot.display(),
@@ -132,7 +132,7 @@ impl Eval {
     }
 }
 
-/// Torques at the sensors along the motion of a log: drives remember and torques are late.
+/// Torques at the sensors along the motion of a log: drives have memory and torques are late.
 fn along(robot: &Robot, table: &Table, states: &States) -> Result<Vec<Vec<f64>>, Failure> {
     let predictor = FileTorqueModel::new(robot).map_err(Failure::input)?;
     let (n, len) = (predictor.dof(), states.len);

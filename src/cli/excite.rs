@@ -1,4 +1,4 @@
-//! `denavit excite`: a motion that tells the most about the parameters, inside every limit; or a
+//! `denavit excite`: a motion that is most informative for the parameters, inside every limit; or a
 //! check of one.
 
 use std::path::{Path, PathBuf};
@@ -10,6 +10,7 @@ use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Failure;
+use super::delivery::deliver;
 use super::files;
 use super::interrupt;
 use super::motors;
@@ -17,8 +18,8 @@ use super::provenance::Provenance;
 use super::terminal;
 use crate::excite::check::check;
 use crate::excite::{
-    Criterion, Curve, Design, Effort, Expected, FrictionCoverage, Progress, Task, Watch, design, expected, known_from,
-    known_values, nominal, shortest,
+    Criterion, Curve, Design, Effort, Expected, FrictionCoverage, Progress, ShortestError, Task, Watch, design,
+    expected, known_from, known_values, nominal, shortest,
 };
 use crate::model::differentiated::Differentiated;
 use crate::model::{Arm, States};
@@ -46,8 +47,8 @@ pub(super) struct Excite {
     /// Length of the motion, s (of one period with --fourier).
     #[arg(long, default_value_t = 10.0, value_name = "SECONDS")]
     duration: f64,
-    /// What is minimised: condition number, -log det, Hadamard's bound (the paper's equation 9),
-    /// sum of variances, largest variance.
+    /// Criterion to minimise: condition number, -log det, Hadamard's bound (the paper's equation
+    /// 9), sum of variances, largest variance.
     #[arg(long, value_enum, default_value_t = Which::Logdet)]
     criterion: Which,
     /// Motion to write: CSV with t, q.., dq.., ddq...
@@ -98,12 +99,12 @@ pub(super) struct Excite {
     /// Only the ten parameters of a body in the tool frame, the robot itself being known.
     #[arg(long)]
     tool: bool,
-    /// Tell richer friction laws too: low and high speeds in both directions.
+    /// Include richer friction laws: low and high speeds in both directions.
     #[arg(long)]
     friction: bool,
-    /// Standard deviation of the torque noise per joint, N m, that the low-pass leaves (`identify`
-    /// tells it); one number for all, or one per joint. Weighs the joints; default: all the same,
-    /// and for what is expected half a percent of the torque limit.
+    /// Standard deviation of the torque noise per joint, N m, after the low-pass (`identify` prints
+    /// it); one number for all, or one per joint. Weighs the joints; default: all the same, and for
+    /// what is expected half a percent of the torque limit.
     #[arg(long, value_delimiter = ',', value_name = "NM")]
     noise: Vec<f64>,
     /// The given --noise is that of the sensors, white, in logs of so many samples per second.
@@ -119,8 +120,8 @@ pub(super) struct Excite {
     /// The file's parameters are known to this share of themselves, percent.
     #[arg(long, value_name = "PERCENT")]
     known_std: Option<f64>,
-    /// Find the shortest motion, of at most --duration, after which every essential parameter is
-    /// known to this share of itself, percent.
+    /// Find the shortest motion, of at most --duration, after which every essential parameter has
+    /// this relative standard deviation, percent.
     #[arg(long, value_name = "PERCENT", conflicts_with = "fourier")]
     target_std: Option<f64>,
     /// Time in which a joint without `acceleration` limit may reach its speed, s.
@@ -231,41 +232,23 @@ impl Excite {
 
     fn deliver(&self, outcome: &report::Outcome<'_>, provenance: &Provenance) -> Result<(), Failure> {
         let motion = &outcome.found.trajectory;
-        if let Some(path) = &self.out {
-            files::write(path, report::motion_csv(motion, self.rate).as_bytes())?;
-        }
-        if let Some(path) = &self.coefficients {
-            files::write(path, format!("{:#}\n", motion.to_json()).as_bytes())?;
-        }
-        if let Some(path) = &self.ros {
-            let names: Vec<String> = outcome.task.limits.iter().map(|l| l.name.clone()).collect();
-            files::write(path, report::joint_trajectory(motion, &names, self.rate).as_bytes())?;
-        }
-        if let Some(path) = &self.report {
-            files::write(path, report::excite_html(outcome, &provenance.rows()).as_bytes())?;
-        }
-        if let Some(target) = &self.json {
-            files::json(target, report::excite_json(outcome), provenance)?;
-        }
-        if !files::is_stdout(self.json.iter().chain(&self.out).chain(&self.coefficients).chain(&self.ros)) {
-            files::print(&report::excite_text(outcome))?;
-            for path in self.out.iter().chain(&self.coefficients).chain(&self.ros).chain(&self.report) {
-                files::print(&format!("wrote {}\n", path.display()))?;
-            }
-        }
-        Ok(())
+        let names = || outcome.task.limits.iter().map(|l| l.name.clone()).collect::<Vec<String>>();
+        deliver(provenance)
+            .file(self.out.as_ref(), || report::motion_csv(motion, self.rate))?
+            .file(self.coefficients.as_ref(), || format!("{:#}\n", report::trajectory_json(motion)))?
+            .file(self.ros.as_ref(), || report::joint_trajectory(motion, &names(), self.rate))?
+            .file(self.report.as_ref(), || report::excite_html(outcome, &provenance.rows()))?
+            .json(self.json.as_ref(), || report::excite_json(outcome))?
+            .text(|| report::excite_text(outcome))
     }
 
     fn judge(&self, path: &Path, robot: &Robot, provenance: &Provenance) -> Result<(), Failure> {
         let written = super::motion::read(path, robot.dof())?;
         let verdict = check(robot, &written, Some(self.acceleration_time))
             .map_err(|e| Failure::input(format!("{}: {e}", path.display())))?;
-        if let Some(target) = &self.json {
-            files::json(target, report::motion_check_json(&verdict), provenance)?;
-        }
-        if !files::is_stdout(&self.json) {
-            files::print(&report::motion_check_text(&verdict))?;
-        }
+        deliver(provenance)
+            .json(self.json.as_ref(), || report::motion_check_json(&verdict))?
+            .text(|| report::motion_check_text(&verdict))?;
         let broken: Vec<String> = verdict
             .findings
             .iter()
@@ -401,9 +384,9 @@ impl Excite {
         Ok(())
     }
 
-    /// Independent noise of the criterion's samples that tells as much. Noise of successive samples
-    /// is alike after a low-pass: as if it were larger and independent. Of white noise, more
-    /// samples per second leave less.
+    /// Noise of independent samples with the same information. Noise of successive samples is alike
+    /// after a low-pass: as if it were larger and independent. Of white noise, more samples per
+    /// second leave less.
     fn per_sample(&self, noise: Vec<f64>) -> Vec<f64> {
         let independent = self.log_rate.unwrap_or((2.0 * self.cutoff).min(CRITERION_RATE));
         noise.into_iter().map(|s| s * (CRITERION_RATE / independent).sqrt()).collect()
@@ -458,16 +441,18 @@ impl Excite {
         let watch = Watch { stop: &stop, progress: &progress };
         let found = match self.target_std {
             Some(percent) => shortest(task, percent, &effort, &watch).map(|s| (s.design, s.expected, s.tried)),
-            None => design(task, &effort, &watch).map(|found| {
-                let noise = if task.noise.iter().all(|s| *s == 1.0) {
-                    self.per_sample(assumed_noise(task))
-                } else {
-                    task.noise.clone()
-                };
-                let own = Task { noise, ..task.clone() };
-                let expected = expected(&own, &found.trajectory.sampled(task.rate).1);
-                (found, expected, Vec::new())
-            }),
+            None => design(task, &effort, &watch)
+                .map(|found| {
+                    let noise = if task.noise.iter().all(|s| *s == 1.0) {
+                        self.per_sample(assumed_noise(task))
+                    } else {
+                        task.noise.clone()
+                    };
+                    let own = Task { noise, ..task.clone() };
+                    let expected = expected(&own, &found.trajectory.sampled(task.rate).1);
+                    (found, expected, Vec::new())
+                })
+                .map_err(ShortestError::from),
         };
         bar.finish_and_clear();
         found.map_err(|e| Failure::other(format!("{}: {e}", self.robot.display())))
@@ -489,7 +474,7 @@ fn no_nominal(option: &str, tool: bool) -> Failure {
 /// Samples per second that the criterion counts, as in the paper.
 const CRITERION_RATE: f64 = 100.0;
 
-/// Where no noise is given: half a percent of the torque limit, 0.1 N m where there is none.
+/// Default noise: half a percent of the torque limit, 0.1 N m where there is none.
 fn assumed_noise(task: &Task<'_>) -> Vec<f64> {
     task.limits.iter().map(|l| l.torque.map_or(0.1, |t| 0.005 * t)).collect()
 }

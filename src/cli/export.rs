@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use super::Failure;
+use super::delivery::deliver;
 use super::files;
 use super::import::held;
 use super::provenance::Provenance;
@@ -14,14 +15,14 @@ use crate::report;
 /// Write a robot file as URDF or MJCF, for simulators that read those.
 ///
 /// Each row becomes a link with a joint; the tool becomes a link of its own. Inertias, limits,
-/// damping and Coulomb friction come along, in MJCF also rotor inertias and springs. What the format
-/// has no words for is listed.
+/// damping and Coulomb friction come along, in MJCF also rotor inertias and springs. What the
+/// format has no words for is listed.
 #[derive(Args)]
 #[command(after_help = "Example:\n  denavit export identified.yaml --format mjcf --out identified.xml")]
 pub(super) struct Export {
     /// Robot file.
     robot: PathBuf,
-    /// What to write; `--onto` writes the format of its file.
+    /// Format to write; `--onto` writes the format of its file.
     #[arg(long, value_enum, required_unless_present = "onto")]
     format: Option<Format>,
     /// A model of the same robot: its text gets the numbers, meshes, names and comments stay.
@@ -53,7 +54,7 @@ impl Export {
         let out = Some(self.out.clone());
         files::check_outputs(&[("--out", &out), ("--json", &self.json)], file.read.iter().chain(&self.onto))?;
         // Effects of geometry and bodies are where the robot is.
-        let robot = file.robot.as_it_is();
+        let robot = file.robot.effective();
         let made = match (&self.onto, self.format) {
             (Some(model), _) => {
                 let text = files::text(model)?;
@@ -64,15 +65,10 @@ impl Export {
             (None, Some(Format::Mjcf)) => export(&robot, ModelFormat::Mjcf),
             (None, _) => export(&robot, ModelFormat::Urdf),
         };
-        files::write(&self.out, made.text.as_bytes())?;
-        if let Some(target) = &self.json {
-            let provenance = provenance.robot(&self.robot, &file);
-            files::json(target, report::export_json(&file.robot.name, &made), &provenance)?;
-        }
-        if !files::is_stdout([Some(&self.out), self.json.as_ref()].into_iter().flatten()) {
-            files::print(&report::export_text(&file.robot.name, &made))?;
-        }
-        Ok(())
+        deliver(&provenance.robot(&self.robot, &file))
+            .file(Some(&self.out), || &made.text)?
+            .json(self.json.as_ref(), || report::export_json(&file.robot.name, &made))?
+            .only_text(|| report::export_text(&file.robot.name, &made))
     }
 
     /// A model keeps its format.

@@ -25,7 +25,7 @@ pub(super) struct RobotFile {
     pub text: String,
     /// Files that were read for it: its own and those that it names.
     pub read: Vec<PathBuf>,
-    /// What was noted in it.
+    /// Notes on the file.
     pub notes: Vec<String>,
 }
 
@@ -169,7 +169,7 @@ pub(super) fn stream(path: &Path, fill: impl FnOnce(&mut Output) -> io::Result<(
     }
 }
 
-/// Where `--json` goes, with what made it.
+/// Destination of `--json`, with the provenance.
 pub(super) fn json(target: &Path, mut value: Value, provenance: &Provenance) -> Result<(), Failure> {
     let rows = provenance.rows().into_iter().map(|(what, value)| (what, Value::from(value)));
     value["provenance"] = Value::Object(rows.collect());

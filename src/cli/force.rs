@@ -8,6 +8,7 @@ use dh_codegen::arm::param;
 
 use super::Failure;
 use super::column_check::ColumnCheck;
+use super::delivery::deliver;
 use super::files;
 use super::known_effects::FileEffects;
 use super::logbook::{Logbook, Purpose};
@@ -28,14 +29,17 @@ use crate::report;
 /// for each component at each instant.
 ///
 /// The wrench is that of the surroundings on the tool, about the origin of the tool's frame, in its
-/// axes (as a log's columns fx fy fz mx my mz, with which it is compared where they are there).
-/// Effects of the robot file are in the model. The band needs what is known of the model's errors:
-/// `--identified` takes the JSON of `denavit identify` (use the same low-pass); without it the
-/// noise comes from what the model leaves where nothing touches; without that, from the torque's
-/// own noise, and then the model's errors are in no band.
+/// axes. A log's columns fx fy fz mx my mz mean the same; they are compared if they are present.
+/// Effects of the robot file are in the model. The band needs the uncertainty of the model:
+/// `--identified` takes the JSON of `denavit identify` (use the same low-pass). Without it the
+/// noise comes from the residual where nothing touches; without that, from the torque's own noise,
+/// and then the model's errors are in no band.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit identify robot.yaml fit.csv --out identified.yaml --json identified.json\n  denavit force identified.yaml push.csv --identified identified.json --free 0:2 --bias \\\n      --out wrench.csv --report wrench.html\n  denavit force identified.yaml free.csv --identified identified.json --against nothing\n\nOut:\n  the text and the JSON have figures for each log and component (root mean squares, mean half-width of the band, comparison, phantom force,\n  consistency with the uncertainty); the wrench itself, sample by sample, is in the CSV of --out: t (s), fx fy fz (N), mx my mz (N m),\n  fx_half .. mz_half (half-widths of the 95 % bands; empty: the joints don't tell the component), touching (0 or 1), surprise (a normal deviate:\n  under 3 it is nothing, else something touches or the model is wrong), dexterity (m/rad: near 0 at a singularity), seg, undecided (1: static friction or\n  contact can't be told apart). `meaning` in the JSON says what its names mean."
+    after_help = concat!(
+        "Example:\n  denavit identify robot.yaml fit.csv --out identified.yaml --json identified.json\n  denavit force identified.yaml push.csv --identified identified.json --free 0:2 --bias \\\n      --out wrench.csv --report wrench.html\n  denavit force identified.yaml free.csv --identified identified.json --against nothing\n\nOut:\n  the text and the JSON have figures for each log and component (root mean squares, mean half-width of the band, comparison, phantom force,\n  consistency with the uncertainty); the wrench itself, sample by sample, is in the CSV of --out: t (s), fx fy fz (N), mx my mz (N m),\n  fx_half .. mz_half (half-widths of the 95 % bands; empty: the joints don't tell the component), touching (0 or 1), surprise (a normal deviate:\n  under 3 it is nothing, else something touches or the model is wrong), dexterity (m/rad: near 0 at a singularity), seg, undecided (1: static friction or\n  contact can't be told apart). `meaning` in the JSON says what its names mean.",
+        log_columns!()
+    )
 )]
 pub(super) struct Force {
     /// Robot file with its links: identified, or extended by `denavit diagnose`.
@@ -43,14 +47,14 @@ pub(super) struct Force {
     /// Logs.
     #[arg(required = true, value_name = "LOG")]
     logs: Vec<PathBuf>,
-    /// What to compare with; default: what was measured, where the log has it.
+    /// Reference of the comparison; default: the measured wrench, if the log has it.
     #[arg(long, value_enum, value_name = "WHAT")]
     against: Option<Against>,
     /// How to estimate.
     #[arg(long, value_enum, default_value_t = Estimator::Residual)]
     estimator: Estimator,
-    /// What `denavit identify --json` wrote for this robot: standard deviations and correlations of
-    /// the parameters, noise of the torques.
+    /// JSON that `denavit identify --json` wrote for this robot: standard deviations and
+    /// correlations of the parameters, noise of the torques.
     #[arg(long, value_name = "JSON")]
     identified: Option<PathBuf>,
     /// Nothing touches from one time to the other, s, in every log; may stand more than once.
@@ -67,8 +71,8 @@ pub(super) struct Force {
     /// pace of the Kalman filter. Default: 20,2.
     #[arg(long, value_name = "N,NM", value_parser = pair)]
     wander: Option<[f64; 2]>,
-    /// Write t, the wrench, the half-widths of its 95 % band (empty where the joints don't tell a
-    /// component), and whether something touches.
+    /// Write t, the wrench, the half-widths of its 95 % band (empty where a component is
+    /// unobservable), and whether something touches.
     #[arg(long, value_name = "CSV")]
     out: Option<PathBuf>,
     /// Write the result as JSON; `-` for standard output.
@@ -126,7 +130,7 @@ impl Force {
             &[("--out", &self.out), ("--json", &self.json), ("--report", &self.report)],
             file.read.iter().chain(&self.logs).chain(&self.identified),
         )?;
-        let real = file.robot.as_it_is();
+        let real = file.robot.effective();
         let standard = param::standard_values(&real).ok_or_else(|| {
             Failure::input(format!(
                 "{}: a force needs the inertial parameters of every link; add a `links:` list, or identify them (`denavit identify`)",
@@ -216,6 +220,11 @@ impl Force {
         if let Some(gain) = self.gain.filter(|gain| !(*gain > 0.0 && *gain < 1e4)) {
             return Err(Failure::input(format!("--gain {gain}: 1/s, above 0 and below 10000")));
         }
+        if self.against == Some(Against::Nothing) && !self.free.is_empty() && !self.bias {
+            return Err(Failure::input(
+                "--free has no effect beside --against nothing, which says that nothing touches throughout; leave one of them out",
+            ));
+        }
         let belongs = [
             (self.gain.is_some(), "--gain", matches!(self.estimator, Estimator::Momentum), "momentum"),
             (self.wander.is_some(), "--wander", matches!(self.estimator, Estimator::Kalman), "kalman"),
@@ -241,7 +250,7 @@ impl Force {
         })
     }
 
-    /// What is known of the model's errors, and from where.
+    /// Uncertainty of the model, and its source.
     fn uncertainty(
         &self,
         arm: &Interpreted,
@@ -252,7 +261,8 @@ impl Force {
             let text = files::text(path)?;
             let bad = |what: String| Failure::input(format!("{}: {what}", path.display()));
             let json: serde_json::Value = serde_json::from_str(&text).map_err(|e| bad(format!("not JSON: {e}")))?;
-            let known = report::uncertainty_of_json(&json, arm.base_parameters(), arm.dof()).map_err(bad)?;
+            let known =
+                report::uncertainty_of_json(&json, arm.base_parameters(), arm.dof()).map_err(|e| bad(e.to_string()))?;
             return Ok((known, format!("{}: parameters and noise", path.display())));
         }
         let mut first =
@@ -279,22 +289,14 @@ impl Force {
         prepared: &[crate::data::signal::Prepared],
         provenance: &Provenance,
     ) -> Result<(), Failure> {
+        let mut out = deliver(provenance);
         if let (Some(path), [series]) = (&self.out, outcome.found) {
             write_csv(path, series)?;
+            out.wrote(path);
         }
-        if let Some(path) = &self.report {
-            files::write(path, report::force_html(outcome, prepared, &provenance.rows()).as_bytes())?;
-        }
-        if let Some(target) = &self.json {
-            files::json(target, report::force_json(outcome, prepared, &provenance.rows()), provenance)?;
-        }
-        if !files::is_stdout(self.json.iter().chain(&self.out)) {
-            files::print(&report::force_text(outcome, prepared))?;
-            for path in self.out.iter().chain(&self.report) {
-                files::print(&format!("wrote {}\n", path.display()))?;
-            }
-        }
-        Ok(())
+        out.file(self.report.as_ref(), || report::force_html(outcome, prepared, &provenance.rows()))?
+            .json(self.json.as_ref(), || report::force_json(outcome, prepared, &provenance.rows()))?
+            .text(|| report::force_text(outcome, prepared))
     }
 }
 
@@ -309,9 +311,10 @@ fn write_csv(path: &Path, series: &Series) -> Result<(), Failure> {
         for s in 0..series.time.len() {
             let mut row = vec![format!("{:.6}", series.time[s])];
             row.extend(series.wrench[s].iter().map(|x| format!("{x:.6}")));
-            // Empty where the joints don't tell the component.
+            // Empty where a component is unobservable.
             row.extend(
-                (0..6).map(|i| if series.told[s][i] { format!("{:.6}", series.half[s][i]) } else { String::new() }),
+                (0..6)
+                    .map(|i| if series.observable[s][i] { format!("{:.6}", series.half[s][i]) } else { String::new() }),
             );
             row.push(u8::from(series.touching[s]).to_string());
             row.push(format!("{:.3}", series.deviate[s]));

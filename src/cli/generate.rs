@@ -10,6 +10,7 @@ use dh_codegen::arm::Function;
 
 use self::folder::{Folder, Stale};
 use super::Failure;
+use super::delivery::deliver;
 use super::files;
 use super::provenance::Provenance;
 
@@ -34,7 +35,7 @@ pub(super) struct Generate {
     /// transposed Jacobian (`base_regressor_adjoint` and so on).
     #[arg(long)]
     adjoints: bool,
-    /// Where the crate takes its runtime from: a copy inside it, or the crate denavit-runtime.
+    /// Source of the crate's runtime: a copy inside it, or the crate denavit-runtime.
     #[arg(long, value_enum, default_value = "shipped")]
     runtime: RuntimeSource,
     /// Folder of denavit-runtime, seen from DIR; without it the version of this command is named.
@@ -116,11 +117,8 @@ impl Generate {
                 _ => folder::update(&self.out, there, &crate_files, &stale)?,
             }
         }
-        if let Some(target) = &self.json {
-            let value = serde_json::json!({ "out": self.out.display().to_string(), "files": crate_files.len(), "written": stale.written, "removed": stale.removed });
-            files::json(target, value, &provenance.robot(&self.robot, &file))?;
-        }
-        if !files::is_stdout(&self.json) {
+        let json = || serde_json::json!({ "out": self.out.display().to_string(), "files": crate_files.len(), "written": stale.written, "removed": stale.removed });
+        deliver(&provenance.robot(&self.robot, &file)).json(self.json.as_ref(), json)?.text(|| {
             let removed = match stale.removed.len() {
                 0 => String::new(),
                 n => format!(", {n} of an earlier run removed"),
@@ -129,9 +127,8 @@ impl Generate {
                 true => "up to date".into(),
                 false => format!("{} of {} files written{removed}", stale.written.len(), crate_files.len()),
             };
-            files::print(&format!("{}: {what}\n", self.out.display()))?;
-        }
-        Ok(())
+            format!("{}: {what}\n", self.out.display())
+        })
     }
 
     /// Refusal of a check: what would change, and the command for it.

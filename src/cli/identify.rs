@@ -7,6 +7,7 @@ use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::{EffectKind, JointKind, Laws, Robot};
 
 use super::Failure;
+use super::delivery::deliver;
 use super::files;
 use super::known_effects::{FileEffects, without};
 use super::logbook::{Logbook, Purpose};
@@ -16,10 +17,10 @@ use super::provenance::Provenance;
 use crate::data::signal::{Derivatives, Motion, Prepare, Prepared};
 use crate::identify::tool::Body;
 use crate::identify::{
-    AccumulatorSettings, Better, Bounds, BudgetCollector, Consistent, ConsistentError, ConsistentSettings, Essential,
-    Factors, Identification, IdentifyError, IdentifySettings, KnownEffects, LeftOutError, Preference, PriorBody,
-    QrAccumulator, Reference, TorqueColumns, Trace, Tracer, buildable_links, carry_over, consistent, geometric_bodies,
-    left_out, nonnegative_drives, possible_bodies, prior_bodies, recover_standard, solve,
+    AccumulatorSettings, Better, Bounds, BudgetCollector, CarryOver, Consistent, ConsistentError, ConsistentSettings,
+    Essential, Factors, Identification, IdentifyError, IdentifySettings, KnownEffects, LeftOutError, Preference,
+    PriorBody, QrAccumulator, Reference, TorqueColumns, Trace, Tracer, buildable_links, carry_over, consistent,
+    geometric_bodies, left_out, nonnegative_drives, possible_bodies, prior_bodies, recover_standard, solve,
 };
 use crate::model::coupled::Coupled;
 use crate::model::interpreted::Interpreted;
@@ -30,8 +31,7 @@ use crate::report;
 /// Identify the base parameters from logs, validate them on others, and write the robot file with
 /// the values in place.
 ///
-/// Logs are CSV, .csv.gz or Parquet with columns `t, q1.., tau1..` (and more, see the robot's
-/// README). They are low-passed forward and backward, positions are differentiated by central
+/// Logs are low-passed forward and backward, positions are differentiated by central
 /// differences, and the base regressor is fitted by least squares with each joint weighted by its
 /// own noise. Drive parameters are identified where the robot file's `drive` has them (a value of 0
 /// will do); a `gear_coupling` there brings its `IAM`, `FVM` and `FCM` along.
@@ -41,7 +41,10 @@ use crate::report;
 /// links of the robot file (`--prior cad`) or from the arm's geometry.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit identify robots/kuka-iiwa14.yaml run1.csv run2.csv --validate run3.csv \\\n      --out identified.yaml --report identified.html"
+    after_help = concat!(
+        "Example:\n  denavit identify robots/kuka-iiwa14.yaml run1.csv run2.csv --validate run3.csv \\\n      --out identified.yaml --report identified.html",
+        log_columns!()
+    )
 )]
 pub(super) struct Identify {
     /// Robot file.
@@ -63,7 +66,7 @@ pub(super) struct Identify {
     /// Write a page with torques, residuals, parameters and correlations.
     #[arg(long, value_name = "FILE.html")]
     report: Option<PathBuf>,
-    /// Where velocities and accelerations come from.
+    /// Source of velocities and accelerations.
     #[arg(long, value_enum, default_value_t = Source::Position)]
     derivatives: Source,
     /// Ordinary least squares: do not weight joints by their noise.
@@ -82,10 +85,10 @@ pub(super) struct Identify {
         default_missing_value = "require"
     )]
     consistent: Consistency,
-    /// Where bodies come from as far as torques don't show them.
+    /// Source of the bodies where torques don't determine them.
     #[arg(long, value_enum, default_value_t = PriorFrom::Cad)]
     prior: PriorFrom,
-    /// Weight of these bodies: 1 believes them to about 100 %, 100 to 10 %.
+    /// Weight of these bodies: 1 means a relative standard deviation of about 100 %, 100 of 10 %.
     #[arg(long, default_value_t = 1.0, value_name = "WEIGHT")]
     prior_weight: f64,
     /// Mass of all links together, without the tool, kg.
@@ -134,18 +137,71 @@ enum PriorFrom {
 }
 
 impl Identify {
+    /// With the defaults of all options that are not given here.
+    pub(super) fn plainly(
+        robot: PathBuf,
+        logs: Vec<PathBuf>,
+        validate: Vec<PathBuf>,
+        out: PathBuf,
+        preparation: Preparation,
+    ) -> Self {
+        Self {
+            robot,
+            logs,
+            validate,
+            out: Some(out),
+            json: None,
+            report: None,
+            derivatives: Source::Position,
+            ordinary: false,
+            essential: false,
+            consistent: Consistency::Auto,
+            prior: PriorFrom::Cad,
+            prior_weight: 1.0,
+            mass_total: None,
+            bounds: None,
+            most_cost: 25.0,
+            preparation,
+        }
+    }
+
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         self.check_options()?;
         let file = files::robot(&self.robot)?;
-        motors::on_every_joint(
-            &self.robot,
-            &file.robot,
-            "an identification takes the torque of every joint from the log",
-        )?;
         files::check_outputs(
             &[("--out", &self.out), ("--json", &self.json), ("--report", &self.report)],
             file.read.iter().chain(&self.logs).chain(&self.validate).chain(&self.bounds),
         )?;
+        self.with_setup(&file, |setup| {
+            let solved = self.solved(setup, Logbook::of(&file.text))?;
+            self.deliver(setup, &file, &solved, provenance)
+        })
+    }
+
+    /// The robot with the values in place, for a verb that goes on with it.
+    ///
+    /// # Errors
+    /// Where there is no such robot, with the reason.
+    pub(super) fn model(&self, file: &files::RobotFile) -> Result<Model, Failure> {
+        self.check_options()?;
+        self.with_setup(file, |setup| {
+            let solved = self.solved(setup, Logbook::of(&file.text))?;
+            let out = self.out.as_ref().filter(|_| solved.writable);
+            self.outcome(solved.underdetermined(), out, solved.refused(), &solved.unbuildable)?;
+            let (robot, warnings) = (solved.robot(setup), solved.warnings(setup, true));
+            let low_pass = Preparation::low_pass(&setup.prepare);
+            Ok(Model { robot, found: solved.found, warnings, logbook: solved.logbook, low_pass })
+        })
+    }
+
+    /// Calls `then` with the arm of a robot file and how its logs are prepared.
+    fn with_setup<T>(
+        &self,
+        file: &files::RobotFile,
+        then: impl FnOnce(&Setup<'_>) -> Result<T, Failure>,
+    ) -> Result<T, Failure> {
+        let why = "an identification takes the torque of every joint from the log";
+        motors::on_every_joint(&self.robot, &file.robot, why)?;
         let mut prepare = self.prepare(&file.robot)?;
         let bodies = Interpreted::new(&file.robot, &[]);
         let couplings = robot_edit::couplings(&file.robot);
@@ -153,105 +209,119 @@ impl Identify {
         let given: Vec<f64> = couplings.iter().flat_map(|(_, values)| *values).collect();
         let arm = Coupled::new(&bodies, couplings.into_iter().map(|(coupling, _)| coupling).collect());
         let prior = param::standard_values(&file.robot).map(|values| [values, given].concat());
-
         let effects = FileEffects::of(&file.robot, &[EffectKind::GearCoupling]);
         effects.iter().for_each(|effects| effects.prepare(&mut prepare));
         let known = effects.as_ref().and_then(|effects| effects.known(&arm, prior.as_deref(), prepare.filter));
-        let Read { fit, validate, mut prepared, logbook, parts } =
-            self.read(&arm, &prepare, known.as_ref(), Logbook::of(&file.text))?;
-        against_limits(&mut prepared, &file.robot, prepare.keep)?;
+        let known = known.as_ref();
+        then(&Setup {
+            robot: &file.robot,
+            bodies: &bodies,
+            arm: &arm,
+            prior,
+            prepare,
+            effects: effects.as_ref(),
+            known,
+        })
+    }
 
+    /// The identification, and what of it can be written.
+    fn solved(&self, setup: &Setup<'_>, logbook: Logbook) -> Result<Solved, Failure> {
+        let Setup { robot, bodies, arm, ref prepare, known, .. } = *setup;
+        let prior = setup.prior.as_deref();
+        let Read { fit, validate, mut prepared, logbook, parts } = self.read(arm, prepare, known, logbook)?;
+        against_limits(&mut prepared, robot, prepare.keep)?;
         let solving = IdentifySettings {
             weighted: !self.ordinary,
             essential: self.essential.then(Essential::default),
-            prior: prior.clone(),
+            prior: setup.prior.clone(),
             ..IdentifySettings::default()
         };
-        let mut found = solve(&arm, &fit, &validate, &solving).map_err(unsolved)?;
-        self.explain(&mut found, &file.robot, &arm, &prepare, known.as_ref())?;
-        found.budget = parts.finish(&arm, &found.values(), &found.fit.rms);
+        let mut found = solve(arm, &fit, &validate, &solving).map_err(unsolved)?;
+        self.explain(&mut found, robot, arm, prepare, known)?;
+        found.budget = parts.finish(arm, &found.values(), &found.fit.rms);
         let underdetermined = found.underdetermined().is_some();
-        let provenance =
-            provenance.robot(&self.robot, &file).logs(&logbook).with("low-pass", Preparation::low_pass(&prepare));
-        let carry = carry_over(&arm, &bodies, &found);
+        let carry = carry_over(arm, bodies, &found);
         let possible = match self.consistent {
             Consistency::Never => None,
-            _ => Some(self.bodies(&file.robot, &arm, &bodies, &fit, &validate, &found)?),
+            _ => Some(self.bodies(robot, arm, bodies, &fit, &validate, &found)?),
         };
         if let (Consistency::Require, Some(Err(error))) = (self.consistent, &possible) {
             return Err(Failure::other(format!("no possible bodies: {error}")));
         }
-        // Where the plain solution is possible itself, the file has bodies with exactly its base
+        // If the plain solution is possible itself, the file gets bodies with exactly its base
         // parameters.
         let exact = match (self.consistent, &possible) {
             (Consistency::Auto, Some(Ok(_))) if self.prior_weight == 1.0 && !underdetermined => {
-                let (prior, settings) = (self.prior_of(&file.robot, &bodies), self.settings(&file.robot, &arm)?);
-                let same = possible_bodies(&arm, &found.values(), &prior, &drives(&file.robot), &settings);
+                let (prior, settings) = (self.prior_of(robot, bodies), self.settings(robot, arm)?);
+                let same = possible_bodies(arm, &found.values(), &prior, &drives(robot), &settings);
                 same.ok().filter(|same| same.exact).map(|same| same.standard)
             }
             _ => None,
         };
         let left_out = match &possible {
-            Some(Ok(c)) if !underdetermined => {
-                self.left_out(&file.robot, &arm, &bodies, &fit, &found, c, prior.as_deref())?
-            }
+            Some(Ok(c)) if !underdetermined => self.left_out(robot, arm, bodies, &fit, &found, c, prior)?,
             _ => None,
         };
-        // Where the data determine nothing, bodies near the file's own are all that can be written.
-        let complete =
-            file.robot.links.len() == file.robot.joints.len() && file.robot.links.iter().all(Option::is_some);
+        // If the data determine nothing, only bodies near the file's own can be written.
+        let complete = robot.links.len() == robot.joints.len() && robot.links.iter().all(Option::is_some);
         let near = self.prior == PriorFrom::Cad && complete && matches!(possible, Some(Ok(_)));
-        let refused = matches!(possible, Some(Err(_)));
         let idle = possible.is_none() && !underdetermined && carry.says_nothing(&found);
         let logs = [&fit[..], &validate[..]];
         let (written, unbuildable) =
-            self.to_write(&file.robot, &arm, &bodies, logs, &found, &solving, possible.as_ref(), exact.as_deref())?;
-        let nothing = refused || idle || !unbuildable.is_empty();
-        let out = self.out.as_ref().filter(|_| !nothing && (!underdetermined || near));
-        let possible = possible.as_ref().map(|result| report::Possible {
-            result: result.as_ref(),
-            written: out.map(|_| result.is_ok()),
-            plain: exact.is_some(),
-            left_out: left_out.as_ref(),
-        });
-        let mut warnings = report::identify_warnings(&found, &prepared, Some(&carry), possible.as_ref());
-        effects.iter().for_each(|effects| warnings.push(effects.sentence(known.is_some())));
-        let Written { standard, at_bound, warning } = written;
-        warning.into_iter().filter(|_| out.is_some()).for_each(|text| warnings.push(text));
-        if let Some(path) = &self.report {
-            let traces = self.traces(&arm, &found, &prepare, known.as_ref())?;
+            self.to_write(robot, arm, bodies, logs, &found, &solving, possible.as_ref(), exact.as_deref())?;
+        let nothing = matches!(possible, Some(Err(_))) || idle || !unbuildable.is_empty();
+        let writable = !nothing && (!underdetermined || near);
+        let exact = exact.is_some();
+        Ok(Solved { found, prepared, logbook, carry, possible, exact, left_out, written, unbuildable, writable })
+    }
+
+    /// Files and text.
+    fn deliver(
+        &self,
+        setup: &Setup<'_>,
+        file: &files::RobotFile,
+        solved: &Solved,
+        provenance: Provenance,
+    ) -> Result<(), Failure> {
+        let (found, prepared, underdetermined) = (&solved.found, &solved.prepared, solved.underdetermined());
+        let provenance = provenance
+            .robot(&self.robot, file)
+            .logs(&solved.logbook)
+            .with("low-pass", Preparation::low_pass(&setup.prepare));
+        let out = self.out.as_ref().filter(|_| solved.writable);
+        let possible = solved.shown(out.is_some());
+        let warnings = solved.warnings(setup, out.is_some());
+        let page = || {
+            let traces = self.traces(setup.arm, found, &setup.prepare, setup.known)?;
             let links = report::Links {
-                now: links(&file.robot, Some(&standard)),
-                file: links(&file.robot, prior.as_deref()),
+                now: links(setup.robot, Some(&solved.written.standard)),
+                file: links(setup.robot, setup.prior.as_deref()),
                 possible: possible.as_ref(),
             };
-            let page = report::identify_html(&found, &prepared, &warnings, &traces, Some(&links), &provenance.rows());
-            files::write(path, page.as_bytes())?;
-        }
-        if let Some(path) = out {
-            let (own, coupled) = standard.split_at(bodies.standard_names().len());
-            let robot = robot_edit::with_couplings(robot_edit::with_values(file.robot.clone(), own), coupled);
-            files::write(path, file.rewritten(&robot, path, &provenance.run(Vec::new())).as_bytes())?;
-        }
-        if let Some(target) = &self.json {
-            let mut json = report::identify_json(&found, &prepared, &warnings, &provenance.rows());
-            json["carry_over"] = report::carry_over_json(&carry);
-            json["at_bound"] = at_bound.into();
+            Ok(report::identify_html(found, prepared, &warnings, &traces, Some(&links), &provenance.rows()))
+        };
+        let rewritten =
+            || file.rewritten(&solved.robot(setup), out.unwrap_or(&self.robot), &provenance.run(Vec::new()));
+        let json = || {
+            let mut json = report::identify_json(found, prepared, &warnings, &provenance.rows());
+            json["carry_over"] = report::carry_over_json(&solved.carry);
+            json["at_bound"] = solved.written.at_bound.clone().into();
             if let Some(possible) = &possible {
                 json["consistent"] = report::consistent_json(possible);
             }
-            files::json(target, json, &provenance)?;
-        }
-        if !files::is_stdout(&self.json) {
-            files::print(&report::identify_text(&found, &prepared, &warnings))?;
-            if let Some(possible) = possible.as_ref().filter(|_| !underdetermined) {
-                files::print(&report::consistent_text(&found, possible))?;
-            }
-            for path in out.into_iter().chain(&self.report) {
-                files::print(&format!("wrote {}\n", path.display()))?;
-            }
-        }
-        self.outcome(underdetermined, out, refused, &unbuildable)
+            json
+        };
+        let text = || {
+            let shown = possible.as_ref().filter(|_| !underdetermined);
+            let links = shown.map_or_else(String::new, |possible| report::consistent_text(found, possible));
+            report::identify_text(found, prepared, &warnings) + &links
+        };
+        deliver(&provenance)
+            .file(out, rewritten)?
+            .try_file(self.report.as_ref(), page)?
+            .json(self.json.as_ref(), json)?
+            .text(text)?;
+        self.outcome(underdetermined, out, solved.refused(), &solved.unbuildable)
     }
 
     /// Standard parameters for the robot file, and the links (from 1) that no body can have, where
@@ -342,8 +412,8 @@ impl Identify {
         }
     }
 
-    /// Where the validating logs prefer the plain solution: what the fitted logs say to that, a
-    /// part of them left out at a time.
+    /// If the validating logs prefer the plain solution: verdict of the fitted logs, a part of them
+    /// left out at a time.
     #[allow(clippy::too_many_arguments)]
     fn left_out(
         &self,
@@ -466,8 +536,8 @@ impl Identify {
         Ok(read)
     }
 
-    /// Where something is wrong with the torques: a second pass that tries other readings of their
-    /// columns. One that explains far more takes the place of a suspicion against a sign.
+    /// If the torques are wrong: a second pass that tries other readings of their columns. One that
+    /// explains far more takes the place of a suspicion against a sign.
     fn explain(
         &self,
         found: &mut Identification,
@@ -513,7 +583,82 @@ impl Identify {
     }
 }
 
-/// What the first pass over the logs gave.
+/// A robot file, ready to be identified.
+struct Setup<'a> {
+    robot: &'a Robot,
+    /// Without the couplings of the gears.
+    bodies: &'a Interpreted,
+    arm: &'a Coupled<'a>,
+    /// Standard parameters of the file.
+    prior: Option<Vec<f64>>,
+    prepare: Prepare,
+    effects: Option<&'a FileEffects>,
+    known: Option<&'a KnownEffects<'a>>,
+}
+
+/// An identified robot.
+pub(super) struct Model {
+    pub(super) robot: Robot,
+    pub(super) found: Identification,
+    pub(super) warnings: report::Warnings,
+    pub(super) logbook: Logbook,
+    /// In words.
+    pub(super) low_pass: String,
+}
+
+/// What the logs say of a robot file, and what of it can be written.
+struct Solved {
+    found: Identification,
+    prepared: Vec<Prepared>,
+    logbook: Logbook,
+    carry: CarryOver,
+    /// Bodies that can exist; `None`: not asked for.
+    possible: Option<Result<Consistent, ConsistentError>>,
+    /// Whether the bodies of the file have exactly the base parameters that were found.
+    exact: bool,
+    left_out: Option<Result<Preference, LeftOutError>>,
+    written: Written,
+    /// Links, from 1, that no body with the plain values can have.
+    unbuildable: Vec<usize>,
+    /// Whether there is a robot file to write.
+    writable: bool,
+}
+
+impl Solved {
+    fn underdetermined(&self) -> bool {
+        self.found.underdetermined().is_some()
+    }
+
+    fn refused(&self) -> bool {
+        matches!(self.possible, Some(Err(_)))
+    }
+
+    /// The robot with the values in place.
+    fn robot(&self, setup: &Setup<'_>) -> Robot {
+        let (own, coupled) = self.written.standard.split_at(setup.bodies.standard_names().len());
+        robot_edit::with_couplings(robot_edit::with_values(setup.robot.clone(), own), coupled)
+    }
+
+    /// The bodies as reports show them.
+    fn shown(&self, written: bool) -> Option<report::Possible<'_>> {
+        self.possible.as_ref().map(|result| report::Possible {
+            result: result.as_ref(),
+            written: written.then_some(result.is_ok()),
+            plain: self.exact,
+            left_out: self.left_out.as_ref(),
+        })
+    }
+
+    fn warnings(&self, setup: &Setup<'_>, written: bool) -> report::Warnings {
+        let possible = self.shown(written);
+        let mut warnings = report::identify_warnings(&self.found, &self.prepared, Some(&self.carry), possible.as_ref());
+        setup.effects.iter().for_each(|effects| warnings.push(effects.sentence(setup.known.is_some())));
+        self.written.warning.iter().filter(|_| written).for_each(|text| warnings.push(text));
+        warnings
+    }
+}
+
+/// Result of the first pass over the logs.
 #[derive(Default)]
 struct Read {
     fit: Vec<Factors>,
@@ -556,7 +701,7 @@ impl Written {
         let standard = recover_standard(arm, &bounded.base, solving.prior.as_deref()).map_err(Failure::other)?;
         let warning = (!bounded.held.is_empty()).then(|| report::held_text(&bounded, fit, validate));
         let mut at_bound = bounded.held;
-        // What shares a base parameter with others.
+        // Parameters that share a base parameter with others.
         let zero = arm.standard_names().iter().zip(&standard).filter(|(name, v)| name.starts_with("IA") && **v == 0.0);
         for (name, _) in zero.filter(|(name, _)| !arm.base_parameters().iter().any(|b| b.name == **name)) {
             at_bound.push(name.clone());
@@ -598,7 +743,7 @@ fn links(robot: &Robot, standard: Option<&[f64]>) -> Vec<Option<Body>> {
     (0..robot.joints.len()).map(body).collect()
 }
 
-/// What the file says of the drives, among the standard parameters; zero for the links.
+/// The file's values of the drives, among the standard parameters; zero for the links.
 fn drives(robot: &Robot) -> Vec<f64> {
     let value = |p: &Parameter| match *p {
         Parameter::Drive(row, term) => param::drive_value(robot, row, term).unwrap_or(0.0),

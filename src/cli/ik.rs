@@ -9,6 +9,7 @@ use dh_codegen::robot::Robot;
 use indicatif::ProgressBar;
 
 use super::Failure;
+use super::delivery::deliver;
 use super::files;
 use super::provenance::Provenance;
 use super::table::Table;
@@ -21,23 +22,23 @@ const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py
 /// has one.
 ///
 /// An arm without one (class `none`) is searched numerically, and an arm that nearly has one is
-/// refined from a nominal arm: both say `exact: false`, and for each pose whether postures may be
+/// refined from a nominal arm. Both print `exact: false`, and for each pose whether postures may be
 /// missing.
 ///
-/// A pose is that of the last DH frame in the world frame, as `denavit eval --quantity
-/// forward_kinematics` prints it: columns `r11 r12 r13 px r21 r22 r23 py r31 r32 r33 pz`, m. The
-/// tool of the robot file does not count, unless `--tool` is given: then poses are those of its
+/// A pose is that of the last DH frame in the world frame, m, as `denavit eval --quantity
+/// forward_kinematics` prints it. Its columns are `r11 r12 r13 px r21 r22 r23 py r31 r32 r33 pz`.
+/// The tool of the robot file does not count, unless `--tool` is given: then poses are those of its
 /// tool frame.
 ///
-/// A redundant arm wants a column `swivel`, rad: the angle of the elbow about the line from
+/// A redundant arm needs a column `swivel`, rad. It is the angle of the elbow about the line from
 /// shoulder to wrist, from the plane of the reference vector (`--reference`), or the position of
-/// the joint that is locked (`denavit check` tells which). Without it: that of the posture `q1..qn`
+/// the joint that is locked (`denavit check` names it). Without it: that of the posture `q1..qn`
 /// where there is one, else that at which some posture stays farthest from its limits (zero where
 /// none respects them). The result says which it was. Of an arm with a swivel angle it also says in
 /// which intervals of it each branch respects the limits, and where it stays farthest from them.
 ///
-/// Columns `q1..qn`, if there are any, are a posture near which to choose: its solutions stand
-/// first, and where the arm is singular the free joints stay as they are there.
+/// Columns `q1..qn`, if there are any, are a posture near which to choose. Its solutions stand
+/// first, and where the arm is singular the free joints keep their positions of that posture.
 #[derive(Args)]
 #[command(after_help = "Example:\n  denavit ik robots/ur10e.yaml --poses poses.csv --json -")]
 pub(super) struct Ik {
@@ -60,7 +61,7 @@ pub(super) struct Ik {
         default_value = "0,0,1"
     )]
     reference: Vec<f64>,
-    /// What takes its place where it is parallel to that line.
+    /// Substitute where it is parallel to that line.
     #[arg(
         long,
         value_name = "X,Y,Z",
@@ -70,8 +71,8 @@ pub(super) struct Ik {
         default_value = "1,0,0"
     )]
     second_reference: Vec<f64>,
-    /// What may be left to a pose, m and rad. An arm with fewer than six joints reaches rounded
-    /// poses only nearly: give more.
+    /// Tolerated pose error, m and rad. An arm with fewer than six joints reaches rounded poses
+    /// only nearly: give more.
     #[arg(long, value_name = "SIZE", default_value_t = 1e-12, allow_hyphen_values = true)]
     tolerance: f64,
     /// Write the result as JSON; `-` for standard output.
@@ -85,7 +86,7 @@ impl Ik {
         files::check_outputs(&[("--json", &self.json)], file.read.iter().chain([&self.poses]))?;
         // Effects of geometry (zeros, lengths) are where the arm is; its generated code has them
         // too.
-        let robot = &file.robot.as_it_is();
+        let robot = &file.robot.effective();
         let reference = Reference {
             b: vector("--reference", &self.reference)?,
             second: vector("--second-reference", &self.second_reference)?,
@@ -107,14 +108,9 @@ impl Ik {
         let why = "the arm has no swivel angle";
         provenance.refuse_idle(&[("--reference", swivels, why), ("--second-reference", swivels, why)])?;
         let poses = self.solve(robot.dof(), &kinematics, reference, tool)?;
-        if let Some(target) = &self.json {
-            let made = provenance.robot(&self.robot, &file);
-            files::json(target, report::ik_json(&robot.name, kinematics.inverse(), redundant, &poses), &made)?;
-        }
-        if !files::is_stdout(&self.json) {
-            files::print(&report::ik_text(&robot.name, kinematics.inverse(), &poses))?;
-        }
-        Ok(())
+        deliver(&provenance.robot(&self.robot, &file))
+            .json(self.json.as_ref(), || report::ik_json(&robot.name, kinematics.inverse(), redundant, &poses))?
+            .text(|| report::ik_text(&robot.name, kinematics.inverse(), &poses))
     }
 
     /// From the tool frame of the poses to the last frame, where `--tool` is given.

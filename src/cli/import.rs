@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::Failure;
+use super::delivery::deliver;
 use super::files;
 use super::provenance::Provenance;
 use crate::exchange::{ImportOptions, import};
@@ -13,11 +14,11 @@ use crate::report;
 
 /// Make a robot file of a URDF or MJCF model.
 ///
-/// The chain from base to tip becomes a modified DH table with a constant `base` pose and the tip as
-/// the tool frame. Positions stay the model's own: joint names, zeros and directions are those of its
-/// logs. Links behind fixed joints and beside the chain count to the link that carries them; limits,
-/// damping, friction and armature come along. What the model does not say is listed, and never
-/// filled in.
+/// The chain from base to tip becomes a modified DH table with a constant `base` pose and the tip
+/// as the tool frame. Positions stay the model's own: joint names, zeros and directions are those
+/// of its logs. Links behind fixed joints and beside the chain count to the link that carries them;
+/// limits, damping, friction and armature come along. What the model does not say is listed, and
+/// never filled in.
 ///
 /// Source and result are compared: the tip's pose at 50 random states.
 #[derive(Args)]
@@ -32,8 +33,8 @@ pub(super) struct Import {
     /// Link (body) that is the tool frame; default: the only leaf behind the most moving joints.
     #[arg(long, value_name = "LINK")]
     tip: Option<String>,
-    /// Where a joint beside the arm stands, rad or m, `30deg` too; `zero`: all others at zero, or
-    /// at the limit next to it.
+    /// Position of a joint beside the arm, rad or m, `30deg` too; `zero`: all others at zero, or at
+    /// the limit next to it.
     #[arg(long, value_name = "JOINT=VALUE", num_args = 1)]
     at: Vec<String>,
     /// Angles of the model that are within this of an exact fraction of pi are taken for it, rad
@@ -57,22 +58,18 @@ impl Import {
         let shown = if from_input { "standard input".to_string() } else { self.file.display().to_string() };
         let made = import(&text, &self.options()?).map_err(|e| Failure::input(e.in_file(&shown)))?;
         let provenance = provenance.model(&shown, &text);
-        if let Some(target) = &self.out {
+        let yaml = || {
             let source = format!("{} `{}`, {shown}", made.format, made.model);
             let yaml = made.robot.to_yaml_with_source(Some(&source));
             let list = |title: &str, all: &[String]| all.iter().map(|s| format!("{title}: {s}")).collect::<Vec<_>>();
             let found = [list("unknown", &made.unknown), list("cannot be", &made.impossible)].concat();
             let none = |name: &str| Err(name.to_string());
-            let yaml = made.robot.rewritten(&yaml, &none, &none, &provenance.run(found));
-            files::write(target, yaml.as_bytes())?;
-        }
-        if let Some(target) = &self.json {
-            files::json(target, report::import_json(&made), &provenance)?;
-        }
-        if !files::is_stdout([&self.out, &self.json].into_iter().flatten()) {
-            files::print(&report::import_text(&made))?;
-        }
-        Ok(())
+            made.robot.rewritten(&yaml, &none, &none, &provenance.run(found))
+        };
+        deliver(&provenance)
+            .file(self.out.as_ref(), yaml)?
+            .json(self.json.as_ref(), || report::import_json(&made))?
+            .only_text(|| report::import_text(&made))
     }
 
     fn options(&self) -> Result<ImportOptions, Failure> {

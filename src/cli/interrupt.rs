@@ -23,7 +23,7 @@ pub(super) fn remove_on_interrupt(path: &Path) {
 }
 
 fn install() {
-    // Where no handler can be set, the first Ctrl-C ends the program.
+    // If no handler can be set, the first Ctrl-C ends the program.
     INSTALLED.call_once(|| drop(ctrlc::set_handler(interrupted)));
 }
 

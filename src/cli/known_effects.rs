@@ -7,10 +7,15 @@ use crate::identify::KnownEffects;
 use crate::model::Arm;
 use crate::model::file_torque_model::FileTorqueModel;
 
+/// The sensor's gain, by which torque errors before and behind it differ.
+const GAIN: EffectKind = EffectKind::TorqueGainError;
+
 /// Effects of a robot file that are not fitted.
 pub(super) struct FileEffects {
     names: Vec<String>,
-    /// `None` where the file has no links: effects can't be told from the rest then.
+    /// Whether a torque sensor among them has a wrong gain.
+    scaled: bool,
+    /// `None` if the file has no links: effects can't be separated from the rest then.
     model: Option<FileTorqueModel>,
 }
 
@@ -26,7 +31,8 @@ impl FileEffects {
                 row.map_or(effect.name().to_string(), |row| format!("{} of joint {row}", effect.name()))
             })
             .collect();
-        (!names.is_empty()).then(|| Self { names, model: FileTorqueModel::new(robot).ok() })
+        let scaled = robot.joints.iter().any(|joint| joint.drive.effects.iter().any(|e| e.kind() == GAIN));
+        (!names.is_empty()).then(|| Self { names, scaled, model: FileTorqueModel::new(robot).ok() })
     }
 
     /// Lets motions carry what the effects need: margins for the low-pass, and temperatures.
@@ -36,8 +42,8 @@ impl FileEffects {
         }
     }
 
-    /// What takes them out of a log's torque, which went through `filter`, given the file's
-    /// parameters in the arm's order.
+    /// Removes them from a log's torque, which went through `filter`, given the file's parameters
+    /// in the arm's order.
     pub(super) fn known<'a>(
         &'a self,
         arm: &'a dyn Arm,
@@ -47,13 +53,18 @@ impl FileEffects {
         KnownEffects::new(self.model.as_ref()?, arm, standard?, filter)
     }
 
-    /// What becomes of them, in a line.
+    /// Their treatment, in a line.
     pub(super) fn sentence(&self, known: bool) -> String {
         let names = self.names.join(", ");
         match known {
             true => format!(
                 "effects of the robot file are taken as known: {names}. Their torque is taken out of the measured one; links and plain friction are fitted beside \
-                 them, and --delay comes on top of a delay in the file"
+                 them, and --delay comes on top of a delay in the file{}",
+                if self.scaled {
+                    ". Errors of a joint whose sensor has a wrong gain are of the torque before the sensor"
+                } else {
+                    ""
+                }
             ),
             false => format!(
                 "effects of the robot file are not used: {names}. Without links in the file their torque can't be computed; the fit is that of the rigid arm"

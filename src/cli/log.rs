@@ -1,6 +1,5 @@
 //! `denavit log`: what a recording holds, and the way to the columns of the other verbs.
 
-use std::io::BufReader;
 use std::path::PathBuf;
 
 use clap::{Args, Subcommand};
@@ -8,10 +7,13 @@ use clap::{Args, Subcommand};
 use super::Failure;
 use super::files;
 use super::mapping::{MapOption, joints};
-use super::prepare::keep;
+use super::output::Output;
+use super::prepare::{keep, table};
 use super::provenance::Provenance;
 use super::terminal;
-use crate::data::log::{self, Log, Quantity, csv, open_table, open_with, parquet, propose};
+use crate::data::log::csv::CsvWriter;
+use crate::data::log::parquet::ParquetWriter;
+use crate::data::log::{self, Acceptance, LogError, Passed, Quantity, Source, each_block, propose, source};
 use crate::report;
 
 /// Look into recordings, and convert them.
@@ -33,7 +35,10 @@ enum Verb {
 /// to columns. The proposal is a guess from names and ranges: check it, then give it to `--map`.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit log inspect run.mcap --robot robot.yaml --out map.yaml\n  denavit identify robot.yaml run.mcap --map map.yaml\n\nReads CSV (any separator, decimal comma, comments, units in the header), CSV gzipped, Parquet (also lists), MCAP of ROS 2, npz, MATLAB 5 to 7.\nFormats, names and mappings: docs/logs.md"
+    after_help = concat!(
+        "Example:\n  denavit log inspect run.mcap --robot robot.yaml --out map.yaml\n  denavit identify robot.yaml run.mcap --map map.yaml\n\nReads CSV (any separator, decimal comma, comments, units in the header), CSV gzipped, Parquet (also lists), MCAP of ROS 2, npz, MATLAB 5 to 7.",
+        log_columns!()
+    )
 )]
 struct Inspect {
     /// Recording; `-` for standard input.
@@ -53,7 +58,10 @@ struct Inspect {
 /// reads them.
 #[derive(Args)]
 #[command(
-    after_help = "Example:\n  denavit log convert run.mcap --robot robot.yaml --out run.parquet\n  denavit log convert export.csv --map map.yaml --out run.csv"
+    after_help = concat!(
+        "Example:\n  denavit log convert run.mcap --robot robot.yaml --out run.parquet\n  denavit log convert export.csv --map map.yaml --out run.csv",
+        log_columns!()
+    )
 )]
 struct Convert {
     /// Recording; `-` for standard input.
@@ -81,18 +89,11 @@ impl LogVerb {
     }
 }
 
-/// The bytes of a recording, and its name.
-fn input(path: &std::path::Path) -> Result<(String, Box<dyn std::io::Read>), Failure> {
-    let name = if files::is_stdin(path) { "standard input".into() } else { path.display().to_string() };
-    Ok((name, Box::new(BufReader::new(files::open(path)?))))
-}
-
 impl Inspect {
     fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let robot = self.robot.as_deref().map(files::robot).transpose()?;
         files::check_outputs(&[("--json", &self.json), ("--out", &self.out)], std::slice::from_ref(&self.log))?;
-        let (name, bytes) = input(&self.log)?;
-        let mut table = open_table(&name, bytes, &log::Reading::default()).map_err(Failure::input)?;
+        let (name, mut table) = table(&self.log, &log::Reading::default())?;
         let channels = table.summarise().map_err(Failure::input)?;
         let joints = robot.as_ref().map(|r| joints(&r.robot)).unwrap_or_default();
         let proposal = propose(&channels, &joints);
@@ -115,24 +116,62 @@ impl Convert {
         let out = Some(self.out.clone());
         files::check_outputs(&[("--out", &out)], std::slice::from_ref(&self.log))?;
         let reading = self.map.reading(robot.as_ref().map(|r| &r.robot))?;
-        let (name, bytes) = input(&self.log)?;
-        let mut source = open_with(&name, bytes, &reading).map_err(Failure::input)?;
+        let (name, table) = table(&self.log, &reading)?;
+        let mut source = source(&name, table, &reading).map_err(Failure::input)?;
         let has = |quantity| source.layout().has(quantity);
         let torque = [Quantity::Tau, Quantity::Taum].into_iter().find(|q| has(*q)).unwrap_or(Quantity::Current);
-        let log = Log::read(&mut *source, torque, keep(&self.keep)?).map_err(Failure::input)?;
-        for finding in &log.findings {
+        let parquet = self.out.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet"));
+        let mut output = Output::create(&self.out)?;
+        let passed = match write_rows(&mut *source, torque, keep(&self.keep)?, parquet, &mut output) {
+            Ok(passed) => passed,
+            Err(Stop::Log(error)) => return Err(Failure::input(error)),
+            Err(Stop::Parquet(error)) => return Err(Failure::other(error)),
+            Err(Stop::Io(error)) => return Err(output.failed(&error)),
+        };
+        output.finish()?;
+        for finding in &passed.findings {
             terminal::say(&format!("{name}: warning: {finding}"));
         }
-        if self.out.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet")) {
-            let mut bytes = Vec::new();
-            parquet::write(&log, &mut bytes).map_err(Failure::other)?;
-            files::write(&self.out, &bytes)?;
-        } else {
-            files::stream(&self.out, |output| csv::write(&log, output))?;
-        }
         if !files::is_stdout(&out) {
-            files::print(&report::converted_text(&name, &log, &self.out.display().to_string()))?;
+            files::print(&report::converted_text(&name, &passed, &self.out.display().to_string()))?;
         }
         Ok(())
     }
+}
+
+/// Why rows stop on their way.
+enum Stop {
+    /// What was read.
+    Log(LogError),
+    /// What was written, as Parquet.
+    Parquet(LogError),
+    /// What was written.
+    Io(std::io::Error),
+}
+
+impl From<LogError> for Stop {
+    fn from(error: LogError) -> Self {
+        Self::Log(error)
+    }
+}
+
+/// Every row of a recording, as it comes.
+fn write_rows(
+    source: &mut dyn Source,
+    torque: Quantity,
+    keep: Acceptance,
+    parquet: bool,
+    out: &mut Output,
+) -> Result<Passed, Stop> {
+    let layout = source.layout().clone();
+    if parquet {
+        let mut writer = ParquetWriter::new(&layout, out).map_err(Stop::Parquet)?;
+        let passed = each_block(source, torque, keep, |rows, _| writer.rows(rows).map_err(Stop::Parquet))?;
+        writer.finish().map_err(Stop::Parquet)?;
+        return Ok(passed);
+    }
+    let mut writer = CsvWriter::new(&layout, out).map_err(Stop::Io)?;
+    let passed = each_block(source, torque, keep, |rows, _| writer.rows(rows).map_err(Stop::Io))?;
+    writer.finish().map_err(Stop::Io)?;
+    Ok(passed)
 }

@@ -1,21 +1,20 @@
-//! `--map`: which channel of a log is which column, from a file.
+//! Which channel of a log is which column: `--map`, or `log:` in the robot file.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use dh_codegen::robot::{JointKind, Robot};
-use serde::Deserialize;
 
 use super::Failure;
 use super::files;
-use crate::data::log::{Channel, Mapping, Reading, SourceJoint};
+use crate::data::log::{Mapping, Reading, SourceJoint};
 
 /// Names of a log's channels.
 #[derive(Args, Clone)]
 pub(super) struct MapOption {
-    /// Which channel of the logs is which column, and in what unit: a YAML file, as `denavit log
-    /// inspect` proposes it. Default: columns t, q1.., tau1..; joints by their names.
+    /// Maps channels of the logs to columns and units: a YAML file, as `denavit log inspect`
+    /// proposes it. Default: `log:` of the robot file; without it columns t, q1.., tau1.., or joints
+    /// by their names.
     #[arg(long, value_name = "YAML")]
     pub(super) map: Option<PathBuf>,
 }
@@ -23,7 +22,8 @@ pub(super) struct MapOption {
 impl MapOption {
     /// With the joints of the robot.
     pub(super) fn reading(&self, robot: Option<&Robot>) -> Result<Reading, Failure> {
-        let mapping = self.map.as_deref().map(mapping).transpose()?;
+        let of_the_robot = || robot.and_then(|robot| robot.log.clone());
+        let mapping = self.map.as_deref().map(mapping).transpose()?.or_else(of_the_robot);
         Ok(Reading { mapping, joints: robot.map(joints).unwrap_or_default() })
     }
 }
@@ -43,84 +43,13 @@ pub(super) fn joints(robot: &Robot) -> Vec<SourceJoint> {
         .collect()
 }
 
-/// The file.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct MapFile {
-    /// `header`: the stamp that a message carries; `arrival`: the recorder's.
-    #[serde(default)]
-    clock: Clock,
-    columns: BTreeMap<String, Entry>,
-}
-
-#[derive(Deserialize, Default, Clone, Copy, PartialEq)]
-#[serde(rename_all = "snake_case")]
-enum Clock {
-    #[default]
-    Header,
-    Arrival,
-}
-
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum Entry {
-    Name(String),
-    Channel(ChannelEntry),
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ChannelEntry {
-    channel: String,
-    unit: Option<String>,
-    #[serde(default)]
-    gain: OneOrMany,
-    #[serde(default)]
-    offset: OneOrMany,
-}
-
-#[derive(Deserialize)]
-#[serde(untagged)]
-enum OneOrMany {
-    One(f64),
-    Many(Vec<f64>),
-}
-
-impl Default for OneOrMany {
-    fn default() -> Self {
-        Self::Many(Vec::new())
-    }
-}
-
-impl From<OneOrMany> for Vec<f64> {
-    fn from(values: OneOrMany) -> Self {
-        match values {
-            OneOrMany::One(value) => vec![value],
-            OneOrMany::Many(values) => values,
-        }
-    }
-}
-
 fn mapping(path: &Path) -> Result<Mapping, Failure> {
     let text = files::text(path)?;
-    let file: MapFile = serde_saphyr::from_str(&text).map_err(|e| {
+    Mapping::from_yaml(&text).map_err(|problems| {
+        let shown = path.display().to_string();
         Failure::input(format!(
-            "{}: {e}\na mapping is `columns: {{ t: {{ channel: NAME, unit: ms }}, \"q*\": {{ channel: \"NAME_{{number}}\" }} }}`; `denavit log inspect LOG` proposes one",
-            path.display()
+            "{shown} can't be used:\n{}\na mapping is `columns: {{ t: {{ channel: NAME, unit: ms }}, \"q*\": {{ channel: \"NAME_{{number}}\" }} }}`; `denavit log inspect LOG` proposes one",
+            problems.in_file(&shown)
         ))
-    })?;
-    let columns = file
-        .columns
-        .into_iter()
-        .map(|(column, entry)| {
-            let channel = match entry {
-                Entry::Name(name) => Channel { name, unit: None, gain: Vec::new(), offset: Vec::new() },
-                Entry::Channel(e) => {
-                    Channel { name: e.channel, unit: e.unit, gain: e.gain.into(), offset: e.offset.into() }
-                }
-            };
-            (column, channel)
-        })
-        .collect();
-    Ok(Mapping { columns, arrival: file.clock == Clock::Arrival })
+    })
 }

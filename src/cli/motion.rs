@@ -11,6 +11,7 @@ pub(super) fn read(path: &Path, dof: usize) -> Result<Written, Failure> {
     let shown = path.display();
     let text = files::text(path)?;
     let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
+    let joints = if dof == 1 { "1 joint".to_string() } else { format!("{dof} joints") };
     let bad = |what: String| Failure::input(format!("{shown}: {what}"));
     let header = reader.headers().map_err(|e| bad(format!("no CSV header: {e}")))?.clone();
     let find = |name: &str| header.iter().position(|h| h == name);
@@ -18,10 +19,10 @@ pub(super) fn read(path: &Path, dof: usize) -> Result<Written, Failure> {
     let time = find("t").ok_or_else(|| bad("line 1: there is no column `t`".into()))?;
     let q = group("q").ok_or_else(|| {
         let missing = (1..=dof).map(|j| format!("q{j}")).find(|name| find(name).is_none()).unwrap_or_default();
-        bad(format!("line 1: there is no column `{missing}`; the robot has {dof} joints, q1 to q{dof}"))
+        bad(format!("line 1: there is no column `{missing}`; the robot has {joints}"))
     })?;
     if find(&format!("q{}", dof + 1)).is_some() {
-        return Err(bad(format!("line 1: there is a column `q{}`, but the robot has {dof} joints", dof + 1)));
+        return Err(bad(format!("line 1: there is a column `q{}`, but the robot has {joints}", dof + 1)));
     }
     let (dq, ddq) = (group("dq"), group("ddq"));
     let mut written = Written::default();

@@ -11,8 +11,8 @@ use crate::report::{RobotTemplate, robot_template};
 
 /// Write a commented robot file for an arm of n joints, to fill in.
 ///
-/// The file is valid as it is, with example lengths and limits. A URDF or MJCF model of the arm
-/// saves the work: see `denavit import`.
+/// The file is valid and has example lengths and limits. A URDF or MJCF model of the arm saves the
+/// work: see `denavit import`.
 #[derive(Args)]
 #[command(
     after_help = "Examples:\n  denavit new my-arm --joints 6 --out my-arm.yaml\n  denavit new gantry --joints PPR --out gantry.yaml"

@@ -16,13 +16,13 @@ use super::interrupt;
 /// Longest chain of symbolic links, as Linux has it.
 const MOST_LINKS: usize = 40;
 
-/// Where a path leads.
+/// Target of a path.
 enum Target {
     /// Standard output, under any of its names.
     Stdout,
     /// A pipe, a device, an open descriptor: has no name to replace.
     Stream(PathBuf),
-    /// A plain file, links followed, with what stands there now.
+    /// A plain file, links followed, with its present content.
     File { folder: PathBuf, path: PathBuf, present: Option<Metadata> },
 }
 

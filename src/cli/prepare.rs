@@ -1,8 +1,9 @@
-//! What the verbs that read logs share: how samples become motion, and the pass over a file.
+//! Shared by the verbs that read logs: how samples become motion, and the pass over a file.
 
 use std::cell::RefCell;
-use std::io::Read;
-use std::path::Path;
+use std::fs::File;
+use std::io::{BufReader, Read, Seek};
+use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use clap::{Args, ValueEnum};
@@ -16,16 +17,17 @@ use super::mapping::MapOption;
 use super::provenance::hexadecimal;
 use super::terminal;
 use crate::data::log::{
-    Acceptance, Finding, Fingerprint, Fingerprinted, Kind, Limits, LogError, Quantity, beyond, open_with, torque_unit,
+    Acceptance, Finding, Fingerprint, Fingerprinted, Format, Kind, Limits, LogError, Quantity, Reading, Source, Table,
+    beyond, open_parquet, open_table, source, torque_unit,
 };
 use crate::data::signal::{DeadZone, Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
 
 /// Low-pass, clock, torque column, and what to keep.
 #[derive(Args, Clone)]
 pub(super) struct Preparation {
-    /// Cut-off frequency of the low-pass, Hz; 0 for none. Default: 10; `identify` takes for each joint
-    /// the one at which the error expected of its acceleration is least, given the spectrum of its
-    /// motion and the noise of its encoder, at most 10.
+    /// Cut-off frequency of the low-pass, Hz; 0 for none. Default: 10. `identify` takes for each
+    /// joint the one at which the expected error of its acceleration is least, given the spectrum
+    /// of its motion and the noise of its encoder, at most 10.
     #[arg(long)]
     cutoff: Option<f64>,
     /// Order of one pass of the Butterworth low-pass.
@@ -40,13 +42,13 @@ pub(super) struct Preparation {
     /// Use every n-th sample, after the low-pass.
     #[arg(long, default_value_t = 1, value_name = "N")]
     stride: usize,
-    /// Which torque: `tau` (of a log that has currents alone: `current`), `taum` (motor side), or
-    /// `current` (motor current times the robot file's `torque_constant`).
+    /// Source of the torque: `tau` (of a log that has currents alone: `current`), `taum` (motor
+    /// side), or `current` (motor current times the robot file's `torque_constant`).
     #[arg(long, value_enum, default_value_t = Torque::Tau)]
     torque: Torque,
     /// Speed up to which a joint is at rest, rad/s: its dry friction is then anything within its
-    /// breakaway level, and rows do not tell its Coulomb level. Default: three standard deviations
-    /// of the speed's noise in the log; 0: never at rest.
+    /// breakaway level, and its rows do not determine its Coulomb level. Default: three standard
+    /// deviations of the speed's noise in the log; 0: never at rest.
     #[arg(long, value_name = "SPEED")]
     dead_zone: Option<f64>,
     /// Accept what is normally refused: bad-rows, gaps, restarts, duplicates, irregular-clock,
@@ -57,7 +59,7 @@ pub(super) struct Preparation {
     map: MapOption,
 }
 
-/// Which column of a log is the torque.
+/// Source of a log's torque.
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum Torque {
     Tau,
@@ -89,6 +91,11 @@ pub(super) fn keep(names: &[String]) -> Result<Acceptance, Failure> {
 }
 
 impl Preparation {
+    /// With the defaults of all options that are not given here.
+    pub(super) fn plainly(torque: Torque, keep: Vec<String>, map: MapOption) -> Self {
+        Self { cutoff: None, order: 5, trim: 0.2, delay: 0.0, stride: 1, torque, dead_zone: None, keep, map }
+    }
+
     /// Refuses options that would change nothing beside the others. `standing`: why every joint
     /// counts as standing, where it does.
     pub(super) fn check_options(&self, standing: Option<&str>) -> Result<(), Failure> {
@@ -137,7 +144,7 @@ impl Preparation {
         })
     }
 
-    /// What counts as rest.
+    /// Definition of rest.
     fn dead_zone(&self) -> DeadZone {
         match self.dead_zone {
             Some(speed) if speed > 0.0 => DeadZone::Fixed(speed),
@@ -178,7 +185,7 @@ pub(super) fn torque_constants(robot: &Robot) -> Vec<Option<f64>> {
     moving(robot).map(|joint| joint.drive.torque_constant).collect()
 }
 
-/// What the logs say against the limits of the robot file, added to what was found in them.
+/// Findings of the logs against the limits of the robot file, added to the other findings.
 ///
 /// # Errors
 /// Where torques are in another unit, and that is not allowed.
@@ -201,8 +208,8 @@ pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot, keep: Acc
     Ok(())
 }
 
-/// A log as it was read, after one line of warning where it has columns that nobody knows, whatever
-/// else is printed where.
+/// A log after reading, with one line of warning if it has unknown columns, whatever else is
+/// printed where.
 pub(super) fn warned(path: &Path, log: Prepared) -> Prepared {
     let unknown = |finding: &&Finding| matches!(finding.kind, Kind::UnknownColumns { .. });
     if let Some(finding) = log.findings.iter().find(unknown) {
@@ -224,8 +231,7 @@ pub(super) fn try_pass(
     prepare: &Prepare,
     sink: impl FnMut(&Motion),
 ) -> Result<Result<Prepared, PrepareError>, Failure> {
-    let (bar, reader) = reader(path)?;
-    let mut source = open_with(&path.display().to_string(), reader, &prepare.reading).map_err(Failure::input)?;
+    let (bar, mut source) = open(path, &prepare.reading, None)?;
     let prepared = each_motion(&mut *source, dof, prepare, sink);
     bar.finish_and_clear();
     Ok(prepared)
@@ -246,10 +252,8 @@ pub(super) fn recognised_pass(
     prepare: &Prepare,
     sink: impl FnMut(&Motion),
 ) -> Result<Recognised, Failure> {
-    let (bar, reader) = reader(path)?;
     let digest = Rc::new(RefCell::new(Sha256::new()));
-    let hashed = Hashed { inner: reader, digest: Rc::clone(&digest) };
-    let mut source = open_with(&path.display().to_string(), hashed, &prepare.reading).map_err(Failure::input)?;
+    let (bar, mut source) = open(path, &prepare.reading, Some(&digest))?;
     let mut fingerprinted = Fingerprinted::new(&mut *source);
     let prepared = each_motion(&mut fingerprinted, dof, prepare, sink);
     let fingerprint = fingerprinted.finish();
@@ -258,23 +262,116 @@ pub(super) fn recognised_pass(
     Ok(Recognised { prepared, sha256, fingerprint })
 }
 
-/// Bytes that are hashed as they are read.
+/// The rows of a log, and its bar.
+fn open(
+    path: &Path,
+    reading: &Reading,
+    digest: Option<&Rc<RefCell<Sha256>>>,
+) -> Result<(ProgressBar, Box<dyn Source>), Failure> {
+    let (bar, name, table) = opened(path, reading, digest)?;
+    Ok((bar, source(&name, table, reading).map_err(Failure::input)?))
+}
+
+/// A log as its file has it, and its name for messages.
+pub(super) fn table(path: &Path, reading: &Reading) -> Result<(String, Box<dyn Table>), Failure> {
+    opened(path, reading, None).map(|(_, name, table)| (name, table))
+}
+
+/// A log, hashed into `digest` on the way. Parquet is read by seeking in its file, all else as a
+/// stream.
+fn opened(
+    path: &Path,
+    reading: &Reading,
+    digest: Option<&Rc<RefCell<Sha256>>>,
+) -> Result<(ProgressBar, String, Box<dyn Table>), Failure> {
+    let name = if files::is_stdin(path) { "standard input".into() } else { path.display().to_string() };
+    let inside = recorded_in(path)?;
+    let path = inside.as_deref().unwrap_or(path);
+    let mut file = files::open(path)?;
+    let bar = bar(path, &file);
+    let failed = |e: std::io::Error| Failure::input(format!("{name} can't be read: {e}"));
+    let seeks = |format: &Format| *format == Format::Parquet || cfg!(feature = "rosbag2") && *format == Format::Sqlite;
+    let format = format_of(&mut file).map_err(failed)?.filter(seeks);
+    if let (Some(_), Some(digest)) = (format, digest) {
+        std::io::copy(&mut bar.wrap_read(&file), &mut *digest.borrow_mut()).map_err(failed)?;
+        file.rewind().map_err(failed)?;
+    }
+    let table = match format {
+        Some(Format::Parquet) => open_parquet(&name, file),
+        #[cfg(feature = "rosbag2")]
+        Some(Format::Sqlite) => {
+            let flags = rusqlite::OpenFlags::SQLITE_OPEN_READ_ONLY;
+            let failed = |e| Failure::input(format!("{name} can't be read: {e}"));
+            let connection = rusqlite::Connection::open_with_flags(path, flags).map_err(failed)?;
+            crate::data::log::open_sqlite(&name, connection, reading)
+        }
+        _ => {
+            let input = Hashed { inner: BufReader::new(bar.wrap_read(file)), digest: digest.cloned() };
+            open_table(&name, input, reading)
+        }
+    };
+    table.map(|table| (bar, name, table)).map_err(Failure::input)
+}
+
+/// The one file of a folder that rosbag2 wrote; `None` where the path is no such folder.
+fn recorded_in(path: &Path) -> Result<Option<PathBuf>, Failure> {
+    if !path.join("metadata.yaml").is_file() {
+        return Ok(None);
+    }
+    let failed = |e: std::io::Error| Failure::input(format!("{} can't be read: {e}", path.display()));
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(path).map_err(failed)? {
+        let entry = entry.map_err(failed)?.path();
+        let name = entry.to_string_lossy();
+        if [".mcap", ".db3", ".db3.zstd", ".mcap.zstd"].iter().any(|ending| name.ends_with(ending)) {
+            found.push(entry);
+        }
+    }
+    found.sort();
+    match found.as_slice() {
+        [one] => Ok(Some(one.clone())),
+        [] => Err(Failure::input(format!("{} has no recording (.mcap, .db3)", path.display()))),
+        many => {
+            let names: Vec<String> = many.iter().map(|p| p.display().to_string()).collect();
+            Err(Failure::input(format!(
+                "{} has {} recordings; give each as a log of its own: {}",
+                path.display(),
+                many.len(),
+                names.join(" ")
+            )))
+        }
+    }
+}
+
+/// Format of a plain file; `None` of a pipe.
+fn format_of(file: &mut File) -> std::io::Result<Option<Format>> {
+    if !file.metadata()?.is_file() || file.stream_position()? != 0 {
+        return Ok(None);
+    }
+    let mut magic = Vec::new();
+    file.by_ref().take(16).read_to_end(&mut magic)?;
+    file.rewind()?;
+    Ok(Some(Format::of(&magic)))
+}
+
+/// Bytes that are hashed while they are read.
 struct Hashed<R> {
     inner: R,
-    digest: Rc<RefCell<Sha256>>,
+    digest: Option<Rc<RefCell<Sha256>>>,
 }
 
 impl<R: Read> Read for Hashed<R> {
     fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
         let n = self.inner.read(buffer)?;
-        self.digest.borrow_mut().update(&buffer[..n]);
+        if let Some(digest) = &self.digest {
+            digest.borrow_mut().update(&buffer[..n]);
+        }
         Ok(n)
     }
 }
 
-/// A file with a bar on a terminal where it is large.
-fn reader(path: &Path) -> Result<(ProgressBar, impl Read + use<>), Failure> {
-    let file = files::open(path)?;
+/// A bar on a terminal where the file is large.
+fn bar(path: &Path, file: &File) -> ProgressBar {
     let bar = match file.metadata() {
         Ok(meta) if meta.len() > 1 << 20 => ProgressBar::new(meta.len()),
         _ => ProgressBar::hidden(),
@@ -283,6 +380,5 @@ fn reader(path: &Path) -> Result<(ProgressBar, impl Read + use<>), Failure> {
         bar.set_style(style);
     }
     bar.set_message(terminal::visible(&path.display().to_string()).into_owned());
-    let reader = std::io::BufReader::new(bar.wrap_read(file));
-    Ok((bar, reader))
+    bar
 }

@@ -1,4 +1,4 @@
-//! What made a result: program, command, every option with its value, the files that were read.
+//! Provenance of a result: program, command, every option with its value, the files that were read.
 //! Enough to repeat the run.
 
 use std::path::Path;
@@ -15,18 +15,18 @@ use super::logbook::Logbook;
 /// Options that name outputs. They say where a result goes, not what it is.
 const OUTPUTS: [&str; 7] = ["out", "json", "report", "next", "coefficients", "ros", "path"];
 
-/// What made a result.
+/// Provenance of a result.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Provenance {
     /// The command without its outputs, ready for a shell.
     command: String,
     /// Every option and its value; those that were not given have their default.
     options: Vec<(String, String)>,
-    /// What was read or chosen: name and value.
+    /// Values that were read or chosen: name and value.
     further: Vec<(String, String)>,
     /// Files with their SHA-256: what for, path, digest.
     files: Vec<(String, String, String)>,
-    /// What was noted in the files that were read.
+    /// Notes on the files that were read.
     notes: Vec<String>,
     /// Options that stand on the command line.
     given: Vec<String>,

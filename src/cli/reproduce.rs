@@ -7,6 +7,7 @@ use clap::{Args, ValueEnum};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Failure;
+use super::delivery::deliver;
 use super::files;
 use super::provenance::Provenance;
 use crate::apps::paper::diagnosis::Settings as DiagnosisSettings;
@@ -25,7 +26,7 @@ use crate::report::{self, Parts};
     after_help = "Example:\n  denavit reproduce identification --report reproduce.html\nParts:\n  excitation       section III: Fig. 5, and the same task on other arms (some minutes)\n  identification   sections II.D, II.E, III.E, VI.A: Fig. 6, tables II and III, Fig. 10, and whether standard deviations are honest\n  force            section V.B: accuracy of the estimated wrench, coverage of its bands\n  painting         sections V, VI.B: Table IV, Figs. 12 and 13, and what the diagnosis makes of them (some minutes)\n  diagnosis        effects that a seed hides in the simulator, and what `denavit diagnose` makes of the logs (4 s a case);\n                   with --on-real, known causes added to real recordings\nWithout a part: all of them."
 )]
 pub(super) struct Reproduce {
-    /// Which part; default: all.
+    /// Part to run; default: all.
     #[arg(value_enum)]
     part: Option<Part>,
     /// Runs with other noise, to see whether standard deviations are honest; 0 for none.
@@ -48,8 +49,8 @@ pub(super) struct Reproduce {
     #[arg(long)]
     on_real: bool,
     /// Folder of the recordings for --on-real, with a folder per arm.
-    #[arg(long, value_name = "DIR", default_value = REAL_DATA, requires = "on_real")]
-    data: PathBuf,
+    #[arg(long, value_name = "DIR", requires = "on_real")]
+    data: Option<PathBuf>,
     /// Folders of --data that are used.
     #[arg(long, value_name = "FOLDER", value_delimiter = ',', requires = "on_real")]
     arms: Vec<String>,
@@ -104,10 +105,7 @@ fn longest(text: &str) -> Result<usize, String> {
     text.parse().ok().filter(|s| (2..=60).contains(s)).ok_or_else(|| "whole seconds, from 2 to 60".into())
 }
 
-/// Where the recordings lie beside a checkout.
-const REAL_DATA: &str = "../shared/data";
-
-/// More runs tell nothing more.
+/// More runs add no information.
 const MOST_RUNS: usize = 100_000;
 
 impl Reproduce {
@@ -149,19 +147,10 @@ impl Reproduce {
             };
             parts.diagnosis = Some(watched("diagnosis", |watch| paper::diagnosis::battery(&settings, watch))?);
         }
-        if let Some(path) = &self.report {
-            files::write(path, report::reproduce_html(&parts, &provenance.rows()).as_bytes())?;
-        }
-        if let Some(target) = &self.json {
-            files::json(target, report::reproduce_json(&parts), &provenance)?;
-        }
-        if !files::is_stdout(&self.json) {
-            files::print(&report::reproduce_text(&parts))?;
-            if let Some(path) = &self.report {
-                files::print(&format!("wrote {}\n", path.display()))?;
-            }
-        }
-        Ok(())
+        deliver(&provenance)
+            .file(self.report.as_ref(), || report::reproduce_html(&parts, &provenance.rows()))?
+            .json(self.json.as_ref(), || report::reproduce_json(&parts))?
+            .text(|| report::reproduce_text(&parts))
     }
 }
 
@@ -213,13 +202,19 @@ impl Reproduce {
                 folders.join(", ")
             ))
         };
-        if !self.data.is_dir() {
-            return Err(missing(self.data.clone(), "folder"));
+        let Some(data) = &self.data else {
+            return Err(Failure::input(format!(
+                "--on-real needs --data DIR, the folder of the recordings, which come from public repositories (data/README.md names the sources) with one folder per arm: {}; --arms chooses among them",
+                folders.join(", ")
+            )));
+        };
+        if !data.is_dir() {
+            return Err(missing(data.clone(), "folder"));
         }
         ARMS.iter()
             .filter(wanted)
             .map(|arm| {
-                let place = self.data.join(arm.folder);
+                let place = data.join(arm.folder);
                 if !place.is_dir() {
                     return Err(missing(place, "folder"));
                 }

@@ -11,12 +11,12 @@ use flate2::write::GzEncoder;
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::Failure;
+use super::delivery::deliver;
 use super::files;
 use super::provenance::Provenance;
 use super::table::Table;
 use super::terminal;
 use crate::data::log::csv;
-use crate::data::trajectory::Trajectory as Motion;
 use crate::report;
 use crate::simulate;
 use crate::simulate::{Method, Mode, Recording, Request, Side, SimulateError, Simulator, Trajectory};
@@ -25,7 +25,7 @@ use crate::simulate::{Method, Mode, Recording, Request, Side, SimulateError, Sim
 ///
 /// The trajectory has columns `t, q1..` and, where they are known, `dq1..` and `ddq1..` (quintics
 /// between the rows; what is missing comes from splines), or is a file of coefficients. The bodies
-/// are those of the robot file, the drives those of the file and of `--effects`; a loop makes the
+/// are those of the robot file, the drives those of the file and of `--effects`. A loop makes the
 /// arm follow, and sensors of 1 kHz record `t, q1.., tau1.., qd1..`. docs/simulate.md shows every
 /// effect.
 #[derive(Args)]
@@ -39,7 +39,7 @@ pub(super) struct Simulate {
     /// writes.
     #[arg(long, value_name = "FILE", required_unless_present = "free")]
     trajectory: Option<PathBuf>,
-    /// Where the log goes: .csv or .csv.gz.
+    /// Path of the log: .csv or .csv.gz.
     #[arg(long, value_name = "LOG")]
     out: PathBuf,
     /// Effects, sensors, control and solver.
@@ -48,17 +48,17 @@ pub(super) struct Simulate {
     /// Of the noise: the same seed gives the same bytes.
     #[arg(long, value_name = "N", default_value_t = 0)]
     seed: u64,
-    /// What drives the arm; the effects file may say it too.
+    /// Control of the arm; the effects file may set it too.
     #[arg(long, value_enum)]
     control: Option<ControlMode>,
     /// No torque: a swing of so many seconds from rest, from the trajectory's first row or from
     /// --start.
     #[arg(long, value_name = "SECONDS", conflicts_with = "control")]
     free: Option<f64>,
-    /// Where a free swing starts: q1,q2,.. in rad.
+    /// Start of a free swing: q1,q2,.. in rad.
     #[arg(long, value_name = "Q", value_delimiter = ',', allow_hyphen_values = true, requires = "free")]
     start: Option<Vec<f64>>,
-    /// Where the figures of the run go as JSON; `-` for standard output.
+    /// Write the figures of the run as JSON; `-` for standard output.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
 }
@@ -126,15 +126,12 @@ impl Simulate {
         bar.finish_and_clear();
 
         self.write(&recording)?;
-        if let Some(target) = &self.json {
-            let provenance = provenance.robot(&self.robot, &file);
-            files::json(target, report::simulate_json(&file.robot.name, &recording, &request, &warnings), &provenance)?;
-        }
-        if !files::is_stdout(&self.json) {
-            files::print(&report::simulate_text(&file.robot.name, &recording, &request, seconds, &warnings))?;
-            files::print(&format!("wrote {}\n", self.out.display()))?;
-        }
-        Ok(())
+        let provenance = provenance.robot(&self.robot, &file);
+        let mut out = deliver(&provenance);
+        out.wrote(&self.out);
+        let name = &file.robot.name;
+        out.json(self.json.as_ref(), || report::simulate_json(name, &recording, &request, &warnings))?
+            .text(|| report::simulate_text(name, &recording, &request, seconds, &warnings))
     }
 
     fn trajectory(&self, n: usize, mode: Mode) -> Result<Trajectory, Failure> {
@@ -186,13 +183,13 @@ impl Simulate {
         made.map_err(|e| Failure::input(format!("{shown}: {e}")))
     }
 
-    /// What `excite --coefficients` wrote.
+    /// Output of `excite --coefficients`.
     fn coefficients(&self, path: &Path, n: usize, mode: Mode) -> Result<Trajectory, Failure> {
         let shown = path.display();
         let bad = |what: String| Failure::input(format!("{shown}: {what}"));
         let value = serde_json::from_str(&files::text(path)?).map_err(|e| bad(format!("not JSON: {e}")))?;
         let mend = "a motion in JSON is what `denavit excite --coefficients` writes; else give a CSV";
-        let motion = Motion::from_json(&value).map_err(|e| bad(format!("{e}; {mend}")))?;
+        let motion = report::trajectory_of_json(&value).map_err(|e| bad(format!("{e}; {mend}")))?;
         if motion.dof() != n {
             return Err(bad(SimulateError::Joints { found: motion.dof(), expected: n }.to_string()));
         }
@@ -251,7 +248,7 @@ pub(in crate::cli) fn effects(
     Ok(file)
 }
 
-/// What the file says of sensors, control and solver.
+/// The file's settings of sensors, control and solver.
 pub(in crate::cli) fn apply(file: &SimulationFile, request: &mut Request) {
     for (section, key, value) in &file.settings {
         let Request { sensors, control, solver, .. } = &mut *request;

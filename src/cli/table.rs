@@ -5,7 +5,7 @@ use std::path::Path;
 use super::Failure;
 use super::files;
 
-/// Numbers with a header. What is not a number matters only in a column that is asked for.
+/// Numbers with a header. A cell that is not a number matters only in a column that is requested.
 pub(super) struct Table {
     pub(super) file: String,
     columns: Vec<Column>,
@@ -83,7 +83,8 @@ impl Table {
             let name = format!("{prefix}{j}");
             if !self.has(&name) {
                 return Err(Failure::input(format!(
-                    "{file}, line 1: there is no column {name}; the robot has {n} joints, so {prefix}1 to {prefix}{n} are needed"
+                    "{file}, line 1: there is no column {name}; the robot has {n} joint{}, and each needs its column",
+                    if n == 1 { "" } else { "s" }
                 )));
             }
             all.extend_from_slice(self.column(&name)?);

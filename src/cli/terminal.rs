@@ -23,7 +23,7 @@ pub(super) fn warn(warnings: &mut Warnings, of: &str, warning: &str) {
     warnings.push_shown(format!("{of}: {warning}"));
 }
 
-/// A line to standard error. Where nobody reads it, the work goes on.
+/// A line to standard error. If nobody reads it, the work goes on.
 pub fn say(line: &str) {
     let _ = writeln!(io::stderr().lock(), "{}", visible(line));
 }

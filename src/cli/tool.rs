@@ -8,6 +8,7 @@ use dh_codegen::arm::{Function, param};
 use dh_codegen::robot::Tool;
 
 use super::Failure;
+use super::delivery::deliver;
 use super::files;
 use super::known_effects::{FileEffects, without};
 use super::logbook::{Logbook, Purpose};
@@ -31,15 +32,18 @@ use crate::report;
 /// among known tools.
 ///
 /// The ten parameters M, MS and I (XX YY ZZ XY XZ YZ), printed and in the JSON, are those of
-/// everything that the loaded log has beyond the unloaded one, in the robot's last DH frame and
-/// about its origin, as in the paper's table III. Where a tool frame is known (the robot file's
-/// tool, else the recognised tool's pose) they are shown in that too. Without an unloaded log the
-/// robot file's own parameters are taken as known. A tool's size is interpolated within a family of
-/// the table: tools with a size whose names differ in words with digits alone, such as
-/// roller-300x150 and roller-400x180.
+/// everything that the loaded log has beyond the unloaded one. They are given in the robot's last
+/// DH frame and about its origin, as in the paper's table III. Where a tool frame is known (the
+/// robot file's tool, else the recognised tool's pose) they are shown in that too. Without an
+/// unloaded log the robot file's own parameters are taken as known. A tool's size is interpolated
+/// within a family of the table: tools with a size whose names differ in words with digits alone,
+/// such as roller-300x150 and roller-400x180.
 #[derive(Args)]
 #[command(
-    after_help = "Examples:\n  denavit tool robots/kuka-lwr4.yaml --unloaded empty.csv --loaded roller.csv \\\n      --tools robots/tools --report tool.html\n  denavit tool identified.yaml --loaded roller.csv --tools robots/tools --known-mass 0.2 --json -"
+    after_help = concat!(
+        "Examples:\n  denavit tool robots/kuka-lwr4.yaml --unloaded empty.csv --loaded roller.csv \\\n      --tools robots/tools --report tool.html\n  denavit tool identified.yaml --loaded roller.csv --tools robots/tools --known-mass 0.2 --json -",
+        log_columns!()
+    )
 )]
 pub(super) struct ToolVerb {
     /// Robot file.
@@ -73,15 +77,15 @@ pub(super) struct ToolVerb {
     /// top. Else it counts as taken off.
     #[arg(long, conflicts_with = "unloaded")]
     on_top: bool,
-    /// Where the tools' frames sit in the robot's last DH frame, m, in place of the `xyz` of their
+    /// Origin of the tools' frames in the robot's last DH frame, m, in place of the `xyz` of their
     /// files.
     #[arg(long, value_delimiter = ',', num_args = 1, value_name = "X,Y,Z", requires = "tools")]
     mount: Option<Vec<f64>>,
     /// With what probability a tool of the table is rejected.
     #[arg(long, default_value_t = 0.01, value_name = "P", requires = "tools")]
     level: f64,
-    /// How well the tool files know the tools and how exactly these are mounted: standard
-    /// deviations of mass (relative), place (m) and direction (rad).
+    /// Accuracy of the tool files and of the mounting: standard deviations of mass (relative),
+    /// place (m) and direction (rad).
     #[arg(long, value_delimiter = ',', num_args = 1, value_name = "M,P,A", requires = "tools")]
     tolerance: Option<Vec<f64>>,
     /// Write the result as JSON; `-` for standard output.
@@ -137,22 +141,14 @@ impl ToolVerb {
         errors.iter().flat_map(taken_as_exact).for_each(|text| warnings.push(text));
         effects.iter().for_each(|effects| warnings.push(effects.sentence(known.is_some())));
 
-        if let Some(path) = &self.report {
+        let page = || {
             let traces = self.traces(&arm, &found, &prepare, known.as_ref())?;
-            files::write(
-                path,
-                report::tool_html(&found, &prepared, &warnings, &traces, &provenance.rows()).as_bytes(),
-            )?;
-        }
-        if let Some(target) = &self.json {
-            files::json(target, report::tool_json(&found, &prepared, &warnings, &provenance.rows()), &provenance)?;
-        }
-        if !files::is_stdout(&self.json) {
-            files::print(&report::tool_text(&found, &prepared, &warnings))?;
-            if let Some(path) = &self.report {
-                files::print(&format!("wrote {}\n", path.display()))?;
-            }
-        }
+            Ok(report::tool_html(&found, &prepared, &warnings, &traces, &provenance.rows()))
+        };
+        deliver(&provenance)
+            .try_file(self.report.as_ref(), page)?
+            .json(self.json.as_ref(), || report::tool_json(&found, &prepared, &warnings, &provenance.rows()))?
+            .text(|| report::tool_text(&found, &prepared, &warnings))?;
         match found.carried.solved.underdetermined() {
             Some(Underdetermined::Equations { .. }) => {
                 Err(Failure::other("the logs do not determine what the arm carries; record a longer motion"))
@@ -183,12 +179,12 @@ impl ToolVerb {
         Ok(read)
     }
 
-    /// What is known of the errors of the robot file's parameters.
+    /// Uncertainty of the robot file's parameters.
     fn known_errors(&self, arm: &Interpreted) -> Result<Option<Uncertainty>, Failure> {
         let Some(path) = &self.identified else { return Ok(None) };
         let bad = |what: String| Failure::input(format!("{}: {what}", path.display()));
         let json = serde_json::from_str(&files::text(path)?).map_err(|e| bad(format!("not JSON: {e}")))?;
-        report::uncertainty_of_json(&json, arm.base_parameters(), arm.dof()).map(Some).map_err(bad)
+        report::uncertainty_of_json(&json, arm.base_parameters(), arm.dof()).map(Some).map_err(|e| bad(e.to_string()))
     }
 
     fn looking_up(&self) -> Result<(Tolerance, RecogniseSettings), Failure> {
@@ -277,7 +273,7 @@ impl ToolVerb {
     }
 }
 
-/// What the first pass over the logs gave.
+/// Result of the first pass over the logs.
 #[derive(Default)]
 struct Read {
     unloaded: Vec<Factors>,
@@ -286,7 +282,7 @@ struct Read {
     logbook: Logbook,
 }
 
-/// Parameters of the robot whose errors the identification did not tell.
+/// Parameters of the robot whose errors the identification did not determine.
 fn taken_as_exact(errors: &Uncertainty) -> Option<String> {
     let open = errors.open.join(", ");
     (!open.is_empty()).then(|| format!("--identified has no standard deviation of {open}: taken as exact"))

@@ -1,15 +1,16 @@
-//! What one coat teaches the next (iterative learning control; S. Arimoto, S. Kawamura and F.
+//! Learning from one coat for the next (iterative learning control; S. Arimoto, S. Kawamura and F.
 //! Miyazaki, J. Robotic Systems 1, 1984; with the model inverted where it holds: D. Bristow, M.
 //! Tharayil and A. Alleyne, IEEE Control Systems 26, 2006).
 //!
-//! What a force loop can't follow for its low-pass and the arm's mass on the wall comes again at
-//! the same place of the same motion: ripple of the gears, friction that turns round, drag. With
-//! `T(w)` the linear model's answer of the force to a displacement that is added while the loop is
-//! closed, the error `e` of a coat (desired less the force of the feedback) asks for `L e` more on
-//! the next, `L = g Q T* / (|T|^2 + r^2)`: forwards and backwards in time, as a coat is over when
-//! it is learned from. Of an error as the model has it, `1 - g Q |T|^2 / (|T|^2 + r^2)` is left;
-//! with `g` of 0.6 the error still shrinks where the arm answers up to three times as much as its
-//! model, or 60 degrees off in phase. `Q` ends where the model of rigid joints does.
+//! A force loop can't follow fast errors because of its low-pass and the arm's mass on the wall.
+//! They come again at the same place of the same motion: ripple of the gears, friction that turns
+//! round, drag. `T(w)` is the linear model's answer of the force to a displacement that is added
+//! while the loop is closed. The error `e` of a coat (desired less the force of the feedback) adds
+//! `L e` on the next, `L = g Q T* / (|T|^2 + r^2)`. It acts forwards and backwards in time, as a
+//! coat is over when it is learned from. Of an error that follows the model, `1 - g Q |T|^2 /
+//! (|T|^2 + r^2)` is left. With `g` of 0.6 the error still shrinks where the arm answers up to
+//! three times as much as its model, or 60 degrees off in phase. `Q` ends where the model of rigid
+//! joints does.
 //!
 //! Nothing of it is in the loop: gains and margins stay what they are. Along a motion `T` changes;
 //! it is that of the neighbouring postures, blended.
@@ -33,10 +34,10 @@ pub struct Learned {
 const PERIOD: f64 = 0.01;
 /// Up to where all is learned, and from where on nothing, Hz.
 const BAND: [f64; 2] = [3.0, 6.0];
-/// Speed of the fastest joint below which the arm hardly moves, and above which it moves, rad/s:
-/// what is learned moves joints by some 0.02 rad/s, and where the plan is not much faster, friction
-/// turns round, sticks and breaks away. No linear model answers for that, and nothing is learned
-/// there.
+/// Speed of the fastest joint below which the arm hardly moves, and above which it moves, rad/s.
+/// The learned displacement moves joints by some 0.02 rad/s; where the plan is not much faster,
+/// friction turns round, sticks and breaks away. No linear model answers for that, and nothing is
+/// learned there.
 const PACE: [f64; 2] = [0.05, 0.15];
 /// Share of what the model asks for that a coat is given: an arm that answers three times as much
 /// as its model is learned from safely.
@@ -63,8 +64,8 @@ impl Learned {
     }
 }
 
-/// What the next coat is given: what this one was (`before`), and what its errors (N, one per
-/// `period` s; what is no number counts as none) ask for beyond it. `pace` is the planned speed of
+/// Displacement for the next coat: that of this one (`before`), and the correction from its errors
+/// (N, one per `period` s; entries that are not finite are skipped). `pace` is the planned speed of
 /// the fastest joint at the same instants, rad/s. `plants` stand along the motion from its
 /// beginning to its end at even times, under the force loop's gains `kp`, `ki`. `None` without a
 /// model, or where no displacement changes the force.

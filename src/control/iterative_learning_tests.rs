@@ -1,4 +1,4 @@
-//! What is learned against a slider on a spring, simulated here by itself: mass, sampled
+//! Learning against a slider on a spring, simulated here by itself: mass, sampled
 //! proportional-derivative loop, low-pass, integral force loop.
 
 use std::f64::consts::TAU;
@@ -116,7 +116,7 @@ fn what_is_learned_is_bounded_and_ends() {
         assert!(now.at(0.0).abs() < 1e-9 && now.at(3.99).abs() < 1e-4, "{}", now.at(3.99));
         before = Some(now);
     }
-    // Where the arm hardly moves nothing is learned.
+    // Nothing is learned where the arm hardly moves.
     let slow = learned(&[plant(MASS)], [FKP, FKI], &coat(&|_| 0.0), &[0.0; 10_000], PERIOD, None).unwrap();
     assert!(slow.displacement.iter().all(|x| *x == 0.0));
     assert_eq!(Learned::default().at(0.0), 0.0);

@@ -1,5 +1,5 @@
-//! Lends the law a robot: bodies by the interpreter, closed-form inverse kinematics, friction and
-//! effects by the laws of a robot file.
+//! Adapts a robot file to the law: bodies by the interpreter, closed-form inverse kinematics,
+//! friction and effects by the laws of the file.
 
 use dh_codegen::ik::Reference;
 use dh_codegen::robot::{Robot, Tool as RobotTool};
@@ -29,7 +29,7 @@ pub struct RobotModel<'a> {
     limits: Vec<f64>,
     before: Vec<f64>,
     state: ToolState,
-    /// Where the tool's state, and the torques at rest, are those of.
+    /// Posture of the tool's state and of the torques at rest.
     placed: Vec<f64>,
     rested: Vec<f64>,
     still: Vec<f64>,
@@ -42,9 +42,9 @@ pub struct RobotModel<'a> {
 /// not turn it.
 const TRAVEL: f64 = 5e-5;
 
-/// Travel in which friction has turned round at the latest, to `1 - 2/e`, rad: gears do within some
-/// milliradians (`presliding_hysteresis` has 2 by default), and a file that has Coulomb friction
-/// alone does not know where.
+/// Travel in which friction has turned round at the latest, to `1 - 2/e`, rad. Gears need some
+/// milliradians (`presliding_hysteresis` has 2 by default), and a file with Coulomb friction alone
+/// contains no travel.
 const TURNED: f64 = 3e-3;
 
 /// Travel within which a joint stands, rad: twice that of the bristle.
@@ -53,7 +53,7 @@ pub const STANDING: f64 = 1e-4;
 /// Planned speed, rad/s, at which friction that is fed forward has 70 % of its level.
 const SLOW: f64 = 0.01;
 
-/// What touches: the far end of a tool with a length, else the tool frame's origin.
+/// Point of contact: the far end of a tool with a length, else the tool frame's origin.
 pub fn contact_point(tool: Option<&RobotTool>) -> [f64; 3] {
     [0.0, 0.0, tool.and_then(|t| t.geometry).map_or(0.0, |g| g.length)]
 }

@@ -1,9 +1,9 @@
-//! Measured data: files become blocks of rows, the doctor looks at each row, and what passes goes
-//! on.
+//! Measured data: files become blocks of rows, the quality check examines each row, and accepted
+//! rows go on.
 //!
 //! [`Table`] (CSV, Parquet, MCAP, npz, mat) -> [`Reading`] (names to roles, units to SI) ->
 //! [`Source`] of [`Block`]s -> [`QualityCheck`] -> rows in segments. Nothing here opens a file: the
-//! caller hands in bytes. Knows the columns of a log and joints by name; knows no robot.
+//! caller hands in bytes. Depends on the columns of a log and on joints by name, not on robots.
 
 mod acceptance;
 mod arrays;
@@ -37,11 +37,13 @@ pub use fingerprint::{Common, Fingerprint, Fingerprinted};
 pub use inspect::{ChannelSummary, Proposal, propose};
 pub use limits::{Limits, beyond, torque_unit};
 pub use mapping::{Channel, Mapping, Reading, SourceJoint};
-pub use open::{Format, open, open_table, open_with};
+#[cfg(feature = "rosbag2")]
+pub use open::open_sqlite;
+pub use open::{Format, open, open_parquet, open_table, open_with, source};
 pub use quality_check::{QualityCheck, Reached, Verdict};
 pub use replay::Replay;
 pub use table::Table;
-pub use whole::Log;
+pub use whole::{Log, Passed, each_block};
 
 #[cfg(test)]
 mod tests;

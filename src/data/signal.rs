@@ -2,7 +2,7 @@
 //! differences.
 //!
 //! Rows of a log -> even clock -> low-pass, forward and backward -> derivatives -> [`Motion`]. A
-//! log of any length streams through in bounded memory. Knows no robot.
+//! log of any length streams through in bounded memory. Independent of robots.
 
 mod band;
 mod breakaway_band;
@@ -10,6 +10,7 @@ mod clock;
 mod deserved;
 mod difference;
 mod even;
+mod lowered;
 mod motion;
 mod prepare;
 mod repeat;
@@ -21,6 +22,7 @@ pub use crate::numerics::butterworth::{CutoffError, low_pass};
 pub use crate::numerics::sos::{Biquad, Sos};
 pub use band::Band;
 pub use difference::{central, central_second};
+pub use lowered::lower_cutoff;
 pub use motion::{Motion, MotionBlock};
 pub use prepare::{Derivatives, Filter, Prepare, PrepareError, Prepared, Preparer, each_motion};
 pub use repeat::repeatability;

@@ -5,22 +5,21 @@
 //! use denavit::data::trajectory::{Spline, Trajectory};
 //!
 //! // Half a turn in two seconds, at rest at both ends.
-//! let spline = Spline::clamped(5, 2.0, 2, vec![vec![0.0, 0.0, 0.0, 1.57, 3.14, 3.14, 3.14]]).unwrap();
+//! let points = vec![0.0, 0.0, 0.0, 1.57, 3.14, 3.14, 3.14];
+//! let spline = Spline::clamped(5, 2.0, 2, vec![points]).unwrap();
 //! let motion = Trajectory::Spline(spline);
 //! let (start, end) = (motion.at(0.0), motion.at(2.0));
 //! assert_eq!((start.q[0], start.dq[0], start.ddq[0]), (0.0, 0.0, 0.0));
 //! assert!((end.q[0] - 3.14).abs() < 1e-12 && end.dq[0].abs() < 1e-12);
-//! let same = Trajectory::from_json(&motion.to_json()).unwrap();
-//! assert_eq!(motion, same);
 //! ```
 
+mod error;
 mod fourier;
 mod spline;
 
+pub use error::CoefficientError;
 pub use fourier::{Fourier, harmonic};
 pub use spline::{Spline, basis, clamped_knots};
-
-use serde_json::{Value, json};
 
 use crate::model::States;
 
@@ -94,41 +93,6 @@ impl Trajectory {
         }
         (times, states)
     }
-
-    /// Everything that it takes to have the same motion again.
-    pub fn to_json(&self) -> Value {
-        match self {
-            Self::Spline(s) => json!({
-                "kind": "spline", "degree": s.degree, "knots": s.knots, "coefficients": s.coefficients,
-            }),
-            Self::Fourier(f) => json!({
-                "kind": "fourier", "period": f.period, "periods": f.periods, "center": f.center, "sine": f.sine, "cosine": f.cosine,
-            }),
-        }
-    }
-
-    /// Reads what [`Trajectory::to_json`] wrote, also where it stands under the key `trajectory`.
-    ///
-    /// # Errors
-    /// Says which key is missing or has the wrong shape.
-    pub fn from_json(value: &Value) -> Result<Self, String> {
-        let value = value.get("trajectory").unwrap_or(value);
-        match value.get("kind").and_then(Value::as_str) {
-            Some("spline") => {
-                let degree = count(value, "degree")?;
-                Spline::new(degree, numbers(value, "knots")?, rows(value, "coefficients")?).map(Self::Spline)
-            }
-            Some("fourier") => {
-                let period = value.get("period").and_then(Value::as_f64).filter(|p| p.is_finite() && *p > 0.0);
-                let period = period.ok_or("`period` must be a positive number of seconds")?;
-                let (sine, cosine) = (rows(value, "sine")?, rows(value, "cosine")?);
-                Fourier::new(period, count(value, "periods")?, numbers(value, "center")?, sine, cosine)
-                    .map(Self::Fourier)
-            }
-            Some(other) => Err(format!("`kind` is `{other}`; it must be spline or fourier")),
-            None => Err("`kind` is missing; it must be spline or fourier".into()),
-        }
-    }
 }
 
 /// `0, 1/rate, 2/rate, ..` up to and with `duration`.
@@ -139,22 +103,4 @@ pub fn times(duration: f64, rate: f64) -> Vec<f64> {
         times.push(duration);
     }
     times
-}
-
-fn count(value: &Value, key: &str) -> Result<usize, String> {
-    let found = value.get(key).and_then(Value::as_u64).filter(|&n| n > 0 && n < 100_000);
-    found.map(|n| n as usize).ok_or_else(|| format!("`{key}` must be a positive whole number"))
-}
-
-fn list(value: &Value) -> Option<Vec<f64>> {
-    value.as_array()?.iter().map(|x| x.as_f64().filter(|x| x.is_finite())).collect()
-}
-
-fn numbers(value: &Value, key: &str) -> Result<Vec<f64>, String> {
-    value.get(key).and_then(list).ok_or_else(|| format!("`{key}` must be a list of numbers"))
-}
-
-fn rows(value: &Value, key: &str) -> Result<Vec<Vec<f64>>, String> {
-    let rows = value.get(key).and_then(Value::as_array).and_then(|rows| rows.iter().map(list).collect());
-    rows.ok_or_else(|| format!("`{key}` must be a list with one list of numbers per joint"))
 }

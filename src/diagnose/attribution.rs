@@ -1,13 +1,14 @@
-//! From what was found and measured to the entries of the result, in order, with what can't be told
-//! from them.
+//! From findings and measures to the entries of the result, in order, with the causes that can't be
+//! separated from them.
 
-use super::calibration;
+use super::calibration::{self, Features};
 use super::evidence;
 use super::evidence::Shown;
 use super::judge::Accepted;
 use super::measure::{Measured, share, taken_of};
 use super::model::{Fitted, ModelUnderTest};
-use super::result::{Cause, Curve, measured_on};
+use super::moments::Moments;
+use super::result::{Cause, Curve, Errors, measured_on};
 use super::structure::Structure;
 use super::uncertainty::{Uncertainty, parameters};
 use crate::diagnose::baseline_friction::Plain;
@@ -21,16 +22,18 @@ pub(super) struct Attribution<'a> {
     pub(super) fitted: &'a Fitted,
     pub(super) uncertainty: &'a Uncertainty,
     pub(super) accepted: &'a [Accepted],
-    /// What plain friction might be instead.
+    /// Alternatives to plain friction.
     pub(super) rivals: &'a [Plain],
     pub(super) noise: &'a [f64],
     /// Whether the validating data are logs of their own.
     pub(super) own_validation: bool,
+    /// The equations in stretches of one piece each.
+    pub(super) stretches: &'a Moments,
 }
 
 impl Attribution<'_> {
-    /// An item as a cause of the result: errors without it and with it, `on` the fitted logs (`fit`)
-    /// or the validating ones (`validate`).
+    /// An item as a cause of the result: errors without it and with it, `on` the fitted logs
+    /// (`fit`) or the validating ones (`validate`).
     pub(super) fn weigh(
         &self,
         item: &Item,
@@ -39,18 +42,8 @@ impl Attribution<'_> {
         interval: [f64; 2],
         on: &'static str,
     ) -> Cause {
-        let Self { bench, fitted, uncertainty, accepted: all, rivals: plain_rivals, noise, own_validation } = *self;
-        let mut keys = match item.accepted {
-            Some(index) => parameters(bench, fitted, uncertainty, index, &all[index].chosen),
-            None => friction_values(bench, fitted, &uncertainty.covariance, item),
-        };
-        if item.accepted.is_some() {
-            for named in friction_values(bench, fitted, &uncertainty.covariance, item) {
-                if keys.iter().all(|k| k.symbol != named.symbol) {
-                    keys.push(named);
-                }
-            }
-        }
+        let Self { bench, fitted, uncertainty, accepted: all, rivals: plain_rivals, noise, own_validation, .. } = *self;
+        let keys = self.keys(item);
         let suffix = item.place.first().map(|j| (j + 1).to_string()).unwrap_or_default();
         let parameters: Vec<Named> =
             keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
@@ -65,13 +58,16 @@ impl Attribution<'_> {
             .map(|r| r.1.as_slice())
             .collect();
         let elsewhere = elsewhere.iter().map(|p| format!("; the same {} would explain nearly as much", place_of(p)));
+        let recurrence = self.recurrence(item);
+        let features = Features { support, margin, share: part, recurrence };
         Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
-            probability: calibration::probability(item.accepted.is_none(), support, margin, part),
+            probability: calibration::probability(item.accepted.is_none(), &features),
             support,
             margin,
             share: part,
+            recurrence,
             evidence: evidence::sentence(&Shown {
                 cause: item.hypothesis,
                 place: &item.place,
@@ -95,9 +91,37 @@ impl Attribution<'_> {
     }
 }
 
-/// How much error a cause takes: the logarithm of the ratio of root mean squares without and with
-/// it, noise added to both, summed over joints; so no joint counts for more than another by the
-/// size of its torques.
+impl Attribution<'_> {
+    /// Parameters of an item under the keys of a robot file.
+    fn keys(&self, item: &Item) -> Vec<Named> {
+        let Self { bench, fitted, uncertainty, accepted: all, .. } = *self;
+        let friction = friction_values(bench, fitted, &uncertainty.covariance, item);
+        let Some(index) = item.accepted else { return friction };
+        let mut keys = parameters(bench, fitted, uncertainty, index, &all[index].chosen);
+        for named in friction {
+            if keys.iter().all(|k| k.symbol != named.symbol) {
+                keys.push(named);
+            }
+        }
+        keys
+    }
+
+    /// How an item recurs in stretches of the fitted logs. It is 1 for a cause that acts in a part
+    /// of a log and so can't recur, and for a delay, which has moved the data.
+    fn recurrence(&self, item: &Item) -> f64 {
+        let fitted = self.fitted;
+        if item.hypothesis.local() || item.hypothesis.moves_time() {
+            return 1.0;
+        }
+        let mut own: Vec<usize> = item.friction.iter().map(|k| fitted.friction + k).collect();
+        own.extend(item.accepted.iter().flat_map(|&i| (0..fitted.terms[i].len()).map(move |t| fitted.first[i] + t)));
+        self.stretches.recurrence(&fitted.solution, &own)
+    }
+}
+
+/// Share of the error that a cause explains: the logarithm of the ratio of root mean squares
+/// without and with it, noise added to both, summed over joints. So no joint counts for more than
+/// another by the size of its torques.
 pub(super) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
     taken_of(&cause.rms_before, &cause.rms_after, noise)
 }
@@ -105,10 +129,10 @@ pub(super) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
 /// A margin beyond which more of it says nothing.
 pub(super) const MOST_MARGIN: f64 = 1e4;
 
-/// What no value of a link's parameter explains is named before those values, where it takes half
-/// of the squared error of a joint beside them, or a quarter of that of all: what is wrong with a
-/// recording or an arm as a whole, whatever stands in the file; and every cause where all
-/// parameters were refitted as a matter of course.
+/// Errors that no value of a link's parameter explains are named before those values. This holds if
+/// they explain half of the squared error of a joint beside them, or a quarter of that of all: an
+/// error of a recording or an arm as a whole, whatever the file contains. It holds for every cause
+/// if all parameters were refitted as a matter of course.
 pub(super) fn values_last(causes: &mut Vec<Cause>, noise: &[f64]) {
     let Some(at) = causes.iter().position(|c| c.cause == effects::LinkInertiaError::NAME) else { return };
     let refitted = causes[at].keys.is_empty();
@@ -137,7 +161,7 @@ pub(super) fn plain_support(fitted: &Fitted, covariance: &nalgebra::DMatrix<f64>
     squares.fold(0.0, f64::max)
 }
 
-/// What says nearly the same as an item: cause, place, difference of support.
+/// Near alternatives of an item: cause, place, difference of support.
 pub(super) fn near<'a>(
     item: &Item,
     accepted: Option<&'a Accepted>,
@@ -149,7 +173,7 @@ pub(super) fn near<'a>(
     }
 }
 
-/// What this data, or any data, can't tell from a cause.
+/// Causes that this data, or any data, can't separate from a cause.
 pub(super) fn confusable(
     bench: &ModelUnderTest<'_>,
     item: &Item,
@@ -168,11 +192,15 @@ pub(super) fn confusable(
     names
 }
 
-/// What is left without a name.
-pub(super) fn unknown(causes: &mut Vec<Cause>, left: &[Structure], [baseline, rms]: [&[f64]; 2], noise: &[f64]) {
+/// Remainder without a name. `errors`: of the file and of the model; `floor`: noise of each joint's
+/// torque, N m; `noise`: what a gain is measured by.
+pub(super) fn unknown(causes: &mut Vec<Cause>, left: &[Structure], errors: [&Errors; 2], floor: &[f64], noise: &[f64]) {
     if left.is_empty() {
         return;
     }
+    // A cause that acts in a part of a fitted log shows there alone.
+    let here = causes.iter().any(|c| c.on == "fit");
+    let [baseline, rms] = errors.map(|e| if here { &e.fit[..] } else { &e.validate[..] });
     let mut left = left.to_vec();
     left.sort_by(|a, b| (b.rms / noise[b.joint].max(1e-12)).total_cmp(&(a.rms / noise[a.joint].max(1e-12))));
     let mut joints: Vec<usize> = Vec::new();
@@ -186,13 +214,14 @@ pub(super) fn unknown(causes: &mut Vec<Cause>, left: &[Structure], [baseline, rm
     for s in &left {
         after[s.joint] = (rms[s.joint].powi(2) - s.rms.powi(2)).max(0.0).sqrt();
     }
-    let mut entry = Cause {
+    let entry = Cause {
         cause: "unknown",
         support: MOST_MARGIN,
         margin: MOST_MARGIN,
         share: share(rms, &after, noise, &[]),
+        recurrence: 1.0,
         joints,
-        probability: calibration::UNKNOWN_FIRST,
+        probability: left.iter().map(|s| calibration::structure(s.rms, floor[s.joint])).fold(0.0, f64::max),
         parameters: Vec::new(),
         keys: Vec::new(),
         evidence: format!("structure is left that no listed cause explains: {}", sentences.join("; ")),
@@ -205,10 +234,10 @@ pub(super) fn unknown(causes: &mut Vec<Cause>, left: &[Structure], [baseline, rm
         curve: None,
     };
     // First, where more is left than the causes explain; else last: it gains nothing.
-    if taken(&entry, noise) > taken_of(baseline, rms, noise) {
+    let most = causes.iter().map(|c| taken(c, noise)).fold(taken_of(baseline, rms, noise), f64::max);
+    if taken(&entry, noise) > most {
         causes.insert(0, entry);
     } else {
-        entry.probability = calibration::UNKNOWN_BESIDE;
         causes.push(entry);
     }
 }

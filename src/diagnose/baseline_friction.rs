@@ -11,17 +11,17 @@ use dh_codegen::robot::effects;
 const PLAIN: [(&str, usize); 3] =
     [(effects::ViscousFriction::NAME, 0), (effects::CoulombFriction::NAME, 1), (effects::TorqueOffset::NAME, 2)];
 
-/// What else the plain friction of a joint might be.
+/// Alternatives to the plain friction of a joint.
 pub struct Plain {
     /// Joint, from 0.
     pub joint: usize,
-    /// What says nearly the same in its stead: cause, place, difference of support.
+    /// Near alternatives in its place: cause, place, difference of support.
     pub rivals: Vec<(&'static str, Vec<usize>, f64)>,
 }
 
-/// Puts plain friction, which is always among the unknowns, on a par with the other causes: where a
+/// Puts plain friction, which is always among the unknowns, on a par with the other causes. If a
 /// joint has no cause of its own but changed friction or an offset, that is taken out and every
-/// cause of the joint is tried in its stead. One that says more with its unknowns takes the place;
+/// cause of the joint is tried in its place. One that says more with its unknowns takes the place;
 /// those that say nearly as much are rivals.
 pub fn reconsider(
     bench: &mut ModelUnderTest<'_>,

@@ -1,32 +1,55 @@
-//! How sure a cause is: a logistic map of its evidence, fitted to what `denavit reproduce
-//! diagnosis` hid (docs/diagnose.md says on which seeds, and how it does on others).
+//! How sure a cause is: a logistic map of its evidence, fitted to causes that were added to real
+//! recordings (docs/diagnose.md says to which, and how it does on others).
 //!
-//! `p = 1 / (1 + exp(-(a + b ln(1 + support) / 5 + c ln(1 + margin) / 5 + d share)))`, `b`, `c`,
-//! `d` not negative: more support, more distance from the next best cause, more of the error never
-//! make a cause less likely.
+//! `p = 1 / (1 + exp(-(a + b ln(1 + support) / 5 + c ln(1 + margin) / 5 + d share - e scatter)))`,
+//! `b` to `e` not negative. More support, more distance from the next best cause, more of the
+//! error, the same size in more stretches never make a cause less likely.
 
-/// `[a, b, c, d]` of causes that add columns.
-const CAUSE: [f64; 4] = [-3.5, 1.6, 2.0, 2.6];
+/// `[a, b, c, d, e]` of causes that add columns.
+const CAUSE: [f64; 5] = [-2.5, 1.2, 1.3, 2.7, 5.2];
 /// Of plain friction and offsets.
-const PLAIN: [f64; 4] = [-4.3, 2.3, 0.0, 0.8];
-
-/// Structure without a name, where nothing else gains more.
-pub const UNKNOWN_FIRST: f64 = 0.7;
-/// Structure beside a cause that gains more: often what that cause's law does not fit.
-pub const UNKNOWN_BESIDE: f64 = 0.1;
-/// That links are wrong, where all base parameters were taken anew.
-pub const LINKS: f64 = 0.5;
+const PLAIN: [f64; 5] = [-4.3, 2.3, 0.0, 0.8, 2.0];
 
 /// A margin beyond which more of it says nothing.
 const FAR: f64 = 100.0;
 
+/// Evidence for a cause.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Features {
+    /// Twice the gain in log-likelihood over independent windows, less its cost.
+    pub support: f64,
+    /// By how much less the next best cause has.
+    pub margin: f64,
+    /// Part of the squared error above the noise that it takes.
+    pub share: f64,
+    /// How it recurs in disjoint stretches, 0 to 1.
+    pub recurrence: f64,
+}
+
+/// Relative deviation of a cause's size between stretches, from its recurrence `1 / (1 + s^2)`.
+fn scatter(recurrence: f64) -> f64 {
+    (1.0 / recurrence.clamp(1e-3, 1.0) - 1.0).sqrt()
+}
+
 /// Of a cause, or of a plain term of friction, with this evidence.
-pub fn probability(plain: bool, support: f64, margin: f64, share: f64) -> f64 {
-    let [a, b, c, d] = if plain { PLAIN } else { CAUSE };
+pub fn probability(plain: bool, found: &Features) -> f64 {
+    let [a, b, c, d, e] = if plain { PLAIN } else { CAUSE };
     let log = |x: f64| x.max(0.0).ln_1p() / 5.0;
-    let sum = a + b * log(support) + c * log(margin.min(FAR)) + d * share.max(0.0);
+    let sum = a + b * log(found.support) + c * log(found.margin.min(FAR)) + d * found.share.clamp(-1.0, 1.0)
+        - e * scatter(found.recurrence);
     // Never quite certain.
     (1.0 / (1.0 + (-sum).exp())).min(0.995)
+}
+
+/// Probability of structure of this size beside this noise: its part of the sum of their squares.
+pub fn structure(size: f64, noise: f64) -> f64 {
+    (size * size / (size * size + noise * noise).max(f64::MIN_POSITIVE)).min(0.995)
+}
+
+/// Probability of wrong links if all base parameters were refitted, by the gain on left-out
+/// stretches and its standard error: one half at three standard errors.
+pub fn links(gain: f64, error: f64) -> f64 {
+    structure(gain, 3.0 * error)
 }
 
 #[cfg(test)]
@@ -39,11 +62,15 @@ mod tests {
             let mut last = 0.0;
             for k in 0..50 {
                 let x = f64::from(k);
-                let now = probability(plain, 20.0 * x, 2.0 * x, x / 50.0);
+                let share = x / 50.0;
+                let at = Features { support: 20.0 * x, margin: 2.0 * x, share, recurrence: share };
+                let now = probability(plain, &at);
                 assert!(now >= last && now < 1.0);
                 last = now;
             }
-            assert!(probability(plain, -3.0, -1.0, -1.0) > 0.0);
+            assert!(structure(0.0, 1.0) == 0.0 && structure(4.0, 1.0) > 0.9 && (links(0.3, 0.1) - 0.5).abs() < 1e-9);
+            let nothing = Features { support: -3.0, margin: -1.0, share: -1.0, recurrence: 0.0 };
+            assert!(probability(plain, &nothing) > 0.0);
         }
     }
 }

@@ -11,13 +11,13 @@ use crate::diagnose::hypotheses::{Cause, Sign, UNIT, at_edge, causes};
 /// A cause in a place with its best shape.
 #[derive(Clone)]
 pub struct Candidate {
-    /// What.
+    /// The cause.
     pub cause: &'static dyn Cause,
-    /// Where.
+    /// The place.
     pub place: Vec<usize>,
     /// Its shape.
     pub shape: Vec<f64>,
-    /// What it gives.
+    /// Its gain.
     pub gain: Gain,
     /// Sum over joints of windows times the logarithm of the ratio of residuals, less what its
     /// unknowns cost.
@@ -110,8 +110,8 @@ pub fn candidates(
     all
 }
 
-/// The best of the shapes of one cause. Where they are of several laws each law's best is refined
-/// first: a coarse grid does not tell which of them holds.
+/// The best of the shapes of one cause. If they belong to several laws each law's best is refined
+/// first: a coarse grid does not decide which of them holds.
 fn best_of(bench: &ModelUnderTest<'_>, fitted: &Fitted, tried: impl Iterator<Item = Candidate>) -> Option<Candidate> {
     let mut best: Vec<Candidate> = Vec::new();
     for next in tried {
@@ -128,8 +128,8 @@ fn best_of(bench: &ModelUnderTest<'_>, fitted: &Fitted, tried: impl Iterator<Ite
     best.into_iter().max_by(|a, b| a.score.total_cmp(&b.score))
 }
 
-/// Beyond this many times a residual's memory, or this share of itself, a difference of scores
-/// tells two candidates apart.
+/// Beyond this many times a residual's autocorrelation time, or this share of itself, a difference
+/// of scores separates two candidates.
 fn tolerance(best: &Candidate, memory: f64) -> f64 {
     (10.0 * memory).max(0.015 * best.score)
 }
@@ -199,9 +199,9 @@ fn mean(x: &[f64]) -> f64 {
     x.iter().sum::<f64>() / x.len().max(1) as f64
 }
 
-/// What a candidate with more unknowns gains, in the logarithm, must be more than this share of it
-/// beyond one with fewer: errors that are not noise (of derivatives, of a law's shape) give many
-/// unknowns something to fit that is not theirs.
+/// Share, in the logarithm, by which the gain of a candidate with more unknowns must exceed that of
+/// one with fewer. Errors that are not noise (of derivatives, of a law's shape) give many unknowns
+/// something foreign to fit.
 const WORTH_UNKNOWNS: f64 = 0.03;
 
 /// Puts a candidate with several unknowns fewer before the best one where it gains nearly as much

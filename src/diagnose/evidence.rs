@@ -22,7 +22,7 @@ pub(super) fn short(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-/// What a sentence is made of.
+/// Parts of a sentence.
 pub(super) struct Shown<'a> {
     pub cause: &'a dyn Cause,
     /// Joints, from 0.
@@ -90,7 +90,7 @@ pub(super) fn curve(bench: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, c
     let joint = match chosen.place.first() {
         Some(j) => *j,
         None => {
-            // Where it does most.
+            // Joint of the largest effect.
             let size = |j: usize| {
                 let squares = terms.iter().zip(&chosen.x).flat_map(|(t, x)| {
                     t.column

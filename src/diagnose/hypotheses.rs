@@ -1,8 +1,8 @@
 //! The hypotheses: one cause of the vocabulary, one file.
 //!
 //! A cause names places (joints, or the whole robot) where it may act, and for each place a family
-//! of columns: linear in its coefficients, with a few further numbers (`shape`: a speed, an order,
-//! a time) that are searched on a grid and then refined.
+//! of columns. They are linear in its coefficients; a few further numbers (`shape`: a speed, an
+//! order, a time) are searched on a grid and then refined.
 
 use dh_codegen::robot::EffectKind;
 use nalgebra::DMatrix;
@@ -36,7 +36,7 @@ mod torque_saturation;
 pub use asymmetric_friction::AsymmetricFriction;
 pub use plain::{COULOMB, OFFSET, VISCOUS};
 
-/// What kind of thing a cause is: causes of one kind on one joint look alike.
+/// Kind of a cause: causes of one kind on one joint look alike.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Torque against the motion.
@@ -64,7 +64,7 @@ pub enum Scope {
     JointOrRobot,
 }
 
-/// Where a coefficient must lie for the cause to be what its name says.
+/// Range of a coefficient under which the cause deserves its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sign {
     /// Anywhere.
@@ -78,9 +78,9 @@ pub enum Sign {
 pub struct Term {
     /// Symbol, as in a robot file: `FL`.
     pub symbol: String,
-    /// What one unit of it adds to the torques.
+    /// Torque of one unit of it.
     pub column: Column,
-    /// Where it must lie.
+    /// Its range.
     pub sign: Sign,
 }
 
@@ -100,8 +100,8 @@ pub struct Shape {
     pub unit: &'static str,
     /// Smallest and largest sensible value.
     pub range: [f64; 2],
-    /// How finely it is refined: `None` not at all, else the first step, as a share of the value
-    /// (positive) or as it is (negative).
+    /// First step of the refinement: `None` for no refinement, a share of the value if positive, an
+    /// absolute step if negative.
     pub step: Option<f64>,
 }
 
@@ -129,11 +129,11 @@ impl Named {
     }
 }
 
-/// What was estimated of a cause in its place.
+/// Estimate of a cause in its place.
 pub struct Estimate<'a> {
     /// The data.
     pub scene: &'a WindowedData<'a>,
-    /// Where.
+    /// The place.
     pub place: &'a [usize],
     /// The numbers in which it is not linear.
     pub shape: &'a [f64],
@@ -201,7 +201,7 @@ pub trait Cause: Sync {
         self.effect().name()
     }
 
-    /// What kind of thing it is.
+    /// Its kind.
     fn kind(&self) -> Kind;
 
     /// On what it acts.
@@ -236,14 +236,13 @@ pub trait Cause: Sync {
         true
     }
 
-    /// Which number of the shape is a natural number, by its nature (periods a turn) or by habit:
-    /// as such it is no unknown.
+    /// Index of the shape number that is a natural number, by its nature (periods a turn) or by
+    /// preference: as such it is no unknown.
     fn natural(&self) -> Option<usize> {
         None
     }
 
-    /// Where that number is natural by habit only: by how much it may be off, one standard
-    /// deviation.
+    /// Standard deviation of that number where it is natural by preference only.
     fn habit(&self) -> Option<f64> {
         None
     }
@@ -257,7 +256,7 @@ pub trait Cause: Sync {
     /// The family's columns; none where they do not exist.
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term>;
 
-    /// Which of its laws a shape belongs to, where refining one never leads to another.
+    /// Law to which a shape belongs, if refining one never leads to another.
     fn law(&self, _shape: &[f64]) -> usize {
         0
     }
@@ -285,9 +284,10 @@ pub trait Cause: Sync {
         false
     }
 
-    /// Whether more than one instance may act in one place (ripple of several orders).
-    fn repeats(&self) -> bool {
-        false
+    /// How many instances may act in one place (ripple of several orders, pushes one after the
+    /// other).
+    fn most(&self) -> usize {
+        1
     }
 
     /// Whether it is taken out by moving the torques in time: then its coefficient goes into the
@@ -307,7 +307,7 @@ pub trait Cause: Sync {
         false
     }
 
-    /// Causes that no motion tells from it.
+    /// Causes that no motion separates from it.
     fn same_on_paper(&self) -> &'static [&'static str] {
         &[]
     }
@@ -317,7 +317,7 @@ pub trait Cause: Sync {
         self.same_on_paper()
     }
 
-    /// Whether the columns depend on the rigid model and so must be made anew when that changes.
+    /// Whether the columns depend on the rigid model and so must be recomputed when that changes.
     fn rests_on_model(&self) -> bool {
         false
     }
@@ -332,7 +332,7 @@ pub trait Cause: Sync {
         true
     }
 
-    /// What of its coefficients is beyond what can't be known at all.
+    /// Part of its coefficients beyond the resolution of the data.
     fn beyond(&self, _scene: &WindowedData<'_>, _place: &[usize], x: &[f64]) -> Vec<f64> {
         x.to_vec()
     }
@@ -366,10 +366,10 @@ pub trait Cause: Sync {
         None
     }
 
-    /// What it does, for the sentence of the evidence.
+    /// Its effect, for the sentence of the evidence.
     fn says(&self) -> &'static str;
 
-    /// What would tell it from others, or show it better.
+    /// Experiment that would separate it from others, or show it better.
     fn shown_by(&self) -> &'static str;
 }
 
@@ -430,8 +430,8 @@ pub fn by_name(name: &str) -> Option<&'static dyn Cause> {
 /// of a law open.
 pub(super) const UNIT: f64 = 0.05;
 
-/// Whether a number of a shape has run to the end of what is looked for: an estimate that would go
-/// on is none, and another law is meant. 0 is a number that is not in use.
+/// Whether a number of a shape has run to the end of its search range: then it is no estimate, and
+/// another law is meant. 0 is a number that is not in use.
 pub(super) fn at_edge(cause: &dyn Cause, shape: &[f64]) -> bool {
     let habit = |k: usize| cause.habit().is_some() && cause.natural() == Some(k);
     let numbers = cause.shape().iter().zip(shape).enumerate().filter(|(k, _)| !habit(*k)).map(|(_, both)| both);
@@ -442,7 +442,7 @@ pub(super) fn at_edge(cause: &dyn Cause, shape: &[f64]) -> bool {
     })
 }
 
-/// How near to its end a number has run there, as a share of itself.
+/// Distance from the end within which a number has run there, as a share of itself.
 const EDGE: f64 = 0.02;
 
 /// Values from `first` to `last`, `count` of them, evenly spaced in their logarithms.

@@ -1,6 +1,6 @@
-//! Whether a candidate is accepted: if its gain pays for its unknowns and for how many candidates
-//! were tried, if parts of the data that were not used to fit it confirm it, and if it is large
-//! enough to matter beside the noise.
+//! Decides whether a candidate is accepted. Its gain must pay for its unknowns and for the number
+//! of candidates, parts of the data that were not used to fit it must confirm it, and it must be
+//! large enough to matter beside the noise.
 
 use super::candidate::{logs, unknowns};
 use super::model::{Chosen, Fitted, ModelUnderTest};
@@ -17,13 +17,13 @@ pub struct Accepted {
     pub support: f64,
     /// Share of the parts of the data that confirm it.
     pub confirmed: f64,
-    /// What says nearly the same: cause, place, difference of support.
+    /// Near alternatives: cause, place, difference of support.
     pub rivals: Vec<(&'static str, Vec<usize>, f64)>,
     /// Variance that it takes, summed over joints, (N m)^2.
     pub variance: f64,
 }
 
-/// What was chosen, as a model takes it.
+/// The choice, in the form that a model takes.
 pub(super) fn chosen_of(accepted: &[Accepted]) -> Vec<Chosen> {
     accepted.iter().map(|a| a.chosen.clone()).collect()
 }
@@ -39,8 +39,7 @@ pub(super) const SURE: f64 = 4.5;
 
 /// Less than this share of a joint's squared error is left by what takes nearly all of it.
 const NEARLY: f64 = 0.1;
-/// Support of a cause that holds in every stretch, where windows that remember each other can't say
-/// so.
+/// Support of a cause that holds in every stretch, where correlated windows can't decide.
 const THROUGHOUT: f64 = 1.0;
 
 /// By what a cause is judged.
@@ -69,8 +68,8 @@ impl Judge<'_> {
     }
 
     /// Whether the last of `trial` takes nearly all of a joint's error in every stretch of the logs
-    /// that is left out. What it leaves may then remember itself for so long that hardly a window
-    /// is independent: a slow rest is no reason to doubt what predicts all but that.
+    /// that is left out. Its residual may then be autocorrelated for so long that hardly a window
+    /// is independent: a slow rest does not refute a cause that predicts all but that.
     fn throughout(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> bool {
         let Some((last, others)) = trial.split_last() else { return false };
         let nearly = |j: usize| after.solution.rss[j] < NEARLY * before.solution.rss[j];
@@ -118,7 +117,7 @@ impl Judge<'_> {
             return None;
         }
         let variance: f64 = taken.iter().filter(|t| **t > 0.0).sum();
-        // What an earlier law of the same kind does not fit is not another cause.
+        // The misfit of an earlier law of the same kind is not another cause.
         let same = |a: &Accepted| {
             a.chosen.place == last.place && a.chosen.cause.kind() == last.cause.kind() && !last.place.is_empty()
         };
@@ -149,8 +148,8 @@ impl Judge<'_> {
     }
 }
 
-/// Whether a joint stands most of the time: what the file has wrong of it the motion does not show,
-/// and a cause of the whole robot can make it seem larger.
+/// Whether a joint stands most of the time: the motion does not show the file's errors of that
+/// joint, and a cause of the whole robot can make them seem larger.
 pub(super) fn stands(bench: &ModelUnderTest<'_>, j: usize) -> bool {
     let (mut moving, mut all) = (0, 0);
     for sign in bench.scene.own[j].iter().flat_map(|own| &own.sign) {
@@ -160,14 +159,14 @@ pub(super) fn stands(bench: &ModelUnderTest<'_>, j: usize) -> bool {
     2 * moving < all
 }
 
-/// By what share another joint's error may grow: what takes most of one joint's error is not
-/// refuted by what earlier causes, found beside that error, still have to give way. A tenth up to
-/// six tenths of the error, a half from nine tenths on.
+/// Share by which another joint's error may grow. A cause that explains most of one joint's error
+/// is not refuted by earlier causes, found beside that error, that still have to change. A tenth up
+/// to six tenths of the error, a half from nine tenths on.
 fn bearable(predicted: f64) -> f64 {
     0.1 + 0.4 * ((predicted - 0.6) / 0.3).clamp(0.0, 1.0)
 }
 
-/// What parts of the data say that were left out of the fit in turn.
+/// Result of leaving parts of the data out of the fit in turn.
 struct Confirmation {
     /// Share of the parts that the larger model predicts better, parts weighted by what they gain
     /// or lose.

@@ -1,4 +1,4 @@
-//! Links and rotors that are not the file's: causes where all base parameters were taken anew.
+//! Wrong links and rotors as causes: all base parameters are refitted.
 
 use super::calibration;
 use super::evidence;
@@ -36,7 +36,7 @@ impl Case<'_> {
         if links.is_empty() && rotors.is_empty() {
             return Vec::new();
         }
-        // What the file's links would leave beside all other causes.
+        // Residual of the file's links beside all other causes.
         let delays = &model.bench.scene.delays;
         let mut believed = ModelUnderTest::new(self.plant, self.fit, self.settings.rate, Mode::Trusted, delays, false);
         believed.frozen = model.bench.frozen.clone();
@@ -51,7 +51,8 @@ impl Case<'_> {
         if !(told.worth_refit() && gains && matters(&without.steady, &after.steady, self.noise, self.motion)) {
             return Vec::new();
         }
-        let mut causes: Vec<Cause> = rotors.iter().map(|&j| self.rotor(model, &without, j)).collect();
+        let sure = calibration::links(told.gain, told.error);
+        let mut causes: Vec<Cause> = rotors.iter().map(|&j| self.rotor(model, &without, j, sure)).collect();
         if links.is_empty() {
             return causes;
         }
@@ -73,7 +74,7 @@ impl Case<'_> {
                 body.cause,
                 body.joints,
                 body.parameters,
-                calibration::LINKS,
+                sure,
                 format!(
                     "one body says {:.0} % of what other base parameters of {} gain on stretches that were left out; {figures}",
                     100.0 * body.share.min(1.0),
@@ -85,22 +86,23 @@ impl Case<'_> {
                     "the base parameters of {} differ from the file's by more than five of their standard deviations; {figures}",
                     of_joints(&links)
                 );
-                cause(effects::LinkInertiaError::NAME, links, Vec::new(), calibration::LINKS, evidence)
+                cause(effects::LinkInertiaError::NAME, links, Vec::new(), sure, evidence)
             }
         });
         causes
     }
 
-    /// What all causes of refitted parameters have in common.
+    /// Common part of all causes of refitted parameters.
     fn refitted(&self, model: &Settled<'_>, without: &Measured) -> Cause {
         Cause {
             cause: effects::LinkInertiaError::NAME,
             evidence: String::new(),
             joints: Vec::new(),
-            probability: calibration::LINKS,
+            probability: 0.0,
             support: MOST_MARGIN,
             margin: MOST_MARGIN,
             share: share(&without.rms, &model.after.rms, self.noise, &[]),
+            recurrence: 1.0,
             parameters: Vec::new(),
             keys: Vec::new(),
             interval: bootstrap(without, &model.after, &[]),
@@ -114,13 +116,14 @@ impl Case<'_> {
     }
 
     /// A rotor (of joint `j`, from 1) that the file has otherwise, or not at all.
-    fn rotor(&self, model: &Settled<'_>, without: &Measured, j: usize) -> Cause {
+    fn rotor(&self, model: &Settled<'_>, without: &Measured, j: usize, probability: f64) -> Cause {
         let names = model.bench.plant.standard_names();
         let name = format!("IA{}", model.bench.plant.rows()[j - 1] + 1);
         let at = names.iter().position(|n| *n == name);
         let value = at.and_then(|at| model.fitted.standard.as_ref().map(|s| s[at])).unwrap_or(0.0);
         Cause {
             cause: effects::RotorInertia::NAME,
+            probability,
             joints: vec![j],
             parameters: vec![Named { symbol: format!("IA{j}"), value, std: None }],
             evidence: format!(

@@ -1,6 +1,6 @@
 //! Maps of an error: against velocity, position, acceleration, load, time, temperature, travel
-//! since a reversal; its spectra over frequency and over periods per turn; what goes with another
-//! joint's motion; and what a shift of the model in time would leave.
+//! since a reversal. Further its spectra over frequency and over periods per turn, its dependence
+//! on another joint's motion, and the residual of the model shifted in time.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -20,7 +20,7 @@ const SECTIONS: usize = 24;
 /// Highest frequency of a spectrum, Hz.
 const HIGHEST: f64 = 40.0;
 
-/// What the errors are drawn over, every sample of the log, per joint.
+/// Variables of the maps, every sample of the log, per joint.
 pub(super) struct View {
     /// Time since the recording began, s.
     pub time: Vec<f64>,
@@ -31,7 +31,7 @@ pub(super) struct View {
     over: Vec<[Vec<f64>; 4]>,
     /// Per joint; empty where it was not recorded.
     temperature: Vec<Vec<f64>>,
-    /// Motor turns per joint turn, where the file tells.
+    /// Motor turns per joint turn, if the file has them.
     gears: Vec<Option<f64>>,
 }
 
@@ -55,6 +55,11 @@ impl View {
             scene.own.iter().map(|own| own.iter().flat_map(|o| o.temperature.clone()).collect()).collect();
         let gears = scene.plant.gear_ratios().to_vec();
         Self { time: scene.time.clone(), torque: scene.y.clone(), runs: scene.runs.clone(), over, temperature, gears }
+    }
+
+    /// Velocity of a joint, rad/s.
+    pub fn velocity(&self, joint: usize) -> &[f64] {
+        &self.over[joint][1]
     }
 
     /// Time with one log after the other, s.

@@ -9,11 +9,13 @@ use crate::model::PerturbableArm;
 /// Errors per joint and sample at the logs' own rate.
 pub(super) struct Measured {
     pub(super) rms: Vec<f64>,
-    /// The same where the joint moves: at reversals the sign of a velocity inside its noise, or of
+    /// The same where the joint moves. At reversals the sign of a velocity inside its noise, or of
     /// a joint that sticks, errs by twice the Coulomb level, whatever the cause.
     pub(super) steady: Vec<f64>,
     pub(super) error: Vec<Vec<f64>>,
     pub(super) time: Vec<f64>,
+    /// Samples that follow each other without a gap.
+    pub(super) runs: Vec<std::ops::Range<usize>>,
     pub(super) view: View,
     /// Whether this data can show each of the chosen causes.
     pub(super) shown: Vec<bool>,
@@ -32,7 +34,7 @@ impl<'a> Meter<'a> {
         Self { fine: ModelUnderTest::new(plant, recordings, RAW, bench.mode, &bench.scene.delays, true) }
     }
 
-    /// Errors of the file as it is.
+    /// Errors of the unchanged file.
     pub(super) fn of_the_file(&self) -> Measured {
         let error = vec![vec![0.0; self.fine.scene.len]; self.fine.scene.dof()];
         self.errors(error)
@@ -78,8 +80,8 @@ impl<'a> Meter<'a> {
                 root_mean_square(if 2 * moving.len() < error[j].len() { &error[j] } else { &moving })
             })
             .collect();
-        let (time, view) = (self.fine.scene.time.clone(), View::of(&self.fine.scene));
-        Measured { rms, steady, error, time, view, shown: Vec::new() }
+        let (time, runs, view) = (scene.time.clone(), scene.runs.clone(), View::of(scene));
+        Measured { rms, steady, error, time, runs, view, shown: Vec::new() }
     }
 }
 
@@ -146,6 +148,11 @@ pub(super) fn reduced<'a>(
         chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
     let fitted = reduced.fit(&mut others);
     (reduced, others, fitted)
+}
+
+/// Whether a cause takes this share of the squared error of some joint.
+pub(super) fn takes(before: &[f64], after: &[f64], share: f64) -> bool {
+    before.iter().zip(after).any(|(a, b)| a * a - b * b > share * a * a)
 }
 
 /// Whether a cause takes as much on some joint as a torque of half of the noise would, and more

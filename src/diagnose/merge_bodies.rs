@@ -18,9 +18,9 @@ pub(super) fn single_bodies(bench: &ModelUnderTest<'_>) -> Vec<Chosen> {
 }
 
 /// A body that was found first as its neighbour, for the columns of links are alike, leaves a rest
-/// that its own link then takes. Where one body says what several say, it takes their place with
-/// all of its mass: where it costs less than the unknowns that it saves, or takes nearly all that
-/// they take.
+/// that its own link then takes. One body that explains the same as several takes their place with
+/// all of its mass, if it costs less than the unknowns that it saves, or explains nearly all that
+/// they explain.
 pub(super) fn merge_bodies(bench: &mut ModelUnderTest<'_>, accepted: &mut Vec<Accepted>, fitted: &mut Fitted) {
     let is_body = |a: &Accepted| a.chosen.cause.within_links();
     let bodies: Vec<Accepted> = accepted.iter().filter(|a| is_body(a)).cloned().collect();

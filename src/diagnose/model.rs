@@ -22,7 +22,7 @@ use crate::diagnose::windowed_data::{BLOCKS, Column, WindowedData};
 /// nothing.
 const LINEAR: f64 = 2e-4;
 
-/// Which parameters of the rigid arm are unknown.
+/// Unknown parameters of the rigid arm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
     /// None: the file's links are right but for what a cause says.
@@ -34,9 +34,9 @@ pub enum Mode {
 /// An accepted cause.
 #[derive(Clone)]
 pub struct Chosen {
-    /// What.
+    /// The cause.
     pub cause: &'static dyn Cause,
-    /// Where: joints, from 0.
+    /// The place: joints, from 0.
     pub place: Vec<usize>,
     /// The numbers in which it is not linear.
     pub shape: Vec<f64>,
@@ -93,7 +93,7 @@ pub struct Fitted {
     pub solution: Solution,
     /// Residuals, per joint.
     pub residual: Vec<Vec<f64>>,
-    /// Windows over which each joint's residual remembers itself.
+    /// Autocorrelation time of each joint's residual, windows.
     pub memory: Vec<f64>,
     /// First unknown of friction; three per joint.
     pub friction: usize,
@@ -113,7 +113,7 @@ impl Fitted {
     }
 }
 
-/// Unknowns of causes that act in a part of a log only: other parts don't tell them.
+/// Unknowns of causes that act in a part of a log only: other parts don't determine them.
 pub fn local(chosen: &[Chosen], fitted: &Fitted) -> Vec<usize> {
     let of = chosen.iter().zip(&fitted.first).zip(&fitted.terms).filter(|((c, _), _)| c.cause.local());
     of.flat_map(|((_, first), terms)| *first..first + terms.len()).collect()
@@ -125,7 +125,7 @@ pub(super) fn units(chosen: &[Chosen], fitted: &Fitted) -> Vec<usize> {
     of.flat_map(|((_, first), terms)| *first..first + terms.len()).collect()
 }
 
-/// What tells one set of terms from another.
+/// Key that distinguishes sets of terms.
 type Key = (&'static str, Vec<usize>, Vec<u64>);
 
 /// Data with what is known about them.
@@ -144,9 +144,10 @@ pub struct ModelUnderTest<'a> {
     pub frozen: Vec<bool>,
     /// Friction parameters that are fitted but no news: too little or too unsure to be named.
     pub quiet: Vec<bool>,
-    /// What the motion does not show stays with the file; made at the first fit.
+    /// Prior on directions that the motion does not show, at the file's values; made at the first
+    /// fit.
     pub hold: Option<Regulariser>,
-    /// What errors of the recorded motion make of each joint's torque, N m; empty: not known.
+    /// Torque errors of each joint due to errors of the recorded motion, N m; empty: unknown.
     pub motion_error: Vec<f64>,
     /// Whether every window counts.
     all: bool,
@@ -221,7 +222,7 @@ impl<'a> ModelUnderTest<'a> {
                 rows.into_iter().map(|r| scene.column(fill(r))).collect()
             }
         };
-        // What the file's friction explains is taken out, and its rigid torque where it is trusted.
+        // The file's friction is taken out, and its rigid torque where it is trusted.
         let given = given_friction(plant);
         let base = given_base(plant);
         let rigid = match self.mode {
@@ -258,12 +259,12 @@ impl<'a> ModelUnderTest<'a> {
         rows
     }
 
-    /// What is to be explained: the measured torque without what is taken from the file.
+    /// Torque to be explained: the measured one without the parts taken from the file.
     pub fn target(&self) -> &[Vec<f64>] {
         &self.y
     }
 
-    /// Moves the torques by further delays and makes everything anew.
+    /// Shifts the torques by further delays and recomputes everything.
     pub fn delay(&mut self, joints: &[usize], by: f64) {
         let mut delays = self.scene.delays.clone();
         let all: Vec<usize> = (0..delays.len()).collect();
@@ -307,8 +308,8 @@ impl<'a> ModelUnderTest<'a> {
     }
 
     /// Fits rigid arm (where unknown), friction and the chosen causes together. Families that are
-    /// difference quotients are made anew about what was found until that settles; so is what rests
-    /// on the rigid model.
+    /// difference quotients are recomputed about the estimate until it converges; so is everything
+    /// that depends on the rigid model.
     pub fn fit(&mut self, chosen: &mut [Chosen]) -> Fitted {
         if self.hold.is_none() {
             self.hold = Some(self.held());
@@ -324,7 +325,7 @@ impl<'a> ModelUnderTest<'a> {
                 if c.cause.finite_difference() && !c.x.is_empty() {
                     let x = c.x[0];
                     if c.cause.moves_time() {
-                        // What is less is taken on lines.
+                        // Smaller parts are taken on lines.
                         if x.abs() > LINEAR && x.is_finite() {
                             settled = false;
                             self.delay(&c.place, x.clamp(-0.05, 0.05));
@@ -436,21 +437,21 @@ impl<'a> ModelUnderTest<'a> {
         (moments, first, terms)
     }
 
-    /// What is held while some friction is frozen.
+    /// Parameters that are fixed while some friction is fixed.
     fn holding(&self) -> Regulariser {
         let frozen = |k: usize| k.checked_sub(self.base.len()).is_some_and(|k| self.frozen.get(k) == Some(&true));
         self.hold.as_ref().map_or_else(Regulariser::none, |hold| hold.without(frozen))
     }
 
-    /// Holds nothing of these joints' friction. Beside a slow error the data seem to tell little of
-    /// it, and it is held; beside the cause of that error it need not be.
+    /// Holds nothing of these joints' friction. Beside a slow error the data seem to determine
+    /// little of it, and it is fixed; beside the cause of that error it need not be.
     pub fn release_joints(&mut self, joints: &[usize]) {
         let base = self.base.len();
         let own = |k: usize| k.checked_sub(base).is_some_and(|k| joints.contains(&(k / 3)));
         self.hold = self.hold.take().map(|hold| hold.without(own));
     }
 
-    /// What the motion shows of base parameters and friction, and what of them stays with the file.
+    /// Determined directions of base parameters and friction, and those that stay at the file.
     fn held(&self) -> Regulariser {
         let wanted = if self.mode == Mode::Refitted { inertial(self.plant) } else { Vec::new() };
         let torque: Vec<f64> = self
@@ -490,7 +491,7 @@ impl<'a> ModelUnderTest<'a> {
         LeftOut::new(&sums, &stretches.counts())
     }
 
-    /// Errors of the file as it is on the same stretches.
+    /// Errors of the unchanged file on the same stretches.
     pub fn file_left_out(&self) -> LeftOut {
         let (mut sums, mut counts) =
             (vec![vec![0.0; self.scene.dof()]; BLOCKS], vec![vec![0.0; self.scene.dof()]; BLOCKS]);

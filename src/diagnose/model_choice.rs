@@ -1,10 +1,10 @@
-//! Which of the nested models is offered: the file unchanged, all parameters refitted, or the
-//! extended model; and which causes stay in that.
+//! Choice among the nested models: the file unchanged, all parameters refitted, or the extended
+//! model; and the causes that stay in that.
 //!
 //! Judged on the fitted logs alone, on stretches that are left out in turn (an eighth of the data
-//! each, in one piece, so that other motion than the rest's is in it): errors of two models are
-//! compared stretch by stretch, and the simpler one stays unless the other is better by more than
-//! the standard error of that (the rule of one standard error, Breiman et al. 1984, 3.4.3).
+//! each, in one piece, so that it contains other motion than the rest). Errors of two models are
+//! compared stretch by stretch. The simpler one stays unless the other is better by more than the
+//! standard error of that (the rule of one standard error, Breiman et al. 1984, 3.4.3).
 
 /// Least gain for which the file's links are given up.
 const LEAST: f64 = 0.05;
@@ -38,7 +38,7 @@ impl Paired {
 
     /// Whether it is worth giving up the file's links: a twentieth at least, and one and a half
     /// standard errors, and less error as a whole. A refit has many unknowns, which find something
-    /// in errors that remember themselves.
+    /// in autocorrelated errors.
     pub fn worth_refit(&self) -> bool {
         self.whole && self.gain > LEAST && self.gain > 1.5 * self.error
     }
@@ -92,6 +92,11 @@ impl LeftOut {
         every && sums[1] < share * sums[0]
     }
 
+    /// Root mean square of a joint on the stretch that is predicted worst, N m.
+    pub fn worst(&self, joint: usize) -> f64 {
+        self.squares.iter().map(|s| s[joint]).fold(0.0, f64::max).sqrt()
+    }
+
     /// Root mean square over all stretches and joints, N m.
     pub fn rms(&self) -> f64 {
         let joints = self.squares.first().map_or(0, Vec::len);
@@ -103,8 +108,8 @@ impl LeftOut {
         self.mean_square(joint).sqrt()
     }
 
-    /// The joint whose error differs most from `other`'s, as a part of itself; what is below `floor`
-    /// (N m, per joint) does not count.
+    /// The joint whose error differs most from `other`'s, as a part of itself; errors below `floor`
+    /// (N m, per joint) do not count.
     pub fn most_changed(&self, other: &Self, floor: &[f64]) -> usize {
         let change = |j: &usize| {
             let [a, b] = [self, other].map(|m| m.mean_square(*j));

@@ -43,7 +43,7 @@ pub struct Moments {
     pieces: Arc<Vec<(Range<usize>, usize)>>,
     /// Of the whole data.
     whole: Vec<Part>,
-    /// What holds the first unknowns.
+    /// Prior of the first unknowns.
     hold: Regulariser,
 }
 
@@ -78,7 +78,7 @@ struct TrialJoint {
     with_y: DVector<f64>,
 }
 
-/// What a trial gives.
+/// Result of a trial.
 #[derive(Debug, Clone)]
 pub struct Gain {
     /// Coefficients of the terms.
@@ -224,7 +224,7 @@ impl Moments {
         x
     }
 
-    /// What the whole data say of the unknowns: `sum_j w_j A_j' A_j`, without the hold.
+    /// Information of the whole data on the unknowns: `sum_j w_j A_j' A_j`, without the prior.
     pub fn told(&self, weights: &[f64]) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.unknowns, self.unknowns);
         for ((joint, sum), weight) in self.joints.iter().zip(&self.whole).zip(weights) {
@@ -297,8 +297,8 @@ impl Moments {
         self.cross_validated_without(whole, &[], &[])
     }
 
-    /// The same where some unknowns are 0 (`out`), and others (`fixed`) are those of the whole,
-    /// since no other part can tell them.
+    /// The same with some unknowns at 0 (`out`), and others (`fixed`) at their values in the whole,
+    /// since no other part determines them.
     pub fn cross_validated_without(&self, whole: &Solution, out: &[usize], fixed: &[usize]) -> Vec<Vec<f64>> {
         let held = self.held();
         let plain = |matrix: &DMatrix<f64>, rhs: &DVector<f64>| {
@@ -394,8 +394,8 @@ impl Moments {
         Trial { terms: terms.len(), joints }
     }
 
-    /// What the trial's columns gain beside the others, which are refitted; `None` where the others
-    /// already say the same.
+    /// Gain of the trial's columns beside the others, which are refitted; `None` where the others
+    /// already explain the same.
     pub fn gain(&self, at: &Solution, trial: &Trial) -> Option<Gain> {
         let (n, k) = (self.unknowns, trial.terms);
         let (mut cross, mut gram, mut rhs) = (DMatrix::zeros(n, k), DMatrix::zeros(k, k), DVector::zeros(k));
@@ -413,7 +413,7 @@ impl Moments {
         }
         let solved = &at.inverse * &cross;
         let reduced = &gram - cross.transpose() * &solved;
-        // What is left of a column beside the others must be more than rounding.
+        // The part of a column that is independent of the others must exceed rounding.
         if (0..k).all(|t| reduced[(t, t)] <= 1e-7 * gram[(t, t)]) {
             return None;
         }
@@ -483,16 +483,16 @@ pub fn pseudo_inverse(matrix: &DMatrix<f64>) -> DMatrix<f64> {
 }
 
 impl Moments {
-    /// Covariance of the unknowns where the residuals of joint `j` are alike over `inflation[j]`
-    /// windows, `A^-1 (sum_j w_j lambda_j A_j' A_j) A^-1`, each unknown's standard deviation at
-    /// least what the parts of the data say that pull it to and fro: `A^-1 (sum_p g_p g_p') A^-1 P
-    /// / (P - 1)`, `g_p` the gradient of part `p` (P. J. Huber 1967; K.-Y. Liang and S. L. Zeger,
+    /// Covariance of the unknowns where the residuals of joint `j` are correlated over
+    /// `inflation[j]` windows, `A^-1 (sum_j w_j lambda_j A_j' A_j) A^-1`. Each unknown's standard
+    /// deviation is at least its scatter between the parts of the data: `A^-1 (sum_p g_p g_p') A^-1
+    /// P / (P - 1)`, `g_p` the gradient of part `p` (P. J. Huber 1967; K.-Y. Liang and S. L. Zeger,
     /// Biometrika 73, 1986). The second sees a law that is not the one that acts: what is left then
     /// goes with what moves, and not as noise does.
     pub fn covariance(&self, at: &Solution, inflation: &[f64]) -> DMatrix<f64> {
         let weights: Vec<f64> = at.weights.iter().zip(inflation).map(|(w, l)| w * l).collect();
         let mut middle = self.told(&weights);
-        // Where the file holds, it may be wrong.
+        // The file may be wrong where the prior holds.
         let n = self.hold.mean.len();
         let mut corner = middle.view_mut((0, 0), (n, n));
         corner += &self.hold.spread;
@@ -510,6 +510,33 @@ impl Moments {
             }
         }
         covariance
+    }
+
+    /// How a set of unknowns recurs in the parts of the data. It is 1 if each part by itself, all
+    /// else as found, gives it the size of the whole, and tends to 0 if parts give it other sizes,
+    /// or none. `1 / (1 + s^2)`, `s` the deviation of the parts' factors from 1, each part weighted
+    /// by its information.
+    pub fn recurrence(&self, at: &Solution, own: &[usize]) -> f64 {
+        let (mut off, mut all) = (0.0, 0.0);
+        for part in 0..self.parts() {
+            let (mut information, mut pull) = (0.0, 0.0);
+            for (joint, weight) in self.joints.iter().zip(&at.weights) {
+                let sums = &joint.parts[part];
+                let entry = |ours: bool| {
+                    let value = move |c: &usize| if own.contains(c) == ours { at.x[*c] } else { 0.0 };
+                    DVector::from_iterator(joint.columns.len(), joint.columns.iter().map(value))
+                };
+                let (ours, others) = (entry(true), entry(false));
+                let seen = &sums.gram * &ours;
+                information += weight * ours.dot(&seen);
+                pull += weight * (ours.dot(&sums.with_y) - others.dot(&seen));
+            }
+            if information > 0.0 {
+                off += (pull - information).powi(2) / information;
+                all += information;
+            }
+        }
+        if all > 0.0 { 1.0 / (1.0 + off / all) } else { 0.0 }
     }
 
     /// Variance of each unknown by how the parts of the data pull at it, each about the mean of

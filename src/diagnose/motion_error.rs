@@ -1,4 +1,4 @@
-//! What the errors of the recorded motion make of the torques of a model.
+//! Torque errors of a model due to errors of the recorded motion.
 
 use crate::data::signal::repeatability;
 use crate::diagnose::recording::{Recording, Stretch};
@@ -8,8 +8,8 @@ use crate::identify::{ErrorBudget, thinned, torque_of_errors};
 /// Windows at which the model's slopes are taken.
 const SAMPLES: usize = 128;
 
-/// The parts of each joint's error that are no model's, N m, before what is left is known: sensors
-/// (`noise`), motion and clock by the rigid model of `scene`, repetitions of `recordings`.
+/// Contributions to each joint's error that no model causes, N m, before the residual is known:
+/// sensors (`noise`), motion and clock by the rigid model of the data, repetitions of `recordings`.
 pub(super) fn budget(scene: &WindowedData<'_>, recordings: &[Recording], noise: &[f64]) -> ErrorBudget {
     let dof = scene.dof();
     let stretches = || recordings.iter().flat_map(|r| &r.stretches);

@@ -1,10 +1,10 @@
 //! The next experiment: the motion, inside the limits, on which two causes that this data could not
-//! tell apart would differ most.
+//! separate would differ most.
 //!
-//! Each cause is the columns by which it acts on the torques at the state of each sample;
-//! [`discriminate`] maximises what of either is left beside the other and beside friction (and the
-//! base parameters, where the diagnosis refitted them). Causes that are the same on paper, or that
-//! act through their past, have no such motion.
+//! Each cause is the columns by which it acts on the torques at the state of each sample.
+//! [`discriminate`] maximises the part of either that the other and friction (and the base
+//! parameters, if the diagnosis refitted them) can't explain. Causes that are the same on paper, or
+//! that act through their past, have no such motion.
 
 use dh_codegen::robot::EffectKind;
 use std::sync::atomic::AtomicBool;
@@ -23,7 +23,7 @@ use super::Diagnosis;
 use super::moments::pseudo_inverse;
 use crate::diagnose::hypotheses::{Scope, by_name};
 
-/// A motion that tells two causes apart.
+/// A motion that separates two causes.
 #[derive(Debug, Clone)]
 pub struct Separation {
     /// The causes: what was found, and what looks like it.
@@ -32,8 +32,8 @@ pub struct Separation {
     pub joints: [Vec<usize>; 2],
     /// The motion.
     pub motion: Trajectory,
-    /// What the first would leave of itself, of the size that was found, where the second is fitted
-    /// to it together with all that is unknown: root mean square on each joint, N m.
+    /// Residual of the first, of the size that was found, after a fit of the second together with
+    /// all unknowns: root mean square on each joint, N m.
     pub left: Vec<f64>,
     /// The same as a part of the whole of it, from 0 (nothing: they stay alike) to 1.
     pub share: f64,
@@ -49,8 +49,8 @@ const RATE: f64 = 50.0;
 /// Share of what a cause does that must be left for a motion to be worth playing.
 const WORTH: f64 = 0.1;
 
-/// Designs the motion for the first cause that has a rival it can be told from; `None` where there
-/// is none, or limits are missing.
+/// Designs the motion for the first cause with a rival from which it can be separated; `None` if
+/// there is none, or limits are missing.
 pub fn discriminating_motion(robot: &Robot, found: &Diagnosis, progress: &dyn Fn(&str)) -> Option<Separation> {
     let plant = PerturbableRobot::new(robot);
     let open = found.causes.iter().filter(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown");
@@ -71,7 +71,7 @@ pub fn discriminating_motion(robot: &Robot, found: &Diagnosis, progress: &dyn Fn
         let there = rival_place(rival, cause);
         let other = columns(&plant, rival, &there, &|_| None);
         let (Some(own), Some(other)) = (own, other) else { continue };
-        progress(&format!("a motion that tells {} from {rival}", cause.cause));
+        progress(&format!("a motion that separates {} from {rival}", cause.cause));
         let family = |columns: &[Column]| Family::new(&plant, &standard, &turn, columns.to_vec());
         let (first, second) = (family(&own), family(&other));
         // A friction term that is a hypothesis is none of the unknowns beside it.
@@ -115,7 +115,7 @@ fn bodies(plant: &PerturbableRobot, found: &Diagnosis) -> Option<Vec<f64>> {
     Some(plant.standard_names().iter().zip(standard).map(|(n, v)| if friction(n) { 0.0 } else { *v }).collect())
 }
 
-/// Pairs that no motion tells apart.
+/// Pairs that no motion separates.
 fn on_paper(a: &str, b: &str) -> bool {
     let says = |a: &str, b: &str| by_name(a).is_some_and(|cause| cause.same_on_paper().contains(&b));
     says(a, b) || says(b, a)
@@ -415,8 +415,8 @@ impl Extra for Family<'_> {
     }
 }
 
-/// What of the first family's signal the unknowns beside it and the second family can't explain:
-/// per joint, and as a share of the whole.
+/// Part of the first family's signal that the unknowns beside it and the second family can't
+/// explain: per joint, and as a share of the whole.
 fn remains(
     task: &Task<'_>,
     states: &States,

@@ -14,7 +14,7 @@ use crate::model::{BaseParameter, LikelyBodies};
 /// Torques are not known better than to this share of themselves, whatever little a fit leaves.
 const DIGITS: f64 = 1e-5;
 
-/// What the unknowns of a fit must satisfy.
+/// Constraints on the unknowns of a fit.
 struct Limits {
     standard: Vec<String>,
     base: Vec<BaseParameter>,
@@ -61,11 +61,11 @@ impl Limits {
 }
 
 impl ModelUnderTest<'_> {
-    /// A fit of this bench moved to the least-squares solution inside the limits; as it is where
+    /// A fit of this bench moved to the least-squares solution inside the limits; unchanged if
     /// nothing of it lies outside and no link is unknown. The scene has its model afterwards.
     ///
-    /// A law whose size is in its shape has the coefficient 1, as in a robot file: a fit that is
-    /// free to scale its column is another model than the one that is written.
+    /// A law whose size is in its shape has the coefficient 1, as in a robot file. A fit that may
+    /// scale its column is another model than the written one.
     ///
     /// # Errors
     /// Where the solver finds no solution.
@@ -101,7 +101,7 @@ impl ModelUnderTest<'_> {
         fixed.extend(units(chosen, fitted));
         let first = limits.base.len();
         let weights = limits.weights.clone();
-        // What is fixed is no unknown of the others.
+        // A fixed value is no unknown of the others.
         fixed.iter().for_each(|&k| limits.least[k - first] = None);
         let solve = |normal: &DMatrix<f64>, rhs: &DVector<f64>| limits.solve(normal, rhs).map(|(x, _)| x);
         let sums = stretches.cross_validated_by(&fitted.solution, &weights, &[], &fixed, solve)?;

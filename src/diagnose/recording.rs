@@ -1,4 +1,4 @@
-//! What was recorded, whole in memory: filtered motion, and the torque as it was measured.
+//! A recording, whole in memory: filtered motion, and the measured torque, unfiltered.
 
 use std::borrow::Cow;
 
@@ -20,7 +20,13 @@ pub fn preparation(highest: f64) -> Prepare {
 
 /// The same with one low-pass, of `cutoff`, Hz, for the positions of all joints.
 pub fn fixed_preparation(cutoff: f64) -> Prepare {
-    Prepare { filter: Some(Filter { order: 4, cutoff }), raw_torque: true, temperature: true, ..Prepare::default() }
+    Prepare {
+        filter: Some(Filter { order: 4, cutoff }),
+        raw_torque: true,
+        temperature: true,
+        motor_positions: true,
+        ..Prepare::default()
+    }
 }
 
 /// An uninterrupted, evenly sampled stretch of a log.
@@ -36,6 +42,8 @@ pub struct Stretch {
     pub tau: Vec<f64>,
     /// Temperature, joint-major, deg C; empty where there is none.
     pub temperature: Vec<f64>,
+    /// Positions of the motors as recorded, joint-major, rad; empty where there are none.
+    pub motor: Vec<f64>,
     /// Standard deviation of the velocity error that the noise of the positions leaves, rad/s, per
     /// joint.
     pub velocity_noise: Vec<f64>,
@@ -44,11 +52,11 @@ pub struct Stretch {
     pub error: Vec<[f64; 3]>,
     /// Standard deviation of the torques' noise, N m, per joint; empty where `tau` shows it.
     pub torque_noise: Vec<f64>,
-    /// Standard deviation of what is not known of the samples' times, s.
+    /// Standard deviation of the remaining error of the samples' times, s.
     pub clock_error: f64,
     /// Whether each joint sticks, joint-major; empty where that is not known.
     pub stuck: Vec<bool>,
-    /// What the low-pass made of the positions.
+    /// Effect of the low-pass on the positions.
     pub band: Band,
 }
 
@@ -85,6 +93,7 @@ impl Recording {
             states,
             tau: cut(&motion.tau),
             temperature: cut(&motion.temperature),
+            motor: cut(&motion.motor),
             velocity_noise: motion.velocity_noise.clone(),
             error: motion.error.clone(),
             torque_noise: if motion.clock_error > 0.0 { motion.torque_noise.clone() } else { Vec::new() },
@@ -113,8 +122,8 @@ impl Recording {
     }
 }
 
-/// Recordings whose torques are those of the plain arm and of what the file does not know: without
-/// what its effects add.
+/// Recordings whose torques lack the effects of the file: those of the plain arm and of unmodelled
+/// effects.
 pub fn unexplained<'a>(plant: &dyn PerturbableArm, recordings: &'a [Recording]) -> Cow<'a, [Recording]> {
     let mut all = Vec::with_capacity(recordings.len());
     for recording in recordings {
@@ -208,6 +217,7 @@ impl Stretch {
             },
             tau: take(&self.tau),
             temperature: take(&self.temperature),
+            motor: take(&self.motor),
             velocity_noise: self.velocity_noise.clone(),
             error: self.error.clone(),
             torque_noise: self.torque_noise.clone(),

@@ -1,4 +1,4 @@
-//! What stays in the extended model: causes and friction that stand out and hold on left-out
+//! Selects the terms of the extended model: causes and friction that stand out and hold on left-out
 //! stretches.
 
 use super::judge::{Accepted, SURE, adopt, chosen_of};
@@ -118,7 +118,7 @@ pub(super) fn drop_insignificant(
     }
 }
 
-/// Friction parameters that the data do not want changed go back to the file's values.
+/// Friction parameters whose change the data do not support go back to the file's values.
 pub(super) fn fix_friction(bench: &mut ModelUnderTest<'_>, accepted: &mut [Accepted], noise: &[f64]) -> Fitted {
     let mut chosen = chosen_of(accepted);
     let mut fitted = bench.fit(&mut chosen);
@@ -137,8 +137,8 @@ pub(super) fn fix_friction(bench: &mut ModelUnderTest<'_>, accepted: &mut [Accep
                 }
                 let at = fitted.friction + k;
                 let (value, std) = (fitted.solution.x[at], covariance[(at, at)].max(0.0).sqrt());
-                // What this much of it does to the torque that the others can't: 1 / sqrt(inverse
-                // diagonal) is the column's own size.
+                // Independent torque of this column: 1 / sqrt(inverse diagonal) is the column's own
+                // size.
                 let own = fitted.solution.inverse[(at, at)];
                 let weight = fitted.solution.weights[j] * fitted.solution.counts[j];
                 let effect = if own > 0.0 && weight > 0.0 { value.abs() / (own * weight).sqrt() } else { 0.0 };
@@ -166,10 +166,10 @@ pub(super) fn fix_friction(bench: &mut ModelUnderTest<'_>, accepted: &mut [Accep
     fitted
 }
 
-/// Where all base parameters are unknown so is friction: what went back to the file's values
-/// because it is too little or too unsure to be named is part of the model again, so that this is
-/// never less than a plain refit. Friction that would drive a joint ends at zero in the fit inside
-/// the limits.
+/// If all base parameters are unknown so is friction. Terms that went back to the file's values
+/// because they are too small or too unsure to be named are part of the model again, so that this
+/// is never less than a plain refit. Friction that would drive a joint ends at zero in the fit
+/// inside the limits.
 pub(super) fn free_friction(bench: &mut ModelUnderTest<'_>, accepted: &mut [Accepted], fitted: Fitted) -> Fitted {
     if bench.mode != Mode::Refitted {
         return fitted;

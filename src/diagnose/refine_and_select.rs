@@ -3,7 +3,7 @@
 
 use super::evidence;
 use super::judge::{Accepted, adopt, chosen_of};
-use super::measure::{Measured, Meter, bootstrap, here, leave_out, matters, taken_of};
+use super::measure::{Measured, Meter, bootstrap, here, leave_out, matters, taken_of, takes};
 use super::model::{Fitted, Mode, ModelUnderTest};
 use super::result::{Cause, Offered};
 use super::run::Settings;
@@ -28,15 +28,19 @@ pub(super) struct Case<'a> {
     pub(super) own_validation: bool,
     /// Of the torques, per joint, N m.
     pub(super) noise: &'a [f64],
-    /// What errors of the recorded motion make of the torques, per joint, N m.
+    /// Torque errors due to errors of the recorded motion, per joint, N m.
     pub(super) motion: &'a [f64],
-    /// What a model need not predict better, per joint, N m.
+    /// Error below which a model need not predict better, per joint, N m.
     pub(super) ground: &'a [f64],
-    /// What a gain is measured by, per joint, N m.
+    /// Unit of a gain, per joint, N m.
     pub(super) scale: &'a [f64],
     pub(super) settings: &'a Settings,
     pub(super) progress: &'a dyn Fn(&str),
 }
+
+/// Least share of a joint's squared error above the noise that a cause takes which acts in a part of a
+/// log: no other stretch can confirm it.
+const LOCAL_SHARE: f64 = 0.25;
 
 /// The fit inside what is possible; the accepted causes have its values.
 fn inside(
@@ -62,7 +66,7 @@ pub(super) struct Settled<'a> {
     pub(super) causes: Vec<Cause>,
     /// Errors on stretches of the fitted data that are left out in turn.
     pub(super) left_out: LeftOut,
-    /// What left the model, and why: sentences.
+    /// Causes that left the model, and why: sentences.
     pub(super) why: Vec<String>,
 }
 
@@ -82,14 +86,14 @@ impl<'a> Case<'a> {
     }
 
     /// All parameters refitted, and no further cause.
-    fn plain(&self) -> Result<Settled<'a>, ConsistentError> {
+    pub(super) fn plain(&self) -> Result<Settled<'a>, ConsistentError> {
         let mut bench = self.bench(Mode::Refitted);
         let fitted = fix_friction(&mut bench, &mut [], self.noise);
         let fitted = free_friction(&mut bench, &mut [], fitted);
         self.hold(bench, Vec::new(), fitted, &[], Vec::new())
     }
 
-    /// The file as it is.
+    /// The unchanged file.
     fn file(&self) -> Result<Settled<'a>, ConsistentError> {
         let mut bench = self.bench(Mode::Trusted);
         bench.frozen.iter_mut().for_each(|f| *f = true);
@@ -136,17 +140,15 @@ impl<'a> Case<'a> {
             let [mut far, mut near] = [self.validate, self.fit].map(|data| Meter::new(self.plant, data, &bench));
             let after = far.of(&bench, &fitted, &chosen, true);
             let after_fit = near.of(&bench, &fitted, &chosen, false);
-            let others: Vec<(Measured, [f64; 2])> = items
+            let others: Vec<([f64; 2], Measured)> = items
                 .iter()
                 .map(|item| {
                     let here = here(item, &after);
                     let (meter, with) = if here { (&mut near, &after_fit) } else { (&mut far, &after) };
                     let without = leave_out(self.plant, self.fit, meter, &mut bench, &chosen, item, !here);
-                    let interval = bootstrap(&without, with, &item.place);
-                    (without, interval)
+                    (bootstrap(&without, with, &item.place), without)
                 })
                 .collect();
-            // The bench as it was, with everything in it.
             fitted = without(&mut bench, &mut accepted, &[]);
             fitted = inside(&mut bench, &mut accepted, &fitted)?;
             let weighing = Attribution {
@@ -157,22 +159,24 @@ impl<'a> Case<'a> {
                 rivals,
                 noise: self.noise,
                 own_validation: self.own_validation,
+                stretches: &bench.stretches(&chosen_of(&accepted)),
             };
             let causes: Vec<Cause> = items
                 .iter()
                 .zip(&others)
-                .map(|(item, (without, interval))| {
+                .map(|(item, (interval, without))| {
                     let (with, on) = if here(item, &after) { (&after_fit, "fit") } else { (&after, "validate") };
                     weighing.weigh(item, without, with, *interval, on)
                 })
                 .collect();
             // A cause that loses on data that was not used is no cause, and not in the model.
             let holds = |i: usize| {
-                let (without, with) = (&others[i].0.steady, &after.steady);
+                let (without, with) = (&others[i].1.steady, &after.steady);
                 taken_of(without, with, self.scale) > 0.0 && matters(without, with, self.noise, self.motion)
             };
-            // What acts in a part of a log must still stand out beside everything else.
-            let stands = |i: usize| !items[i].hypothesis.local() || causes[i].share >= self.settings.search.least_gain;
+            // A cause that acts in a part of a log must still stand out beside everything else.
+            let out = |i: usize| takes(&others[i].1.rms, &after_fit.rms, self.settings.search.least_gain);
+            let stands = |i: usize| !items[i].hypothesis.local() || causes[i].share >= LOCAL_SHARE && out(i);
             let failed: Vec<usize> =
                 (0..causes.len()).filter(|&i| if causes[i].on == "fit" { !stands(i) } else { !holds(i) }).collect();
             if failed.is_empty() || round >= 3 {
@@ -189,9 +193,10 @@ impl<'a> Case<'a> {
         unreachable!("the loop returns")
     }
 
-    /// Which of the models is offered, by what they predict of stretches of the fitted logs that
-    /// are left out in turn; and why. `models`: with the file's links, with all base parameters
-    /// anew, either or both; `file`, `refit`: errors of the unchanged file and of a plain refit.
+    /// Choice of the offered model, by its predictions of stretches of the fitted logs that are
+    /// left out in turn; and the reason. `models`: with the file's links, with all base parameters
+    /// refitted, either or both; `file`, `refit`: errors of the unchanged file and of a plain
+    /// refit.
     pub(super) fn choose(
         &self,
         models: Vec<Settled<'a>>,
@@ -218,7 +223,7 @@ impl<'a> Case<'a> {
         let mut model = match (believing, free) {
             (Some(few), Some(all)) if all.left_out.less(&few.left_out, self.ground).worth_refit() => {
                 said.push(self.says(
-                    "all base parameters anew predict better than the file's links with further causes",
+                    "all base parameters refitted predict better than the file's links with further causes",
                     &all.left_out,
                     &few.left_out,
                 ));
@@ -235,17 +240,17 @@ impl<'a> Case<'a> {
             (_, true) => Offered::Refitted,
             _ => Offered::Extended,
         };
-        // What acts in a part of a log no other part can predict; that it stands out there is all
-        // it has to do.
+        // No other part can predict a cause that acts in one part of a log; it must only stand out
+        // there.
         let local = model.accepted.iter().any(|a| a.chosen.cause.local());
         if changed && !local && !model.left_out.less(file, self.ground).sure() {
-            said.push(self.says("nothing predicts surely better than the file as it is", &model.left_out, file));
+            said.push(self.says("nothing predicts surely better than the unchanged file", &model.left_out, file));
             let why = std::mem::take(&mut model.why);
             (offered, model) = (Offered::File, Settled { why, ..self.file()? });
         } else if changed {
             let what = match offered {
                 Offered::Extended => "the extended model predicts better than the file",
-                _ => "the refitted file predicts better than the file as it is",
+                _ => "the refitted file predicts better than the unchanged file",
             };
             said.push(self.says(what, &model.left_out, file));
         }

@@ -1,16 +1,16 @@
-//! What a motion does not show of base parameters and friction stays as the file has it.
+//! Regularises poorly identified directions of base parameters and friction towards the file.
 //!
-//! Where data don't tell a combination of parameters, least squares gives it whatever suits the
-//! errors of the rest, and on another motion that is worse than any drawing. What is believed
-//! before any data is normal about the file's values and as wide as links may be off: mass by 100
-//! %, first moments by the mass times the link's size, inertia by the mass times its square, rotors
-//! by 100 %, friction by half of the torque that was seen. In the axes in which that is white, the
-//! data tell each direction so much (Hansen 1998, generalised singular values: `mu`, by how much
-//! their variance is less than that of the belief, windows counted by how long residuals remember
-//! themselves). Well identified directions are left to the data alone; those that are not stay
-//! with the file: what least squares says is taken by `mu^4 / (mu^4 + firm^4)`. So nothing that the
-//! data do tell is drawn to the file, as a plain normal prior would. How firm is left to the data
-//! as well: what predicts stretches of the logs best that are left out in turn.
+//! Where data don't determine a combination of parameters, least squares gives it the value that
+//! suits the errors of the rest, and on another motion that is worse than any drawing. The prior is
+//! normal about the file's values and as wide as links may be off: mass by 100 %, first moments by
+//! the mass times the link's size, inertia by the mass times its square. Rotors may be off by 100
+//! %, friction by half of the measured torque. In the axes in which that is white, the data have so
+//! much information on each direction (Hansen 1998, generalised singular values). `mu` is the ratio
+//! of their variance to the prior's, with windows counted by the autocorrelation time of residuals.
+//! Well identified directions are left to the data alone; those that are not stay with the file:
+//! what least squares says is taken by `mu^4 / (mu^4 + firm^4)`. So no direction that the data
+//! determine is drawn to the file, as a plain normal prior would. How firm is left to the data as
+//! well: what predicts stretches of the logs best that are left out in turn.
 
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
@@ -23,7 +23,7 @@ pub const STRENGTHS: [f64; 3] = [30.0, 10.0, 3.0];
 /// The firmest hold, as a multiple of the belief's own weight.
 const FIRMEST: f64 = 1e3;
 
-/// What holds the first unknowns of a fit.
+/// Prior of the first unknowns of a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Regulariser {
     /// Added to the normal equations.
@@ -40,8 +40,8 @@ impl Regulariser {
         Self { precision: DMatrix::zeros(0, 0), mean: DVector::zeros(0), spread: DMatrix::zeros(0, 0) }
     }
 
-    /// From the belief and what data say: the normal matrix of the first unknowns with all windows
-    /// counted (`full`), and with windows counted as far as they are independent (`thinned`);
+    /// From the prior and the data: the normal matrix of the first unknowns with all windows
+    /// counted (`full`), and with windows counted as far as they are independent (`thinned`).
     /// `firm`: see [`STRENGTHS`].
     pub fn new(belief: &Prior, full: &DMatrix<f64>, thinned: &DMatrix<f64>, firm: f64) -> Option<Self> {
         let n = belief.mean.len();
@@ -82,7 +82,7 @@ impl Regulariser {
     }
 }
 
-/// What is believed of the first unknowns before any data.
+/// Prior of the first unknowns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prior {
     /// The file's values.
@@ -97,7 +97,7 @@ const TYPICAL: f64 = 0.2;
 
 /// Least size of a body, m.
 const SMALLEST: f64 = 0.05;
-/// A link that the file gives no mass is believed to have up to this share of the mean link's.
+/// A link without a mass in the file has a prior of up to this share of the mean link's.
 const FORGOTTEN: f64 = 0.3;
 /// Friction, as a share of the torque that the joint was seen to need: Coulomb level, viscous part
 /// at 1 rad/s.
@@ -105,9 +105,9 @@ const FRICTION: f64 = 0.5;
 /// Offset of a torque sensor, as such a share.
 const OFFSET: f64 = 0.2;
 
-/// Of these base parameters (none where the links are believed) and three friction parameters a
-/// joint behind them, which are counted from the file's. `None` where the file has no links but
-/// base parameters are unknown. `torque`: root mean square of each joint's, N m.
+/// Of these base parameters (none if the links are trusted) and three friction parameters a joint
+/// behind them, which are counted from the file's. `None` where the file has no links but base
+/// parameters are unknown. `torque`: root mean square of each joint's, N m.
 pub fn prior(plant: &dyn PerturbableArm, wanted: &[usize], torque: &[f64]) -> Option<Prior> {
     let (b, n) = (wanted.len(), wanted.len() + 3 * torque.len());
     let (mut mean, mut root) = (DVector::zeros(n), DMatrix::zeros(n, n));

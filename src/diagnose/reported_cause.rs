@@ -1,5 +1,5 @@
-//! What is reported as one cause: an accepted one with the friction that belongs to it, or friction
-//! that changed by itself.
+//! A reported cause: an accepted one with the friction that belongs to it, or friction that changed
+//! by itself.
 
 use super::judge::Accepted;
 use super::model::{Fitted, ModelUnderTest, given_friction};
@@ -16,7 +16,7 @@ pub(super) struct Item {
     pub(super) friction: Vec<usize>,
 }
 
-/// Where an item acts, in words.
+/// Place of an item, in words.
 pub(super) fn place_of(place: &[usize]) -> String {
     match place {
         [] => "of the whole robot".into(),
@@ -44,8 +44,7 @@ pub(super) fn items(bench: &ModelUnderTest<'_>, accepted: &[Accepted], fitted: &
             if bench.frozen[k] || bench.quiet[k] {
                 continue;
             }
-            // Where a friction law was found, the plain terms that the file already has are part of
-            // it.
+            // If a friction law was found, the plain terms of the file are part of it.
             let owner = items.iter_mut().find(|i| {
                 let friction = i.hypothesis.kind() == Kind::Friction && which < 2 && given[j][which].is_some();
                 let shift = which == 2 && i.hypothesis.has_constant();
@@ -128,6 +127,7 @@ pub(super) fn quiet(bench: &ModelUnderTest<'_>, fitted: &Fitted) -> Vec<Cause> {
                 support: 0.0,
                 margin: 0.0,
                 share: 0.0,
+                recurrence: 1.0,
                 evidence: String::new(),
                 rms_before: Vec::new(),
                 rms_after: Vec::new(),

@@ -1,4 +1,4 @@
-//! What a diagnosis says: plain data.
+//! Result of a diagnosis: plain data.
 
 use dh_codegen::robot::EffectKind;
 
@@ -18,7 +18,7 @@ pub enum Verdict {
     NothingWrong,
 }
 
-/// What errors were measured on, in words: `on` as a [`Cause`] has it.
+/// Data on which errors were measured, in words: `on` as a [`Cause`] has it.
 pub fn measured_on(on: &str, own_validation: bool) -> &'static str {
     match (on, own_validation) {
         ("fit", true) => "the fitted logs",
@@ -29,7 +29,7 @@ pub fn measured_on(on: &str, own_validation: bool) -> &'static str {
 }
 
 impl Verdict {
-    /// As the contract writes it.
+    /// The word of the JSON.
     pub fn word(self) -> &'static str {
         match self {
             Self::Explained => "explained",
@@ -47,8 +47,8 @@ pub struct Errors {
     pub fit: Vec<f64>,
     /// On those that were not.
     pub validate: Vec<f64>,
-    /// The same where the joint moves. Where one sticks at a reversal, friction is what balances
-    /// the other torques, and no law of the velocity tells it.
+    /// The same where the joint moves. While a joint sticks at a reversal, friction balances the
+    /// other torques and is not a function of the velocity.
     pub moving: Vec<f64>,
 }
 
@@ -86,6 +86,8 @@ pub struct Cause {
     pub margin: f64,
     /// Part of the squared error of its main joint, above the noise, that it takes.
     pub share: f64,
+    /// How it recurs in disjoint stretches of the fitted logs, 0 to 1: 1 with the same size in each.
+    pub recurrence: f64,
     /// A sentence with figures.
     pub evidence: String,
     /// Errors with all causes but this one, per joint, N m.
@@ -96,18 +98,18 @@ pub struct Cause {
     pub interval: [f64; 2],
     /// `validate`, or `fit` for what acts in one log only.
     pub on: &'static str,
-    /// Causes that this data can't tell from it.
+    /// Causes that this data can't separate from it.
     pub not_distinguished_from: Vec<&'static str>,
-    /// What would show it better, or tell it from those.
+    /// Experiment that would show it better, or separate it from those.
     pub shown_by: &'static str,
     /// The curve that shows it.
     pub curve: Option<Evidence>,
 }
 
-/// What would settle what this data leaves open.
+/// Experiment that would resolve the open questions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NextExperiment {
-    /// The causes to tell apart.
+    /// The causes to separate.
     pub between: Vec<&'static str>,
     /// Joints, from 1.
     pub joints: Vec<usize>,
@@ -122,7 +124,7 @@ pub struct Curve {
     pub t: Vec<f64>,
     /// Measured torque, N m.
     pub measured: Vec<f64>,
-    /// Error of the file as it was, N m.
+    /// Error of the unchanged file, N m.
     pub before: Vec<f64>,
     /// Error of the extended model, N m.
     pub after: Vec<f64>,
@@ -136,16 +138,16 @@ pub struct ErrorMap {
     pub over: &'static str,
     /// Abscissa.
     pub x: Vec<f64>,
-    /// Error of the file as it was, N m.
+    /// Error of the unchanged file, N m.
     pub before: Vec<f64>,
     /// Error of the extended model, N m.
     pub after: Vec<f64>,
 }
 
-/// Which of the nested models is offered as the extended one.
+/// The nested model that is offered as the extended one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Offered {
-    /// The file as it is.
+    /// The unchanged file.
     File,
     /// All parameters refitted, without any further cause.
     Refitted,
@@ -154,7 +156,7 @@ pub enum Offered {
 }
 
 impl Offered {
-    /// As it stands in the JSON.
+    /// The word of the JSON.
     pub fn word(self) -> &'static str {
         match self {
             Self::File => "file",
@@ -167,7 +169,7 @@ impl Offered {
 /// Why a model is offered: errors on stretches of the fitted logs that were left out in turn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Offer {
-    /// Which one.
+    /// The model.
     pub offered: Offered,
     /// Root mean square over joints of the file's, the refitted and the extended model's errors
     /// there, N m.
@@ -186,32 +188,38 @@ pub struct Diagnosis {
     /// Standard deviation of what sensors, the recorded motion and its clock make of each joint's
     /// torque error, N m.
     pub noise_floor: Vec<f64>,
-    /// Where the error of the extended model on the validating logs comes from.
+    /// Composition of the extended model's error on the validating logs.
     pub budget: ErrorBudget,
     /// Root mean square of the measured torque of the validating logs, N m.
     pub torque_rms: Vec<f64>,
-    /// Errors of the file as it is.
+    /// Errors of the unchanged file.
     pub baseline: Errors,
     /// Errors after refitting all base parameters and friction, without any further cause.
     pub refitted: Errors,
     /// Errors with all causes.
     pub extended: Errors,
-    /// Which model `extended` is.
+    /// The model called `extended`.
     pub offer: Offer,
     /// Whether the file has link parameters.
     pub has_links: bool,
-    /// Whether the extended model takes all base parameters anew.
+    /// Whether the extended model refits all base parameters.
     pub links_refitted: bool,
     /// Standard parameters of the extended model.
     pub standard: Option<Vec<f64>>,
-    /// What was found, in order of what it gains.
+    /// Causes, in order of their gain.
     pub causes: Vec<Cause>,
     /// Plain friction that the extended model has refitted but that is no news: for the file alone.
     pub friction: Vec<Cause>,
-    /// Effects of the file that the data contradict: taken out, and looked for anew. Identifier and
+    /// Effects of the file that the data contradict: removed, and estimated again. Identifier and
     /// joint (from 0), `None`: the whole robot.
     pub forgotten: Vec<(EffectKind, Option<usize>)>,
-    /// What to do next.
+    /// Joints (from 1) that differ between the fitted and the validating logs: no one model of this
+    /// kind predicts them on both.
+    pub changed: Vec<usize>,
+    /// Causes that the validating logs show by themselves and the fitted ones do not; not in the
+    /// model.
+    pub changes: Vec<Cause>,
+    /// Advice.
     pub next_experiment: Option<NextExperiment>,
     /// Whether the validating data are logs of their own, or the ends of the fitted ones.
     pub own_validation: bool,

@@ -30,7 +30,7 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
                     _ => *v,
                 })
                 .collect();
-            // They are those of the bodies as they are.
+            // They are those of the present bodies.
             let mut robot = with_values(robot, &values);
             let body = |e: &Effect| matches!(e, Effect::Payload(_) | Effect::LinkInertiaError(_));
             robot.effects.retain(|e| !body(e));
@@ -56,7 +56,7 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
     robot
 }
 
-/// What lies between a joint's laws and what was recorded of them.
+/// Relation between a joint's laws and their recording.
 #[derive(Clone, Copy)]
 struct Sensor {
     /// `GT`.
@@ -75,7 +75,7 @@ impl Sensor {
         let Self { gain, zero } = self;
         for (key, value) in keys.iter_mut().filter(|(key, _)| SIZES.contains(&key.as_str())) {
             *value = match (effect, key.as_str()) {
-                (EffectKind::TorqueOffset, _) => *value, // behind the gain, as it was found
+                (EffectKind::TorqueOffset, _) => *value, // behind the gain, unconverted
                 (_, "FS") => coulomb + (*value - coulomb) / gain,
                 _ => *value / gain,
             };
@@ -108,7 +108,7 @@ fn turn(keys: &mut [(String, f64)], [order, cosine, sine]: [&str; 3], zero: f64)
     }
 }
 
-/// What was found of an effect, in the keys by which a file states it.
+/// Values found of an effect, under the keys of the file.
 fn in_terms_of_the_file(
     robot: &Robot,
     row: Option<usize>,
@@ -137,7 +137,7 @@ fn in_terms_of_the_file(
                 keys.iter_mut().filter(|(key, _)| key == "QS").for_each(|(_, rest)| *rest += own / stiffness);
             }
         }
-        // Of a mass without a tensor the file would think as of a point.
+        // The file would take a mass without a tensor for a point mass.
         EffectKind::Payload if !keys.iter().any(|(key, _)| BODY[4..].contains(&key.as_str())) => {
             keys.push(("XX".into(), 0.0))
         }
@@ -189,8 +189,7 @@ fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &
     in_terms_of_the_file(robot, row, moving, cause, kind, &mut left);
     let drive = row.map(|row| &robot.joints[row].drive);
     sensor.before(kind, &mut left, drive.and_then(|d| d.coulomb_friction).unwrap_or(0.0));
-    // The file knows the keys of its own table; what else was found stands in the comments and the
-    // JSON.
+    // The file has only the keys of its own table; other values stand in the comments and the JSON.
     left.retain(|(key, _)| kind.description().key(key).is_some());
     if left.is_empty() {
         return;

@@ -1,11 +1,14 @@
 //! The diagnosis from end to end: recordings in, [`Diagnosis`] out.
 
+use super::contenders::Refit;
+use super::deflection::deflections;
+use super::excess::explained;
+use super::impacts::impacts;
 use super::measure::{Meter, root_mean_square};
-use super::model::{Fitted, Mode, ModelUnderTest};
-use super::model_choice::LeftOut;
+use super::model::{Mode, ModelUnderTest};
 use super::result::{Cause, Diagnosis, Errors, NextExperiment, Offer, Verdict};
 use super::search::SearchSettings;
-use super::structure::structure;
+use super::structure::Structure;
 use crate::diagnose::attribution::{curve, taken, unknown, values_last};
 use crate::diagnose::motion_error::budget;
 use crate::diagnose::recording::{Recording, unexplained};
@@ -35,7 +38,7 @@ impl Default for Settings {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DiagnoseError {
     /// Too little data.
-    #[error("{seconds:.1} s of usable motion are too little to tell causes apart; record at least 3 s")]
+    #[error("{seconds:.1} s of usable motion are too little to separate causes; record at least 3 s")]
     TooShort {
         /// Seconds.
         seconds: f64,
@@ -51,8 +54,8 @@ pub enum DiagnoseError {
     NotFinite,
 }
 
-/// What a simulation of the robot file as it is misses of logs, per joint: root mean square, N m,
-/// of all samples and of those where the joint moves.
+/// Errors of a simulation of the unchanged robot file on logs, per joint: root mean square, N m, of
+/// all samples and of those where the joint moves.
 pub fn misses(plant: &dyn PerturbableArm, recordings: &[Recording], settings: &Settings) -> [Vec<f64>; 2] {
     let recordings = &unexplained(plant, recordings)[..];
     let bench = ModelUnderTest::new(plant, recordings, settings.rate, Mode::Trusted, &plant.delays(), false);
@@ -72,9 +75,32 @@ pub fn diagnose(
     // A refit that has no rotor to change puts what the rotors do into bodies and gears.
     let driven = plant.with_rotors();
     let plant = driven.as_deref().unwrap_or(plant);
+    let mut found = consistent_with_file(plant, fit, validate, settings, progress)?;
+    if !found.changed.is_empty() {
+        progress("what changed between the logs");
+        // Of the validating logs by themselves, where they are long enough.
+        if let Ok(other) = once(plant, validate, &[], settings, progress) {
+            let known = |c: &Cause| found.causes.iter().any(|k| k.cause == c.cause && k.joints == c.joints);
+            found.changes = other.causes.into_iter().filter(|c| c.cause != "unknown" && !known(c)).collect();
+        }
+        if found.verdict == Verdict::NothingWrong {
+            found.verdict = Verdict::Unexplained;
+        }
+    }
+    Ok(found)
+}
+
+/// The diagnosis with the effects of the file, those left out that the data contradict.
+fn consistent_with_file(
+    plant: &dyn PerturbableArm,
+    fit: &[Recording],
+    validate: &[Recording],
+    settings: &Settings,
+    progress: &dyn Fn(&str),
+) -> Result<Diagnosis, DiagnoseError> {
     let mut found = once(plant, fit, validate, settings, progress)?;
-    // Where an effect is found that the file has already, the data contradict the file's; two of a
-    // kind are not written beside each other. So that one is taken out and searched for again.
+    // If a found effect is already in the file, the data contradict the file's; two of a kind are
+    // not written beside each other. So that one is taken out and searched for again.
     let mut forgotten: Vec<(EffectKind, Option<usize>)> = Vec::new();
     let baseline = found.baseline.clone();
     for _ in 0..2 {
@@ -93,7 +119,7 @@ pub fn diagnose(
             break;
         }
         let Some(bare) = plant.without(&forgotten) else { break };
-        progress("an effect of the file, anew");
+        progress("an effect of the file, estimated again");
         found = once(&*bare, fit, validate, settings, progress)?;
         found.forgotten.clone_from(&forgotten);
         found.baseline.clone_from(&baseline);
@@ -115,24 +141,19 @@ fn torque_rms(recordings: &[Recording], dof: usize) -> Vec<f64> {
     (0..dof).map(|j| root_mean_square(&all(j))).collect()
 }
 
-/// The fit without a cause, inside what is possible where that can be, and its errors on left-out
-/// stretches.
-fn plainly(refit: &mut ModelUnderTest<'_>) -> Result<(Fitted, LeftOut), DiagnoseError> {
-    let plain = refit.fit(&mut []);
-    Ok(match refit.possible(&mut [], &plain) {
-        Ok(possible) => {
-            let out = refit.possible_left_out(&[], &possible)?;
-            (possible, out)
-        }
-        // A refit that no arm can have is a yardstick; it is not offered.
-        Err(_) => {
-            let out = refit.left_out(&[], &plain);
-            (plain, out)
-        }
-    })
+/// Causes that no column of the recorded motion has, and the structure that they do not explain.
+fn without_columns(model: &Settled<'_>, left: Vec<Structure>, noise: &[f64]) -> (Vec<Structure>, Vec<Cause>) {
+    let mut causes = deflections(model, noise);
+    let left = explained(left, &causes);
+    let impacts = if left.is_empty() { None } else { impacts(model) };
+    let left = impacts.iter().fold(left, |left, i| i.explain(left, &model.after_fit, noise));
+    causes.extend(impacts.map(|i| i.cause(&model.after_fit, noise)));
+    // A cause that the model has already is not named twice.
+    causes.retain(|c| !model.causes.iter().any(|k| k.cause == c.cause && k.joints == c.joints));
+    (left, causes)
 }
 
-/// [`diagnose`] with the effects of the file as they are.
+/// [`diagnose`] with the effects of the file kept.
 fn once(
     plant: &dyn PerturbableArm,
     fit: &[Recording],
@@ -173,47 +194,28 @@ fn once(
     let before = before.error;
     let torque_rms = torque_rms(&measured, dof);
 
-    // The same after refitting: what remains is structure.
-    let mut refit = ModelUnderTest::new(plant, fit, settings.rate, Mode::Refitted, &zeros, false);
-    let (plain, refit_out) = plainly(&mut refit)?;
-    let after_refit = Meter::new(plant, validate, &refit).of(&refit, &plain, &[], true);
-    let refitted = Errors {
-        fit: Meter::new(plant, fit, &refit).of(&refit, &plain, &[], false).rms,
-        validate: after_refit.rms,
-        moving: after_refit.steady,
-    };
+    let refit = Refit::new(plant, fit, validate, own_validation, settings)?;
     let has_links = plant.given().is_some_and(|g| g.iter().any(|v| *v != 0.0));
-    // What sensors, motion and clock make of the error is no evidence.
-    let budget = budget(if has_links { &start.scene } else { &refit.scene }, &recorded, &noise);
+    // The contribution of sensors, motion and clock to the error is no evidence.
+    let budget = budget(if has_links { &start.scene } else { &refit.bench.scene }, &recorded, &noise);
     let (noise, motion) = (budget.floor(), &budget.of_motion()[..]);
     let ground: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.max(0.004 * t)).collect::<Vec<f64>>();
     let file_out = start.file_left_out();
-    drop(refit);
 
-    // What a gain is measured by: the noise, or a fiftieth of the torque where the noise is less.
+    // Unit of a gain: the noise, or a fiftieth of the torque where the noise is less.
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
     let case = Case { plant, fit, validate, own_validation, noise: &noise, motion, ground, scale, settings, progress };
-    let structure_of = |s: &Settled<'_>| structure(&s.bench.scene, &s.fitted.residual, &noise, &torque_rms);
-    let (mut models, mut impossible): (Vec<Settled<'_>>, Vec<String>) = (Vec::new(), Vec::new());
-    if has_links {
-        progress("the file's links as they are");
-        models.push(case.searched(Mode::Trusted)?);
-    }
-    let enough = |s: &Settled<'_>| structure_of(s).is_empty() && !refit_out.less(&s.left_out, ground).worth_refit();
-    if !models.iter().any(enough) {
-        progress("all base parameters anew");
-        match case.searched(Mode::Refitted) {
-            Ok(model) => models.push(model),
-            Err(error) => impossible.push(format!("Refitted parameters are not offered: {error}.")),
-        }
-    }
-    let (offered, mut why, settled) = case.choose(models, &file_out, &refit_out)?;
-    why.extend(impossible);
-    let left = structure_of(&settled);
+    let (models, said) = case.models(has_links, &refit, &torque_rms)?;
+    let (offered, mut why, settled) = case.choose(models, &file_out, &refit.left_out)?;
+    why.extend(said);
+    let changed = if own_validation { case.changed(&settled, &noise) } else { Vec::new() };
+    let left = case.left(&settled, &torque_rms);
+    let (left, unplayed) = without_columns(&settled, left, &noise);
     let mut causes = settled.causes.clone();
     if settled.bench.mode == Mode::Refitted && has_links {
         causes.extend(case.links(&settled));
     }
+    causes.extend(unplayed);
     let Settled { bench, fitted, after, after_fit, left_out, .. } = settled;
     causes.sort_by(|a, b| taken(b, scale).total_cmp(&taken(a, scale)));
     values_last(&mut causes, scale);
@@ -223,7 +225,8 @@ fn once(
         (false, true) => Verdict::Explained,
         (false, false) => Verdict::PartlyExplained,
     };
-    unknown(&mut causes, &left, [&baseline.validate, &after.rms], scale);
+    let extended = Errors { fit: after_fit.rms, validate: after.rms.clone(), moving: after.steady.clone() };
+    unknown(&mut causes, &left, [&baseline, &extended], &noise, scale);
     let next_experiment =
         causes.iter().find(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown").map(|c| NextExperiment {
             between: std::iter::once(c.cause).chain(c.not_distinguished_from.iter().copied()).collect(),
@@ -232,7 +235,6 @@ fn once(
         });
     let curves = (0..dof).map(|j| curve(j, &after, &before)).collect();
     let maps = (0..dof).map(|j| after.view.maps(j, &before[j], &after.error[j])).collect();
-    let extended = Errors { fit: after_fit.rms, validate: after.rms, moving: after.steady };
     Ok(Diagnosis {
         robot: plant.name().to_string(),
         verdict,
@@ -240,14 +242,16 @@ fn once(
         budget: budget.of_errors(&extended.validate),
         torque_rms: torque_rms.clone(),
         baseline,
-        refitted,
+        refitted: refit.errors,
         extended,
         has_links,
         links_refitted: bench.mode == Mode::Refitted,
         standard: bench.scene.standard.clone(),
-        offer: Offer { offered, left_out: [file_out.rms(), refit_out.rms(), left_out.rms()], why },
+        offer: Offer { offered, left_out: [file_out.rms(), refit.left_out.rms(), left_out.rms()], why },
         friction: quiet(&bench, &fitted),
         forgotten: Vec::new(),
+        changed: changed.into_iter().map(|j| j + 1).collect(),
+        changes: Vec::new(),
         causes,
         next_experiment,
         own_validation,

@@ -1,10 +1,11 @@
-//! Which causes: one after the other, each against all others, until nothing more is supported.
+//! Searches the causes one after the other, each against all others, until nothing more is
+//! supported.
 //!
 //! A candidate is a cause in a place. Its gain is the logarithm of the ratio of the joints'
-//! residual sums of squares without and with it, all other unknowns refitted; windows count by how
-//! long residuals remember themselves. A candidate is accepted if the gain pays for its unknowns
-//! and for how many candidates were tried, if parts of the data that were not used to fit it
-//! confirm it, and if it is large enough to matter beside the noise.
+//! residual sums of squares without and with it, all other unknowns refitted. Windows count by the
+//! autocorrelation time of residuals. A candidate is accepted under three conditions. Its gain pays
+//! for its unknowns and for the number of candidates, parts of the data that were not used to fit
+//! it confirm it, and it is large enough to matter beside the noise.
 
 use super::candidate::{Candidate, candidates, rivals, sparest_first};
 use super::judge::{Accepted, Judge, adopt};
@@ -58,8 +59,7 @@ pub fn search(
     while accepted.len() < settings.most {
         progress(&format!("{} found, looking for more", accepted.len()));
         let free = |cause: &'static dyn Cause, place: &[usize]| {
-            cause.repeats() && chosen.iter().filter(|c| c.cause.name() == cause.name() && c.place == place).count() < 2
-                || chosen.iter().all(|c| c.cause.name() != cause.name() || c.place != place)
+            chosen.iter().filter(|c| c.cause.name() == cause.name() && c.place == place).count() < cause.most()
         };
         let wanted = |cause: &'static dyn Cause, place: &[usize]| free(cause, place) && makes_sense(bench, cause);
         let mut ranked = candidates(bench, &fitted, &wanted);
@@ -137,9 +137,9 @@ fn simplify(bench: &mut ModelUnderTest<'_>, accepted: &mut Vec<Accepted>, fitted
     simplest_laws(bench, accepted, fitted);
 }
 
-/// Two causes that share a joint, neither of which is supported alone: what the other leaves
-/// remembers itself for so long that the windows count for few. Each must be worth having beside
-/// the other.
+/// Two causes that share a joint, neither of which is supported alone: the residual without the
+/// other is autocorrelated for so long that the windows count for few. Each must be worth having
+/// beside the other.
 fn together(
     bench: &mut ModelUnderTest<'_>,
     chosen: &[Chosen],

@@ -1,9 +1,9 @@
 //! Of several laws of one effect the simplest that the data do not reject.
 //!
-//! A law with a further term fits no worse than one without, and windows that remember each other
-//! make its gain look like more than it is. The criterion is Schwarz's: the logarithm of the ratio
-//! of the residual sums of squares, windows counted by how long the richer law's residual remembers
-//! itself, against the further unknowns times the logarithm of the number of independent windows.
+//! A law with a further term fits no worse than one without, and correlated windows exaggerate its
+//! gain. The criterion is Schwarz's. The logarithm of the ratio of the residual sums of squares,
+//! with windows counted by the autocorrelation time of the richer law's residual, is compared with
+//! the further unknowns times the logarithm of the number of independent windows.
 
 use super::candidate::{Candidate, evaluate, logs, refine, unknowns};
 use super::judge::{Accepted, adopt, chosen_of};

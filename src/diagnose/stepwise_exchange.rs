@@ -35,7 +35,7 @@ pub(super) fn stepwise_exchange(
             (place == removed.place.as_slice() || place.is_empty())
                 && !cause.moves_time()
                 && makes_sense(bench, cause)
-                && (cause.repeats() || without.iter().all(|c| c.cause.name() != cause.name() || c.place != place))
+                && without.iter().filter(|c| c.cause.name() == cause.name() && c.place == place).count() < cause.most()
         };
         let mut ranked = candidates(bench, &reduced, &wanted);
         let moved = sparest_first(&mut ranked, bench, &without, &reduced);
@@ -49,7 +49,7 @@ pub(super) fn stepwise_exchange(
             if let Some(mut judged) = judge.judge(&reduced, &next, &trial) {
                 judged.rivals = rivals(&ranked, rank, &next);
                 if turned && judged.chosen.cause.name() == removed.cause.name() {
-                    // It is needed, whatever the shapes of the others: all stay as they were found
+                    // It is needed, whatever the shapes of the others: all keep the shapes found
                     // beside it.
                     accepted[index] = Accepted { chosen: removed.clone(), ..judged };
                     replaced = true;
@@ -78,8 +78,8 @@ pub(super) fn stepwise_exchange(
     fitted.memory = fitted.residual.iter().zip(&bench.scene.live).map(|(e, l)| autocorrelation_time(e, l)).collect();
 }
 
-/// Shapes of the causes on a joint anew, each beside the others: what they were found with may have
-/// been another's. Whether there are any.
+/// Refines the shapes of the causes on a joint again, each beside the others: their first shapes
+/// may have covered for another cause. Whether there are any.
 fn reshape(bench: &mut ModelUnderTest<'_>, chosen: &mut [Chosen], place: &[usize]) -> bool {
     let shaped = |c: &Chosen| c.cause.shape().iter().any(|number| number.step.is_some());
     let peers: Vec<usize> = (0..chosen.len())

@@ -1,11 +1,11 @@
-//! What is left that noise is not: structure without a name.
+//! Remaining structure beyond noise, without a name.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::moments::pseudo_inverse;
 use crate::diagnose::windowed_data::{BLOCKS, WindowedData};
 
-/// What is left of one joint's residual that is not noise.
+/// Part of one joint's residual that is not noise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Structure {
     /// Joint, from 0.

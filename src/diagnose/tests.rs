@@ -3,3 +3,4 @@
 mod battery;
 mod mechanisms;
 mod world;
+mod written;

@@ -1,12 +1,12 @@
-//! How noisy the torques are, and how long their errors remember themselves.
+//! Noise of the torques, and autocorrelation time of their errors.
 
 use crate::data::signal::white_noise;
 use crate::diagnose::recording::Recording;
 
-/// Standard deviation of each joint's torque noise, N m, without a model: from fourth differences
-/// of the raw samples, in which motion below a tenth of the sampling rate leaves nothing. Noise
-/// that was low-passed before it was recorded is not seen. Where rows were put on another clock, that
-/// of the rows.
+/// Standard deviation of each joint's torque noise, N m, without a model. It comes from fourth
+/// differences of the raw samples, in which motion below a tenth of the sampling rate leaves
+/// nothing. Noise that was low-passed before it was recorded is not seen. Where rows were put on
+/// another clock, that of the rows.
 pub fn torque_noise(recordings: &[Recording], dof: usize) -> Vec<f64> {
     let all = || recordings.iter().flat_map(|r| &r.stretches);
     let of = |j: usize| {

@@ -1,4 +1,4 @@
-//! How well a fit knows what it says: standard deviations with the shapes' own, and what the data
+//! Uncertainty of a fit: standard deviations that include the shapes', and directions that the data
 //! leave open.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
@@ -12,9 +12,9 @@ use crate::diagnose::windowed_data::Column;
 pub struct Uncertainty {
     /// Of the unknowns of the fit, and behind them the numbers in which the causes are not linear.
     pub covariance: DMatrix<f64>,
-    /// Where each cause's shape stands in it; `None` for what is no estimate.
+    /// Position of each cause's shape in it; `None` for a value that is no estimate.
     shapes: Vec<Vec<Option<usize>>>,
-    /// Which of these are taken to be natural numbers, by habit.
+    /// Those of them that are taken to be natural numbers, by preference.
     habits: Vec<usize>,
 }
 
@@ -42,7 +42,7 @@ impl Uncertainty {
         }
         let (moments, solution) = fitted.moments.beside(&fitted.solution, &more);
         let mut covariance = moments.covariance(&solution, &fitted.memory);
-        // What is known beside the data: one more measurement of an unknown.
+        // Prior information: one more measurement of an unknown.
         let units = chosen.iter().enumerate().filter(|(_, c)| c.cause.unit() && !c.x.is_empty());
         for (at, std) in units.map(|(index, _)| (fitted.first[index], UNIT)).chain(habits.iter().copied()) {
             measure(&mut covariance, at, std);
@@ -53,9 +53,9 @@ impl Uncertainty {
 
 impl Uncertainty {
     /// By how much a cause's coefficients stand out of their uncertainty, in Wald's statistic;
-    /// below zero it may be none. With the shape that was found they must be what chance gives once
-    /// in some 150,000 times (a normal number beyond 4.5), for that shape was the best of many;
-    /// with the shape unknown once in a hundred (beyond 2.5).
+    /// below zero it may be none. With the shape that was found they must exceed a level that
+    /// chance reaches once in some 150,000 times (a normal number beyond 4.5), for that shape was
+    /// the best of many. With the shape unknown the level is once in a hundred (beyond 2.5).
     pub fn stands_out(&self, bench: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
         let first = fitted.first[index];
         if chosen.x.is_empty() {
@@ -137,7 +137,7 @@ pub fn parameters(
     if let Some(std) = chosen.cause.beliefs(&bench.scene, &chosen.place, &fitted.terms[index]) {
         let told = fitted.moments.told(&fitted.solution.weights);
         let own = told.view((fitted.first[index], fitted.first[index]), (x.len(), x.len()));
-        let loose = untold(&own.into_owned(), &std);
+        let loose = undetermined(&own.into_owned(), &std);
         let scale = DMatrix::from_diagonal(&DVector::from_vec(std));
         let inverse = scale.map_diagonal(|s| if s > 0.0 { 1.0 / s } else { 0.0 });
         let share = x.component_mul(&inverse);
@@ -157,11 +157,11 @@ pub fn parameters(
     })
 }
 
-/// Directions, one a column, of unknowns counted in what they may be off (`std`), of which the data
-/// (`told`, their normal matrix) say less than that belief: of a mass on the axis and a first
-/// moment along it, for one, often only a sum is told. There the least change is as good as any
-/// other, and as uncertain as the belief.
-fn untold(told: &DMatrix<f64>, std: &[f64]) -> DMatrix<f64> {
+/// Directions, one a column, of unknowns in units of their prior deviation (`std`), on which the
+/// data (`told`, their normal matrix) have less information than that prior. Of a mass on the axis
+/// and a first moment along it, for example, often only a sum is determined. There the least change
+/// is as good as any other, and as uncertain as the belief.
+fn undetermined(told: &DMatrix<f64>, std: &[f64]) -> DMatrix<f64> {
     let n = std.len();
     let white = DMatrix::from_fn(n, n, |i, k| told[(i, k)] * std[i] * std[k]);
     if !white.iter().all(|x| x.is_finite()) {
@@ -179,16 +179,16 @@ mod tests {
 
     #[test]
     fn a_sum_that_is_told_leaves_the_difference_open() {
-        // Unknowns in units of 2 and 0.5; the data tell x + y and z to a hundredth of that.
+        // Unknowns in units of 2 and 0.5; the data determine x + y and z to a hundredth of that.
         let column = [1.0, 1.0, 0.0];
         let mut told = DMatrix::from_fn(3, 3, |i, k| 1e4 * column[i] * column[k]);
         told[(2, 2)] = 1e4;
-        let loose = untold(&told, &[2.0, 0.5, 1.0]);
+        let loose = undetermined(&told, &[2.0, 0.5, 1.0]);
         assert_eq!(loose.shape(), (3, 1));
         // Along it 2 u + 0.5 v stays: (0.5, -2, 0).
         let norm = f64::hypot(0.5, 2.0);
         assert!((loose[(0, 0)] * loose[(1, 0)] + 1.0 / norm.powi(2)).abs() < 1e-9, "{loose}");
         assert!(loose[(2, 0)].abs() < 1e-9);
-        assert_eq!(untold(&DMatrix::identity(2, 2), &[10.0, 10.0]).ncols(), 0);
+        assert_eq!(undetermined(&DMatrix::identity(2, 2), &[10.0, 10.0]).ncols(), 0);
     }
 }

@@ -2,7 +2,7 @@
 //! windows.
 //!
 //! Averaging is a linear operation that is done to the measured torque and to every column alike,
-//! so no filter stands between the two; white noise stays white, and steps of friction keep their
+//! so no filter stands between the two. White noise stays white, and steps of friction keep their
 //! size. Windows in which a joint turns about are not used for that joint's own torque, since there
 //! the sign of its velocity is noise.
 
@@ -12,11 +12,21 @@ use crate::model::{Change, PerturbableArm, States};
 
 use crate::data::signal::{Band, central};
 
-use crate::diagnose::recording::Recording;
+use crate::diagnose::recording::{Recording, Stretch};
 use crate::diagnose::torque_noise::torque_noise;
 
 /// What is cut off both ends of every stretch, s, so that a delayed state exists for each sample.
-pub(super) const EDGE: f64 = 0.15;
+const EDGE: f64 = 0.15;
+
+/// Part of a series of one joint, taken `by` samples earlier; empty where nothing was recorded.
+fn recorded(stretch: &Stretch, series: &[f64], j: usize, span: std::ops::Range<usize>, by: f64) -> Vec<f64> {
+    if series.is_empty() { Vec::new() } else { earlier(stretch.of(series, j), span, by) }
+}
+
+/// Samples that are cut off both ends of what is used of a stretch, `len` samples.
+pub(super) fn edge(stretch: &Stretch, len: usize) -> usize {
+    if len as f64 * stretch.period > 1.0 { (EDGE / stretch.period).ceil() as usize } else { 0 }
+}
 
 /// The largest delay that is looked for, s.
 pub const MOST_DELAY: f64 = 0.14;
@@ -25,7 +35,7 @@ pub const MOST_DELAY: f64 = 0.14;
 /// left out lies within what the others saw.
 pub const BLOCKS: usize = 8;
 
-/// Length of a piece, s: longer than residuals remember themselves.
+/// Length of a piece, s: longer than the autocorrelation time of residuals.
 const PIECE: f64 = 1.0;
 
 /// One joint during one stretch, at the rate of the log.
@@ -48,7 +58,9 @@ pub struct JointSeries {
     pub t: Vec<f64>,
     /// Temperature, deg C; empty where there is none.
     pub temperature: Vec<f64>,
-    /// What the low-pass made of the position.
+    /// Position of the motor, rad; empty where there is none.
+    pub motor: Vec<f64>,
+    /// Effect of the low-pass on the position.
     pub band: Band,
     /// Spacing of the samples, s.
     pub period: f64,
@@ -84,7 +96,7 @@ pub struct Slopes {
     pub acceleration: Vec<Vec<f64>>,
 }
 
-/// What causes see.
+/// Data available to causes.
 pub struct WindowedData<'a> {
     /// The arm.
     pub plant: &'a dyn PerturbableArm,
@@ -94,7 +106,7 @@ pub struct WindowedData<'a> {
     pub y: Vec<Vec<f64>>,
     /// Motion, once for each distinct delay.
     pub states: Vec<States>,
-    /// Which of [`WindowedData::states`] a joint's torque belongs to.
+    /// Index into [`WindowedData::states`] of the state of a joint's torque.
     pub seen: Vec<usize>,
     /// Time of each window since its recording began, s.
     pub time: Vec<f64>,
@@ -124,8 +136,8 @@ pub struct WindowedData<'a> {
     pub delays: Vec<f64>,
     /// Rotor inertias of the file, kg m^2.
     pub rotors: Vec<f64>,
-    /// The most that each joint gives, N m: its limit in the file, or half as much again as it was
-    /// seen to give.
+    /// Largest torque of each joint, N m: its limit in the file, or one and a half times the
+    /// largest one seen.
     pub rated: Vec<f64>,
     /// Standard deviation of the noise of a window's torque, per joint, N m.
     pub noise: Vec<f64>,
@@ -166,7 +178,7 @@ impl<'a> WindowedData<'a> {
                 let per = ((1.0 / (rate * stretch.period)).round() as usize).max(1);
                 step = per as f64 * stretch.period;
                 let len = stretch.states.len;
-                let edge = if len as f64 * stretch.period > 1.0 { (EDGE / stretch.period).ceil() as usize } else { 0 };
+                let edge = edge(stretch, len);
                 let windows = len.saturating_sub(2 * edge) / per;
                 if windows == 0 {
                     continue;
@@ -197,8 +209,8 @@ impl<'a> WindowedData<'a> {
                     };
                     let moves: Vec<bool> =
                         span.clone().zip(&v).map(|(k, v)| v.abs() > dead[j].0 && (dead[j].1 || !sticks(k))).collect();
-                    // Where every sample counts, the sign is that of the file's laws, so that what
-                    // is measured is what they give; of a joint that stands the sign is nothing but
+                    // Where every sample counts, the sign is that of the file's laws, so that the
+                    // measure is of their output; of a joint that stands the sign is nothing but
                     // noise.
                     let sign: Vec<f64> = match all && !dead[j].1 {
                         true => v.iter().map(|v| if *v == 0.0 { 0.0 } else { v.signum() }).collect(),
@@ -214,11 +226,8 @@ impl<'a> WindowedData<'a> {
                         a: earlier(stretch.of(&stretch.states.ddq, j), span.clone(), by),
                         load: vec![0.0; span.len()],
                         t: span.clone().map(|k| stretch.start - begin + (k as f64 - by) * stretch.period).collect(),
-                        temperature: if stretch.temperature.is_empty() {
-                            Vec::new()
-                        } else {
-                            stretch.of(&stretch.temperature, j)[span.clone()].to_vec()
-                        },
+                        temperature: recorded(stretch, &stretch.temperature, j, span.clone(), 0.0),
+                        motor: recorded(stretch, &stretch.motor, j, span.clone(), by),
                         band: {
                             let own = stretch.band.share.chunks_exact(len).nth(j);
                             stretch.band.of(j, own.map_or(Vec::new(), |share| earlier(share, span.clone(), by)))
@@ -413,9 +422,9 @@ impl<'a> WindowedData<'a> {
         }
     }
 
-    /// What is seen of a change of joint `j`'s position that a function of a series over the
-    /// windows makes, after the low-pass that its positions went through: the change (rad) and its
-    /// two derivatives, over the windows.
+    /// Visible part of a change of joint `j`'s position, given as a function of a series over the
+    /// windows, after the low-pass of its positions. Returned are the change (rad) and its two
+    /// derivatives, over the windows.
     pub fn seen_through(&self, j: usize, series: &[f64], change: impl Fn(f64) -> f64) -> [Vec<f64>; 3] {
         let mut out: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::with_capacity(self.len));
         for own in &self.own[j] {

@@ -1,14 +1,14 @@
-//! What a robot file with the offered model in it misses of logs, by the file's ordinary inverse
+//! Errors on logs of a robot file with the offered model in it, by the file's ordinary inverse
 //! dynamics: a route that shares neither columns nor windows with the diagnosis.
 
 use super::measure::root_mean_square;
 use super::run::KEPT;
 use crate::diagnose::recording::{Recording, Stretch};
-use crate::diagnose::windowed_data::{EDGE, dead_zones};
+use crate::diagnose::windowed_data::{dead_zones, edge};
 use crate::model::{States, TorqueModel};
 
 /// Root mean square error of each joint's torque, N m, over the samples on which a diagnosis
-/// measures: both ends of each stretch are left out, and where the validating part is
+/// measures. Both ends of each stretch are left out, and where the validating part is
 /// `own_validation == false` all but the last three tenths of each stretch.
 ///
 /// The sign of a velocity inside its noise is 0 where the joint rests throughout, as in the
@@ -41,7 +41,7 @@ pub fn written_errors(model: &dyn TorqueModel, recordings: &[Recording], own_val
 fn counted(stretch: &Stretch, share: f64) -> std::ops::Range<usize> {
     let n = stretch.states.len;
     let first = (share * n as f64).round() as usize;
-    let edge = if (n - first) as f64 * stretch.period > 1.0 { (EDGE / stretch.period).ceil() as usize } else { 0 };
+    let edge = edge(stretch, n - first);
     first + edge..(n.saturating_sub(edge)).max(first + edge)
 }
 

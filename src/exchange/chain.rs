@@ -194,7 +194,7 @@ fn serial(tree: &Tree, path: &[usize]) -> Result<(), ImportError> {
             let child = &tree.bodies[joint.child].name;
             return Err(ImportError::arm(
                 format!("the joint `{}` is {kind}; an arm has joints that turn or slide", joint.name),
-                format!("import what stands behind it: --base {child}"),
+                format!("import the part behind it: --base {child}"),
             ));
         }
         if let Some(mimic) = &joint.mimic {

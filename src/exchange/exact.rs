@@ -9,7 +9,7 @@ use super::displacement::Displacement;
 /// Angles are compared with multiples of pi over this: half degrees.
 const PARTS: f64 = 360.0;
 
-/// What was taken for an exact value.
+/// Values taken for exact ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Snap {
     /// Distance within which an angle of the source is taken for the exact one, rad.
@@ -97,7 +97,7 @@ pub(super) fn pose(at: &Displacement, slack: f64) -> Pose {
     let r = &at.rotation;
     let across = r[(0, 0)].hypot(r[(1, 0)]);
     let pitch = (-r[(2, 0)]).atan2(across);
-    // Where the pitch is a quarter turn, roll and yaw turn about one axis: all of it is yaw.
+    // At a pitch of a quarter turn, roll and yaw turn about one axis: all of it is yaw.
     let yaw = if across > 1e-15 { r[(1, 0)].atan2(r[(0, 0)]) } else { (-r[(0, 1)]).atan2(r[(1, 1)]) };
     let (s, c) = yaw.sin_cos();
     // The roll that is left behind this very yaw: where the two nearly coincide, it takes up what

@@ -289,7 +289,7 @@ pub(super) fn spring(joint: &Joint) -> Option<[f64; 2]> {
     Some([spring.stiffness?, spring.rest()])
 }
 
-/// What no model of the format has.
+/// Entries that no model of the format has.
 fn effects(robot: &Robot, format: ModelFormat, left_out: &mut Vec<String>) {
     for joint in &robot.joints {
         let drive = &joint.drive;

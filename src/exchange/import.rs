@@ -22,7 +22,7 @@ pub const STATES: usize = 50;
 /// Difference of forward kinematics that is asked for, m and entries of the rotation.
 pub const REQUIRED: f64 = 1e-9;
 
-/// What is chosen by the user.
+/// Choices of the user.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImportOptions {
     /// Link that row 1 starts from; default: the root.
@@ -71,13 +71,13 @@ pub struct Imported {
     pub bodies: Vec<Vec<String>>,
     /// Joints beside the chain and where they are held, rad or m.
     pub held: Vec<(String, f64)>,
-    /// What was taken for exact angles.
+    /// Angles taken for exact ones.
     pub snap: Snap,
-    /// What the source does not say, a sentence each.
+    /// Values missing in the source, a sentence each.
     pub unknown: Vec<String>,
     /// Bodies and values that cannot be, a sentence each.
     pub impossible: Vec<String>,
-    /// What was read over, a sentence each.
+    /// Skipped entries, a sentence each.
     pub notes: Vec<String>,
     /// Against the source, at [`STATES`] random states.
     pub error: ForwardKinematicsError,
@@ -91,7 +91,7 @@ pub fn import(text: &str, options: &ImportOptions) -> Result<Imported, ImportErr
     let mut snap = Snap::new(options.snap);
     let read = |snap: &mut Snap| ModelFormat::of(text).tree(text, snap);
     let tree = read(&mut snap)?;
-    // What is compared with has the angles as they stand in the file.
+    // The reference has the angles of the file.
     let source = read(&mut Snap::new(0.0))?;
     let chain = Chain::new(&tree, options)?;
     let posed = Posed::new(&tree, &chain);
@@ -117,7 +117,7 @@ pub fn import(text: &str, options: &ImportOptions) -> Result<Imported, ImportErr
     })
 }
 
-/// What is reported beside the robot.
+/// Report beside the robot.
 #[derive(Debug, Default)]
 struct Found {
     unknown: Vec<String>,
@@ -194,6 +194,7 @@ impl<'a> Posed<'a> {
             links: if links.iter().any(Option::is_some) { links } else { Vec::new() },
             tool,
             collision: Collision::default(),
+            log: None,
             effects: Vec::new(),
         };
         // The file is what counts: it must read as this robot.

@@ -21,7 +21,8 @@ use crate::numerics::prng::Random;
 const SAME: f64 = 1e-6;
 
 /// The model's text with the robot's inertias, friction and limits. `held`: where joints beside the
-/// arm stood when the robot was identified, rad or m; others stand at zero, or the limit next to it.
+/// arm stood when the robot was identified, rad or m; others stand at zero, or the limit next to
+/// it.
 ///
 /// # Errors
 /// Mistakes of the model; joints of the robot that it does not have, or that move otherwise there.
@@ -83,7 +84,7 @@ fn matched(robot: &Robot, tree: &Tree) -> Result<Vec<usize>, ImportError> {
     robot.moving().iter().map(one).collect()
 }
 
-/// Where the model's bodies are in the robot's frames.
+/// Poses of the model's bodies in the robot's frames.
 struct Placed {
     /// Frames of all rows at q = 0.
     all_frames: Vec<Displacement>,
@@ -172,8 +173,8 @@ impl Placed {
         Some(tree.bodies[other].inertia?.moved(&at.rows(), &at.origin.into()))
     }
 
-    /// All that row `k` carries by the robot file, in a body's frame; the rows behind it that do not
-    /// move, and the tool behind the last.
+    /// All that row `k` carries by the robot file, in a body's frame; the rows behind it that do
+    /// not move, and the tool behind the last.
     fn inertia(&self, robot: &Robot, k: usize, body: usize) -> Option<Inertia> {
         let rows = robot.moving();
         let end = rows.get(k + 1).copied().unwrap_or(robot.joints.len());

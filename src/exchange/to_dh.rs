@@ -36,7 +36,8 @@ pub enum Neighbours {
     AntiParallel,
     /// On one line, the same way round or opposed.
     OneLine,
-    /// Off parallel by less than can be told from rounding, and more than rounding of doubles.
+    /// Off parallel by less than can be distinguished from rounding, and more than rounding of
+    /// doubles.
     NearlyParallel,
 }
 
@@ -68,7 +69,7 @@ pub(super) struct DhRow {
     pub(super) frame: Displacement,
 }
 
-/// Rows with what stands before and behind them.
+/// Rows with the poses before and behind them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct DhTable {
     /// Frame 0; `None`: the frame that the lines are given in.
@@ -138,7 +139,7 @@ struct Builder {
     neighbours: Vec<(Neighbours, f64)>,
     /// The last frame.
     before: Corner,
-    /// Where its normal meets the next line.
+    /// Foot of its normal on the next line.
     foot: Vector3<f64>,
 }
 
@@ -229,7 +230,7 @@ fn normal(a: &Vector3<f64>, z: &Vector3<f64>, x: &Vector3<f64>, next: &Line, tin
     let start = a + z * (to.cross(&next.axis).dot(&cross) / (sine * sine));
     let end = a + to + next.axis * (to.cross(z).dot(&cross) / (sine * sine));
     let crossing = distance.abs() < tiny;
-    // Where both senses turn as far: a positive twist, or a positive length.
+    // If both senses turn equally far: a positive twist, or a positive length.
     let positive = if crossing || distance > 0.0 { n } else { -n };
     let along = match positive.dot(x) {
         cosine if cosine < -SQUARE => -positive,

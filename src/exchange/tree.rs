@@ -1,4 +1,4 @@
-//! Bodies and joints of a model file, as they stand in it.
+//! Bodies and joints of a model file, unconverted.
 
 use std::collections::BTreeMap;
 
@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 
 pub use super::displacement::Displacement;
 
-/// What a joint of a tree lets its child do.
+/// Motion that a joint of a tree allows its child.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TreeJointKind {
     /// Does not move.
@@ -131,7 +131,7 @@ pub struct TreeBody {
 /// Joints that close a loop, or tie bodies otherwise: kind, name, joints or bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tie {
-    /// What the format calls it.
+    /// Name of the format for it.
     pub what: String,
     /// Names of the joints that it concerns.
     pub joints: Vec<String>,
@@ -154,7 +154,7 @@ pub struct Tree {
     pub joints: Vec<TreeJoint>,
     /// Loops.
     pub ties: Vec<Tie>,
-    /// What was read over, a sentence each.
+    /// Skipped entries, a sentence each.
     pub notes: Vec<String>,
 }
 

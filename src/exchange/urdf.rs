@@ -57,7 +57,7 @@ fn empty(root: Element<'_>) -> Tree {
     }
 }
 
-/// Tags and expressions of xacro that nobody has expanded.
+/// Tags and expressions of xacro that were not expanded.
 fn refuse_xacro(root: Element<'_>, found: &mut Mistakes) {
     let is_xacro = |n: &Element<'_>| n.is_element() && n.tag_name().namespace().is_some_and(|s| s.contains("xacro"));
     let expression = |n: &Element<'_>| n.attributes().any(|a| a.value().contains("${") || a.value().contains("$("));

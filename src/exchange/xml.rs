@@ -1,7 +1,7 @@
 //! XML with places: elements, attributes, numbers, and every mistake with line and column.
 //!
-//! On `roxmltree`, because it knows where each attribute stands; a deserialiser (`urdf-rs`) stops
-//! at the first mistake, names no place, and fills in what is missing.
+//! On `roxmltree`, because it gives the position of each attribute. A deserialiser (`urdf-rs`)
+//! stops at the first mistake, names no place, and fills in missing values.
 
 use dh_codegen::robot::Problem;
 use roxmltree::{Attribute, Document, Node, ParsingOptions, TextPos};

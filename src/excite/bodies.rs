@@ -14,7 +14,7 @@ pub struct Ball {
 }
 
 impl Ball {
-    /// Its centre in the base frame, m, at sample `s` of `len`; `frames` as
+    /// Its centre in the world frame, m, at sample `s` of `len`; `frames` as
     /// [`crate::model::FrameKinematics::frames`] writes them.
     pub fn placed(&self, frames: &[f64], len: usize, s: usize) -> [f64; 3] {
         let Some(f) = self.frame else { return self.center };
@@ -25,7 +25,7 @@ impl Ball {
     }
 }
 
-/// A box of the surroundings, along the base axes.
+/// A box of the surroundings, along the world axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {
     /// For messages.

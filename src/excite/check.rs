@@ -2,13 +2,14 @@
 //! come from the numeric recursion (`src/numeric`), the motion between rows from quintic Hermite
 //! pieces, pairs of spheres from the file's table.
 
+use super::error::MotionError;
 use dh_codegen::arm::param;
 use dh_codegen::robot::{JointKind, Robot};
 use nalgebra::{Matrix4, Point3};
 
 use crate::model::rigid_body::Numeric;
 
-/// A motion as it stands in a file: one row per time.
+/// A motion in the form of a file: one row per time.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Written {
     /// s
@@ -33,20 +34,20 @@ pub struct Finding {
     pub time: f64,
     /// Value there.
     pub value: f64,
-    /// What it must keep.
+    /// Limits to keep.
     pub limit: f64,
     /// Broken?
     pub broken: bool,
 }
 
-/// What was found.
+/// Findings.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Verdict {
     /// The tightest of each kind and joint (pair, frame).
     pub findings: Vec<Finding>,
-    /// What could not be checked, and why.
+    /// Limits that could not be checked, and why.
     pub unchecked: Vec<String>,
-    /// What was checked against a limit that is not in the file.
+    /// Checks against a limit that is not in the file.
     pub assumed: Vec<String>,
     /// Instants that were looked at.
     pub instants: usize,
@@ -93,14 +94,14 @@ impl Tightest {
 /// # Errors
 /// Where the rows are no motion of this robot: too few, of the wrong width, times that do not
 /// ascend.
-pub fn check(robot: &Robot, motion: &Written, acceleration_time: Option<f64>) -> Result<Verdict, String> {
+pub fn check(robot: &Robot, motion: &Written, acceleration_time: Option<f64>) -> Result<Verdict, MotionError> {
     let n = robot.dof();
     let rows = motion.t.len();
     if rows < 3 {
-        return Err(format!("{rows} rows are no motion; at least three are needed"));
+        return Err(MotionError::Rows(rows));
     }
     if let Some(at) = motion.t.windows(2).position(|w| w[1].partial_cmp(&w[0]) != Some(std::cmp::Ordering::Greater)) {
-        return Err(format!("time does not ascend in row {}: {} after {}", at + 2, motion.t[at + 1], motion.t[at]));
+        return Err(MotionError::Time { row: at + 2, time: motion.t[at + 1], before: motion.t[at] });
     }
     if motion
         .q
@@ -109,7 +110,7 @@ pub fn check(robot: &Robot, motion: &Written, acceleration_time: Option<f64>) ->
         .chain(&motion.ddq)
         .any(|row| row.len() != n || row.iter().any(|v| !v.is_finite()))
     {
-        return Err(format!("every row needs {n} finite positions (and as many velocities and accelerations, if any)"));
+        return Err(MotionError::Width(n));
     }
     let dq = if motion.dq.is_empty() { differences(&motion.t, &motion.q) } else { motion.dq.clone() };
     let ddq = if motion.ddq.is_empty() { differences(&motion.t, &dq) } else { motion.ddq.clone() };
@@ -249,7 +250,7 @@ struct Around<'r> {
 impl<'r> Around<'r> {
     fn new(robot: &'r Robot, numeric: &Numeric) -> Self {
         let spheres = &robot.collision.spheres;
-        // What is the same in these postures is the same in all.
+        // A property that is the same in these postures is the same in all.
         let postures: Vec<Vec<f64>> = (0..12)
             .map(|k| (0..robot.dof()).map(|j| (1.7 * k as f64 + 2.3 * j as f64).sin() * 1.5).collect())
             .collect();

@@ -1,4 +1,4 @@
-//! The columns that a motion is to tell apart: those of the base regressor that count, a body in
+//! The columns that a motion has to determine: those of the base regressor that count, a body in
 //! the tool frame, a caller's own.
 
 use crate::model::{Differentiable, Gradient, States};

@@ -1,4 +1,4 @@
-//! What must hold at every sample beside the bounds of the joints: torque, ground, spheres, boxes.
+//! Constraints at every sample beside the bounds of the joints: torque, ground, spheres, boxes.
 
 use crate::model::{Differentiable, Gradient, States};
 
@@ -21,7 +21,7 @@ pub enum Constraint {
 /// A constraint where it is closest to being broken, or broken most.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Worst {
-    /// What, in words with names and figures.
+    /// The constraint, in words with names and figures.
     pub what: String,
     /// When, s.
     pub time: f64,
@@ -148,7 +148,7 @@ impl Constraints<'_> {
         to
     }
 
-    /// Centre of a sphere in the base frame.
+    /// Centre of a sphere in the world frame.
     fn center(&self, ball: usize, frames: &[f64], len: usize, s: usize) -> [f64; 3] {
         self.bodies.balls[ball].placed(frames, len, s)
     }

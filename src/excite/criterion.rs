@@ -1,14 +1,14 @@
-//! What is minimised: functions of `G = W' P W` (Pukelsheim, *Optimal Design of Experiments*,
+//! Criteria to minimise: functions of `G = W' P W` (Pukelsheim, *Optimal Design of Experiments*,
 //! chapter 6; Sun and Tsoi for Hadamard).
 //!
 //! The condition number is not differentiable where its largest or smallest singular value is
-//! multiple, which is where a minimum wants to be. Power means replace both: `log l_max <= log(sum
+//! multiple, which is where minima tend to lie. Power means replace both: `log l_max <= log(sum
 //! l^p) / p` and the same for `1 / l_min`. The bound is smooth, it is tight up to `log(B) / p`, and
 //! `p` grows while the solver runs.
 
 use nalgebra::DMatrix;
 
-/// What a motion is judged by; less is better.
+/// Criterion of a motion; less is better.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Criterion {
     /// Condition number of `W`.
@@ -21,8 +21,8 @@ pub enum Criterion {
     Trace,
     /// `1 / l_min(W' W)` (E-optimal: largest variance of any combination).
     Smallest,
-    /// Two groups of columns told apart: `-log det` of what of each group can't be explained by the
-    /// columns outside it. The other columns are of both.
+    /// Two groups of columns separated: `-log det` of the part of each group that the columns
+    /// outside it can't explain. The other columns are of both.
     Separation(Vec<usize>, Vec<usize>),
 }
 
@@ -49,7 +49,7 @@ impl Criterion {
         }
     }
 
-    /// Powers that the smooth form goes through, ascending; `None`: smooth as it is.
+    /// Powers of the smooth form, in ascending order; `None`: already smooth.
     pub(super) fn powers(&self) -> &'static [f64] {
         match self {
             Self::Condition | Self::Smallest => &[4.0, 16.0, 64.0],
@@ -143,7 +143,7 @@ impl Criterion {
         Some((value, Slope::Factored { u, d }))
     }
 
-    /// What a person reads, from the spectrum or from the value that is minimised.
+    /// Value for a person to read, from the spectrum or from the value that is minimised.
     pub fn reported(&self, conditions: &super::Conditions, minimised: f64) -> f64 {
         match self {
             Self::Condition => conditions.condition,

@@ -147,7 +147,7 @@ impl Curve {
     }
 }
 
-/// Which variable a control point is.
+/// Variable of a control point.
 fn variable(control: usize, intervals: usize) -> usize {
     control.saturating_sub(2).min(intervals)
 }

@@ -1,6 +1,6 @@
-//! From a task to a motion: several starts at once, a few steps of each on a rough grid; the better
-//! third goes on on a coarse one, the best of those on a fine one, checked between its samples.
-//! What a run has learnt of the criterion's curvature goes along.
+//! From a task to a motion. Several starts take a few steps each on a rough grid; the better third
+//! goes on on a coarse one, the best of those on a fine one, checked between its samples. What a
+//! run has learnt of the criterion's curvature goes along.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -9,6 +9,7 @@ use crate::data::trajectory::Trajectory;
 
 use super::Criterion;
 use super::constraints::{Constraint, Worst};
+use super::error::DesignError;
 use super::extra::Extra;
 use super::information::{Conditions, Information};
 use super::program::{Grid, Program};
@@ -42,22 +43,22 @@ impl Default for Effort {
 /// A step of the solver, for a plot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Record {
-    /// Which start, from 0.
+    /// Index of the start, from 0.
     pub start: usize,
-    /// The criterion as it is minimised (smooth, on the coarse or fine grid).
+    /// The minimised form of the criterion (smooth, on the coarse or fine grid).
     pub value: f64,
     /// Largest constraint value.
     pub worst: f64,
 }
 
-/// What is told while it runs.
+/// Progress of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
     /// Steps done, of all starts.
     pub done: usize,
     /// Steps at most.
     pub total: usize,
-    /// Best value so far among feasible motions, as it is minimised.
+    /// Best value so far among feasible motions, in the minimised form.
     pub best: Option<f64>,
     /// Largest constraint value of the last step.
     pub worst: f64,
@@ -80,11 +81,11 @@ pub struct Design {
     pub variables: Vec<f64>,
     /// Name of the criterion.
     pub criterion: &'static str,
-    /// The criterion's value at the task's rate, Coulomb's sign as it is.
+    /// The criterion's value at the task's rate, with the exact sign of Coulomb.
     pub value: f64,
     /// Condition number and determinants as the task weighs and scales.
     pub scaled: Conditions,
-    /// The same of the base regressor's chosen columns as they are: the paper's equation (9).
+    /// The same of the base regressor's chosen columns, unscaled: the paper's equation (9).
     pub plain: Conditions,
     /// Does every constraint hold on the finest grid?
     pub feasible: bool,
@@ -115,7 +116,7 @@ impl Level {
     }
 }
 
-/// All starts: a few steps tell which of them are worth more.
+/// All starts: a few steps decide which of them go on.
 const ROUGH: Level = Level { rate: 10.0, refine: 2 };
 /// Those that are.
 const COARSE: Level = Level { rate: 20.0, refine: 4 };
@@ -129,13 +130,8 @@ const FINEST: f64 = 500.0;
 /// # Errors
 /// Where no posture is clear of everything, or no motion was found inside the limits: says which
 /// constraint and where.
-pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Design, String> {
-    let home = start::home(task).map_err(|worst| {
-        format!(
-            "no posture keeps clear of everything: {} at best; check `position` limits, `collision` and `torque` in the robot file",
-            worst.what
-        )
-    })?;
+pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Design, DesignError> {
+    let home = start::home(task).map_err(|worst| DesignError::Blocked(worst.what))?;
     let powers = task.criterion.powers();
     let starts = effort.starts.max(1);
     let kept = starts.div_ceil(3);
@@ -217,7 +213,7 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
     ended.sort_by(|a, b| {
         (!a.feasible, a.point.value).partial_cmp(&(!b.feasible, b.point.value)).unwrap_or(std::cmp::Ordering::Equal)
     });
-    let chosen = ended.into_iter().next().ok_or("no start was made")?;
+    let chosen = ended.into_iter().next().ok_or(DesignError::NoStart)?;
     let mut histories = histories.into_inner().unwrap_or_default();
     histories.sort_by_key(|h| (h.0, h.1));
     let history = histories.into_iter().flat_map(|h| h.2).collect();
@@ -255,7 +251,7 @@ fn finish(task: &Task<'_>, mut search: Search, run: impl Fn(&Program<'_>, &mut S
         if feasible || round == 3 {
             return Ended { point: search.point, feasible };
         }
-        // What showed between the samples is added to the margins.
+        // Violations between the samples are added to the margins.
         own.torque_margin += 1.2 * torque.max(0.0) + 1e-4;
         own.distance_margin += 0.12 * distance.max(0.0) + 1e-5;
     }
@@ -287,9 +283,9 @@ fn assess(
     history: Vec<Record>,
     starts: Vec<Option<f64>>,
     stopped: bool,
-) -> Result<Design, String> {
+) -> Result<Design, DesignError> {
     let x = ended.point.x;
-    let trajectory = task.curve.trajectory(&x).ok_or("the variables are no motion")?;
+    let trajectory = task.curve.trajectory(&x).ok_or(DesignError::NoMotion)?;
     let excess = finest(task, &x);
     let bare = Task { torque_margin: 0.0, distance_margin: 0.0, ..task.clone() };
     let constraints = bare.constraints();
@@ -313,7 +309,7 @@ fn assess(
     let power = task.criterion.powers().last().copied().unwrap_or(1.0);
     let minimised = information.judge(&task.criterion, power).map_or(f64::INFINITY, |j| j.0);
     if !minimised.is_finite() {
-        return Err(untold(task, &information));
+        return Err(undetermined(task, &information));
     }
     Ok(Design {
         value: task.criterion.reported(&scaled, minimised),
@@ -330,24 +326,16 @@ fn assess(
     })
 }
 
-/// Why the criterion has no value: columns that no motion of this arm tells apart, or that this one
-/// does not.
-fn untold(task: &Task<'_>, information: &Information) -> String {
+/// Reason why the criterion has no value: columns that no motion of this arm separates, or that
+/// this one does not.
+fn undetermined(task: &Task<'_>, information: &Information) -> DesignError {
     let columns = task.columns();
-    let names = |untold: &[usize]| untold.iter().map(|&k| columns.names()[k].as_str()).collect::<Vec<_>>().join(", ");
-    let never = Information::new(&columns, &start::anywhere(task), &task.scaling(1.0)).untold();
-    if never.is_empty() {
-        return format!(
-            "the motion tells nothing about {}; make it longer, or leave the drives out with --links-only",
-            names(&information.untold())
-        );
+    let names = |which: &[usize]| which.iter().map(|&k| columns.names()[k].clone()).collect();
+    let never = Information::new(&columns, &start::anywhere(task), &task.scaling(1.0)).undetermined();
+    match never.is_empty() {
+        true => DesignError::Uninformative(names(&information.undetermined())),
+        false => DesignError::Inseparable { columns: names(&never), payload: task.payload },
     }
-    let instead =
-        if task.payload { "; identify the whole robot with the tool in its hand instead, without --tool" } else { "" };
-    format!(
-        "no motion of this arm tells {} apart: its torques depend on fewer combinations of them{instead}",
-        names(&never)
-    )
 }
 
 /// Calls `work` with `0..count` on some threads; results in order.
@@ -375,7 +363,7 @@ fn parallel<T: Send>(threads: usize, count: usize, work: impl Fn(usize) -> T + S
     done.into_iter().map(|d| d.1).collect()
 }
 
-/// The motion that best tells two hypotheses apart: `first` and `second` give the columns that each
+/// The motion that best separates two hypotheses: `first` and `second` give the columns that each
 /// adds to the base regressor. Maximised is what of either can't be explained by the base
 /// parameters and the other. Everything else is as in the task, whose criterion and extra columns
 /// are replaced.
@@ -388,7 +376,7 @@ pub fn discriminate(
     second: &dyn Extra,
     effort: &Effort,
     watch: &Watch<'_>,
-) -> Result<Design, String> {
+) -> Result<Design, DesignError> {
     let both = super::extra::Both::new(first, second);
     let (base, a, b) = (task.base.len() + 10 * usize::from(task.payload), first.columns(), second.columns());
     let criterion = Criterion::Separation((base..base + a).collect(), (base + a..base + a + b).collect());

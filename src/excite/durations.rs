@@ -15,7 +15,7 @@ pub struct AtDuration {
     pub criterion: &'static str,
     /// s
     pub seconds: f64,
-    /// Its value; `None`: no motion inside the limits, or one that tells nothing about some column.
+    /// Its value; `None`: no motion inside the limits, or one without information on some column.
     pub value: Option<f64>,
     /// Condition number of the plain columns.
     pub condition: Option<f64>,
@@ -24,7 +24,7 @@ pub struct AtDuration {
 }
 
 /// Designs a motion for every criterion and duration (ascending), with way points as far apart as
-/// in the task. `tell` hears which design of all of them is running, from 0, and how far it is.
+/// in the task. `tell` is called with the index of the running design, from 0, and its progress.
 pub fn by_duration(
     task: &Task<'_>,
     criteria: &[Criterion],

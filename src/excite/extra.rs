@@ -1,5 +1,5 @@
 //! Further columns of the regressor, given by a caller: friction laws to be covered, hypotheses to
-//! be told apart.
+//! be separated.
 
 use crate::model::{Gradient, States};
 
@@ -46,8 +46,8 @@ fn part_of(parts: [&mut Vec<f64>; 3], part: usize) -> &mut Vec<f64> {
     }
 }
 
-/// Columns of a richer friction law, so that a motion which tells them all visits low and high
-/// speeds in both directions: per joint `|v|` (viscous friction that differs with direction),
+/// Columns of a richer friction law; a motion that determines them all visits low and high speeds
+/// in both directions. They are per joint `|v|` (viscous friction that differs with direction),
 /// `exp(-(v/vs)^2) sign v` (Stribeck) and, where the model has no offset, 1 (Coulomb friction that
 /// differs with direction).
 pub struct FrictionCoverage {

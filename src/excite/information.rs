@@ -1,7 +1,7 @@
-//! What a motion tells about the columns: `G = sum of W' P W`, and functions of its spectrum.
+//! Information of a motion on the columns: `G = sum of W' P W`, and functions of its spectrum.
 //!
-//! `G`'s products lose what lies below 1e-8 of the largest singular value of `W`, so where pivots
-//! say that digits are at stake the factor `R` of `W = Q R` is taken instead, which sees singular
+//! `G`'s products lose all digits below 1e-8 of the largest singular value of `W`. If pivots show
+//! that digits are at stake, the factor `R` of `W = Q R` is taken instead, which has the singular
 //! values themselves.
 
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
@@ -25,7 +25,7 @@ pub(super) struct Scaling {
     pub(super) repeat: f64,
 }
 
-/// The weighted, scaled observation matrix of a motion, with what it tells.
+/// The weighted, scaled observation matrix of a motion, with its information.
 pub struct Information {
     /// `values * len`, as [`Columns::evaluate`] wrote them.
     values: Vec<f64>,
@@ -125,17 +125,17 @@ impl Information {
         }
     }
 
-    /// Columns that can't be told, each by itself or from one another: those with a part in the
+    /// Columns that are undetermined, each by itself or from one another: those with a part in the
     /// null space.
-    pub(super) fn untold(&self) -> Vec<usize> {
+    pub(super) fn undetermined(&self) -> Vec<usize> {
         let (sigma, v, _) = self.singular(true);
         let most = sigma.iter().fold(0.0_f64, |m, s| m.max(*s));
         let null: Vec<usize> = (0..sigma.len()).filter(|&k| sigma[k].is_nan() || sigma[k] <= 1e-10 * most).collect();
         (0..v.nrows()).filter(|&i| null.iter().any(|&k| v[(i, k)].abs() > 1e-4)).collect()
     }
 
-    /// Of each column, per unit of its parameter: RMS over the motion of its share in a joint's
-    /// torque, in standard deviations of that torque's noise; of the joint where it is largest.
+    /// RMS over the motion of each column's share in a joint's torque, per unit of its parameter,
+    /// in standard deviations of that torque's noise; of the joint where it is largest.
     pub(super) fn torque_shares(&self, columns: &Columns<'_>, scaling: &Scaling) -> Vec<f64> {
         let mut shares = vec![0.0_f64; columns.count()];
         for e in columns.entries() {
@@ -146,7 +146,7 @@ impl Information {
         shares
     }
 
-    /// `G^-1`, the covariance in scaled columns; infinite where nothing is told.
+    /// `G^-1`, the covariance in scaled columns; infinite where there is no information.
     pub fn covariance(&self) -> DMatrix<f64> {
         let (sigma, v, scale) = self.singular(true);
         let most = sigma.iter().fold(0.0_f64, |m, s| m.max(*s));
@@ -181,7 +181,7 @@ impl Information {
         let mut seeds = vec![0.0; self.values.len()];
         let dense = match slope {
             Slope::Dense(f) => Some(f.clone()),
-            // Where products keep enough digits, so does F = U diag(d) U'.
+            // If products keep enough digits, so does F = U diag(d) U'.
             Slope::Factored { u, d } => self
                 .factor
                 .is_none()
@@ -216,9 +216,9 @@ impl Information {
     }
 }
 
-/// Are the products too coarse? Judged by the pivots, of columns scaled to unit norm and as they
-/// are: the ratio of the latter is at most the square of the condition number, by which eigenvalues
-/// of products lose digits.
+/// Are the products too coarse? Judged by the pivots, of scaled columns (unit norm) and of unscaled
+/// ones. The ratio of the latter is at most the square of the condition number, by which
+/// eigenvalues of products lose digits.
 fn poor(gram: &DMatrix<f64>) -> bool {
     let plain = gram.clone().cholesky().map(|factor| {
         let pivots = factor.l_dirty().diagonal();
@@ -259,8 +259,8 @@ fn factor(columns: &Columns<'_>, values: &[f64], len: usize, scaling: &Scaling) 
 /// Samples that are worked on together: columns of a block stay in the nearest cache.
 const BLOCK: usize = 128;
 
-/// Inner products of the entries of a row, `[i * row.len() + k]` for `k >= i`: four columns at a
-/// time, each by four sums, which vectorises and keeps the order of the sums fixed.
+/// Inner products of the entries of a row, `[i * row.len() + k]` for `k >= i`. Four columns are
+/// taken at a time, each by four sums, which vectorises and keeps the order of the sums fixed.
 fn products(row: &[Entry], values: &[f64], len: usize) -> Vec<f64> {
     let count = row.len();
     let mut sums = vec![0.0; count * count];

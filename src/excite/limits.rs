@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use super::error::LimitsError;
+
 /// Limits of one joint; rad (m for a prismatic joint) and its time derivatives, N m (N).
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointLimits {
@@ -19,16 +21,16 @@ pub struct JointLimits {
     pub torque: Option<f64>,
 }
 
-/// What the file does not say, and what was taken instead.
+/// Limits missing in the file, and their replacements.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Missing {
     /// Name of the joint.
     pub joint: String,
     /// `position`, `acceleration`, `torque`, `links`, `collision`.
     pub limit: &'static str,
-    /// What was done about it.
+    /// The replacement.
     pub taken: String,
-    /// What was taken instead, rad or m and seconds.
+    /// Replacements, rad or m and seconds.
     pub value: Option<f64>,
 }
 
@@ -45,22 +47,18 @@ impl JointLimits {
         limits: &dh_codegen::robot::Limits,
         acceleration_time: f64,
         missing: &mut Vec<Missing>,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, LimitsError> {
         let mut note = |limit: &'static str, taken: String, value: Option<f64>| {
             missing.push(Missing { joint: name.to_string(), limit, taken, value });
         };
-        let velocity = limits.velocity.filter(|v| *v > 0.0).ok_or_else(|| {
-            format!("joint {name} has no `velocity` limit; a motion can't be planned without one: write it in the robot file")
-        })?;
+        let velocity = limits.velocity.filter(|v| *v > 0.0).ok_or_else(|| LimitsError::Velocity(name.into()))?;
         let position = match limits.position {
             Some(range) => range,
             None if revolute => {
                 note("position", "no limit in the file: kept within one turn either way".into(), None);
                 [-2.0 * PI, 2.0 * PI]
             }
-            None => {
-                return Err(format!("joint {name} slides and has no `position` limits; write them in the robot file"));
-            }
+            None => return Err(LimitsError::Position(name.into())),
         };
         let acceleration = limits.acceleration.unwrap_or_else(|| {
             let taken = velocity / acceleration_time;

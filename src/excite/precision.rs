@@ -8,7 +8,7 @@ use crate::model::States;
 use super::information::Information;
 use super::task::Task;
 
-/// What to expect of one column.
+/// Expected precision of one column.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Expected {
     /// Name of the parameter.
@@ -40,8 +40,8 @@ pub fn nominal(task: &Task<'_>) -> Option<Vec<f64>> {
     Some(values)
 }
 
-/// What to expect after these states at the task's rate, with the task's noise (standard deviation
-/// per sample, as if noise of successive samples were independent) and prior.
+/// Expected precision after these states at the task's rate, with the task's noise (standard
+/// deviation per sample, as if noise of successive samples were independent) and prior.
 pub fn expected(task: &Task<'_>, states: &States) -> Vec<Expected> {
     let columns = task.columns();
     let plain = Task { scale: Vec::new(), ..task.clone() };

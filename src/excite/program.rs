@@ -137,7 +137,7 @@ impl Bound<'_> {
     }
 }
 
-/// Which constraint, at which time of the grid.
+/// The constraint, and its time on the grid.
 pub(super) type Watched = (usize, usize);
 
 /// A task on grids of some fineness.

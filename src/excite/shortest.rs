@@ -5,6 +5,7 @@ use crate::data::trajectory::Trajectory;
 
 use super::Curve;
 use super::design::{Design, Effort, Watch, design};
+use super::error::ShortestError;
 use super::precision::{Expected, expected};
 use super::task::Task;
 
@@ -13,7 +14,7 @@ use super::task::Task;
 pub struct Shortest {
     /// The motion.
     pub design: Design,
-    /// What to expect of it.
+    /// Its expected precision.
     pub expected: Vec<Expected>,
     /// Durations that were tried, s, with the largest relative standard deviation of an essential
     /// parameter, percent (`None`: no feasible motion).
@@ -24,19 +25,19 @@ pub struct Shortest {
 type Attempt = (Design, Vec<Expected>, Option<(String, f64)>);
 
 /// Tries durations in steps of half a second up to that of the task, by bisection: longer motions
-/// tell more. Essential are the parameters that are so in the longest motion.
+/// have more information. Essential are the parameters that are so in the longest motion.
 ///
 /// # Errors
 /// Where not even the longest motion reaches the target (says by how much, and which parameter), no
 /// nominal values are known, or no motion is feasible.
-pub fn shortest(task: &Task<'_>, percent: f64, effort: &Effort, watch: &Watch<'_>) -> Result<Shortest, String> {
+pub fn shortest(task: &Task<'_>, percent: f64, effort: &Effort, watch: &Watch<'_>) -> Result<Shortest, ShortestError> {
     let Curve::Spline { duration, intervals } = task.curve else {
-        return Err("a target needs splines".into());
+        return Err(ShortestError::Splines);
     };
     let spacing = duration / intervals as f64;
     let mut essential: Option<Vec<bool>> = None;
     let mut tried = Vec::new();
-    let mut attempt = |seconds: f64| -> Result<Attempt, String> {
+    let mut attempt = |seconds: f64| -> Result<Attempt, ShortestError> {
         let intervals = ((seconds / spacing).round() as usize).max(1);
         let own = Task { curve: Curve::Spline { duration: seconds, intervals }, ..task.clone() };
         let found = design(&own, effort, watch)?;
@@ -54,12 +55,10 @@ pub fn shortest(task: &Task<'_>, percent: f64, effort: &Effort, watch: &Watch<'_
     };
     let (found, values, worst) = attempt(duration)?;
     let Some((name, reached)) = worst else {
-        return Err(no_share_of_itself(task, &values));
+        return Err(no_relative_precision(task, &values));
     };
     if reached > percent || !found.feasible {
-        return Err(format!(
-            "{duration} s do not reach {percent} %: {name} stays at {reached:.1} %; allow a longer --duration, or give what is known"
-        ));
+        return Err(ShortestError::Missed { duration, target: percent, parameter: name, reached });
     }
     let mut best = (found, values);
     // In half seconds: `low` fails, `high` succeeds.
@@ -77,15 +76,14 @@ pub fn shortest(task: &Task<'_>, percent: f64, effort: &Effort, watch: &Watch<'_
     Ok(Shortest { design: best.0, expected: best.1, tried })
 }
 
-/// Why no parameter's share of itself can be told.
-fn no_share_of_itself(task: &Task<'_>, values: &[Expected]) -> String {
+/// Reason why no parameter has a relative precision.
+fn no_relative_precision(task: &Task<'_>, values: &[Expected]) -> ShortestError {
     let unknown = values.iter().all(|e| e.value.is_none());
     match (unknown, task.payload) {
-        (true, true) => "a share of what? The robot file has no body in the hand; write the nominal `M`, `MS` and `I` under `tool`",
-        (true, false) => "a share of what? The robot file has no inertial parameters of all links; write nominal ones under `links`",
-        _ => "no parameter's share in a torque stands out of the noise, however long the motion: none is essential; give the noise that the low-pass leaves with --noise",
+        (true, true) => ShortestError::NoBody,
+        (true, false) => ShortestError::NoLinks,
+        _ => ShortestError::NoEssential,
     }
-    .into()
 }
 
 /// The states of a motion at a rate.

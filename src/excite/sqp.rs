@@ -42,7 +42,7 @@ impl Search {
     }
 }
 
-/// Where a run is.
+/// State of a run.
 #[derive(Debug, Clone)]
 pub(super) struct Point {
     pub(super) x: Vec<f64>,
@@ -123,7 +123,7 @@ pub(super) fn minimise(
         let ratio = gained.map_or(-1.0, |g| g / predicted.max(1e-14));
         let reach = d.iter().fold(0.0_f64, |m, d| m.max(d.abs()));
         if let Some((_, g)) = &trial_value {
-            // Change of the Lagrangian's gradient along the step; one that was refused tells most.
+            // Change of the Lagrangian's gradient; a refused step is the most informative.
             let mut y: Vec<f64> = g.iter().zip(&gradient).map(|(a, b)| a - b).collect();
             let (active, weights): (Vec<Watched>, Vec<f64>) =
                 kept.iter().zip(lambda).filter(|(_, l)| **l > 1e-6).map(|(w, l)| (*w, *l)).unzip();
@@ -170,9 +170,9 @@ pub(super) fn minimise(
     *search = Search { point, hessian, radius: radius.clamp(0.02, 0.3), penalty };
 }
 
-/// The step of the subproblem. Of the bounds it is given those that a fraction of the radius could
-/// break, then those that it broke: that takes fewer rows than all within reach, and one round more
-/// now and then.
+/// The step of the subproblem. It is given the bounds that a fraction of the radius could break,
+/// then those that it broke. That takes fewer rows than all within reach, and one round more now
+/// and then.
 fn bounded(
     program: &Program<'_>,
     x: &[f64],
@@ -234,8 +234,8 @@ fn norm(x: &[f64]) -> f64 {
 }
 
 /// BFGS with Powell's damping (Nocedal and Wright, procedure 18.2). The criteria bend downwards
-/// along most steps, and a matrix that is positive definite bends too much; so all of it shrinks
-/// first, as far as the step says (Oren and Luenberger, Management Science 20, 1974).
+/// along most steps, and a matrix that is positive definite bends too much. So all of it shrinks
+/// first, by the factor that the step shows (Oren and Luenberger, Management Science 20, 1974).
 fn update(hessian: &mut DMatrix<f64>, s: &DVector<f64>, y: &DVector<f64>, fresh: &mut bool) {
     let sy = s.dot(y);
     if *fresh && sy > 0.0 {

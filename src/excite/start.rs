@@ -1,4 +1,4 @@
-//! Where a run begins: a posture in the clear, and a random motion about it that keeps the bounds.
+//! Start of a run: a posture in the clear, and a random motion about it that keeps the bounds.
 
 use crate::model::States;
 
@@ -45,7 +45,8 @@ pub(super) fn home(task: &Task<'_>) -> Result<Vec<f64>, Worst> {
     Ok((0..n).map(|j| states.q[j * len + best.1]).collect())
 }
 
-/// Random states inside the limits, rest left out: what they do not tell, no motion does.
+/// Random states inside the limits, rest left out: a column that they do not determine, no motion
+/// does.
 pub(super) fn anywhere(task: &Task<'_>) -> States {
     let (n, len) = (task.dof(), 500);
     let mut random = Random::stream(11, 0);

@@ -1,4 +1,4 @@
-//! What is asked for: robot, limits, motion family, columns, criterion, what is known.
+//! A task: robot, limits, motion family, columns, criterion, prior.
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::Robot;
@@ -12,6 +12,7 @@ use super::columns::Columns;
 use super::constraints::{Constraint, Constraints};
 use super::criterion::Criterion;
 use super::curve::Curve;
+use super::error::LimitsError;
 use super::extra::Extra;
 use super::information::Scaling;
 use super::limits::{JointLimits, Missing};
@@ -24,7 +25,7 @@ pub struct Task<'a> {
     pub arm: &'a dyn Differentiable,
     /// Limits per joint.
     pub limits: Vec<JointLimits>,
-    /// What the file does not say, and what was taken.
+    /// Values missing in the file, and their replacements.
     pub missing: Vec<Missing>,
     /// Standard parameters of the nominal model; `None`: torques are not checked.
     pub standard: Option<Vec<f64>>,
@@ -65,16 +66,13 @@ impl<'a> Task<'a> {
     ///
     /// # Errors
     /// Where limits are missing that a motion can't be planned without.
-    pub fn new(arm: &'a Differentiated, robot: &Robot, duration: f64, acceleration_time: f64) -> Result<Self, String> {
+    pub fn new(arm: &'a Differentiated, robot: &Robot, duration: f64, speed_up_time: f64) -> Result<Self, LimitsError> {
         let mut missing = Vec::new();
         let still = |row: &usize| robot.joints[*row].limits.velocity.is_none_or(|v| v <= 0.0);
-        let still: Vec<&str> =
-            robot.moving().into_iter().filter(still).map(|row| robot.joints[row].name.as_str()).collect();
+        let still: Vec<String> =
+            robot.moving().into_iter().filter(still).map(|row| robot.joints[row].name.clone()).collect();
         if still.len() > 1 {
-            return Err(format!(
-                "joints {} have no `velocity` limits; a motion can't be planned without them: write them in the robot file",
-                still.join(", ")
-            ));
+            return Err(LimitsError::Velocities(still));
         }
         let limits: Vec<JointLimits> = robot
             .moving()
@@ -82,11 +80,11 @@ impl<'a> Task<'a> {
             .map(|row| {
                 let joint = &robot.joints[row];
                 let revolute = joint.kind == dh_codegen::robot::JointKind::Revolute;
-                JointLimits::new(&joint.name, revolute, &joint.limits, acceleration_time, &mut missing)
+                JointLimits::new(&joint.name, revolute, &joint.limits, speed_up_time, &mut missing)
             })
             .collect::<Result<_, _>>()?;
         if limits.is_empty() {
-            return Err("this robot has no joint that moves".into());
+            return Err(LimitsError::NoJoint);
         }
         let standard = param::standard_values(robot);
         if standard.is_none() {
@@ -187,9 +185,8 @@ impl<'a> Task<'a> {
         Columns::new(self.arm, &self.base, self.payload, self.extra)
     }
 
-    /// The columns with Coulomb's sign made smooth: over two percent of the largest speed, and over
-    /// what a speed can change in half the time between two samples, so that no turning round falls
-    /// between them.
+    /// The columns with a smooth sign of Coulomb: over two percent of the largest speed, and over
+    /// half of the change of speed between two samples, so that no reversal falls between them.
     pub(super) fn smooth_columns(&self, rate: f64) -> Columns<'a> {
         let turn = |l: &JointLimits| (0.02 * l.velocity).max(0.5 * l.acceleration / rate);
         self.columns().smooth(self.limits.iter().map(turn).collect())

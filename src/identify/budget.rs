@@ -1,5 +1,5 @@
-//! What the errors of a recorded motion make of the torques: a part of a residual that is no
-//! model's fault.
+//! Torque errors due to the errors of a recorded motion: a part of a residual that is no model's
+//! fault.
 //!
 //! To first order the torque of joint `i` errs by `sum_j (dt_i/dq_j) e_j + (dt_i/ddq_j) f_j + M_ij
 //! g_j`, `e f g` the errors of joint `j`'s position, velocity and acceleration. Encoders err
@@ -62,30 +62,30 @@ pub fn thinned(states: &States, dof: usize, most: usize) -> States {
     States { len: picks.len(), q: cut(&states.q), dq: cut(&states.dq), ddq: cut(&states.ddq) }
 }
 
-/// Where a joint's residual comes from, per joint, N m: standard deviations whose squares add up.
+/// Composition of a joint's residual, per joint, N m: standard deviations whose squares add up.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ErrorBudget {
     /// The torque sensor's white noise.
     pub sensor: Vec<f64>,
     /// Encoders and derivatives.
     pub motion: Vec<f64>,
-    /// What is not known of the times of the rows.
+    /// Remaining error of the times of the rows.
     pub clock: Vec<f64>,
     /// By how much the torque differs where the log repeats a motion, what sensor, motion and clock
     /// make of it included; `None` where no motion is repeated. It is no part of the sum.
     pub repeatability: Option<Vec<f64>>,
-    /// What is left to explain of the model's error.
+    /// Remaining error of the model.
     pub left: Vec<f64>,
 }
 
 impl ErrorBudget {
-    /// What sensor, motion and clock make together, per joint, N m.
+    /// Sum of sensor, motion and clock, per joint, N m.
     pub fn floor(&self) -> Vec<f64> {
         let parts = self.sensor.iter().zip(&self.motion).zip(&self.clock);
         parts.map(|((s, m), c)| (s * s + m * m + c * c).sqrt()).collect()
     }
 
-    /// What motion and clock make together, per joint, N m.
+    /// Sum of motion and clock, per joint, N m.
     pub fn of_motion(&self) -> Vec<f64> {
         self.motion.iter().zip(&self.clock).map(|(m, c)| m.hypot(*c)).collect()
     }

@@ -1,8 +1,8 @@
 //! Standard parameters of possible bodies that explain the data as well as possible bodies can.
 //!
 //! Least squares gives base parameters; nothing in it asks for links that could exist. Here the
-//! unknowns are the standard parameters `x` themselves, the data enter as the same weighted factor
-//! as in the plain solution, and every link's pseudo-inertia `P_i(x)` keeps to its cone:
+//! unknowns are the standard parameters `x` themselves, and the data enter as the same weighted
+//! factor as in the plain solution. Every link's pseudo-inertia `P_i(x)` keeps to its cone:
 //!
 //! ```text
 //! min  1/(2 lambda) |R K x - z|^2 + w sum_i D(P_i(x), P0_i)    with  P_i(x) >= eps P0_i,  IA, FV, FC >= 0,  bounds
@@ -22,8 +22,8 @@
 //!   distance is taken from there (of `P - eps P0`), which makes it the barrier of the constraint,
 //!   and the problem smooth, strictly convex: one solution ([`newton`]).
 //!
-//! What torques don't show goes to the prior; what they show beyond doubt stays (`w = 1` against
-//! thousands of samples).
+//! Undetermined directions go to the prior; well-determined ones stay (`w = 1` against thousands of
+//! samples).
 
 mod bounds;
 #[cfg(test)]
@@ -65,14 +65,15 @@ const VANISHING: f64 = 1e-6;
 /// How to fit possible bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConsistentSettings {
-    /// `w`: 1 believes the prior's bodies to about 100 %, 100 to 10 %. Default 1.
+    /// `w`: 1 gives the prior's bodies a relative standard deviation of about 100 %, 100 of 10 %.
+    /// Default 1.
     pub prior_weight: f64,
     /// Weight of a guessed body ([`Source::Geometric`]) relative to one from the robot file.
     /// Default 1e-3.
     pub geometric_share: f64,
     /// `eps`, above 0 and below 1. Default 1e-3.
     pub margin: f64,
-    /// What is known of masses and centres.
+    /// Prior on masses and centres.
     pub bounds: Bounds,
     /// Bodies that are fixed to links (from 0) and known: a tool. The standard parameters contain
     /// them, the bodies that are looked for do not.
@@ -80,8 +81,8 @@ pub struct ConsistentSettings {
     /// Standard parameters of drives with a least value above zero, as
     /// [`nonnegative_drives`](super::nonnegative_drives) has them.
     pub floors: Vec<(usize, f64)>,
-    /// By how much possible bodies may raise the weighted residual of the fit, percent, before the
-    /// data are said to contradict physics; and it must be more than noise explains (an F test at
+    /// Largest increase of the weighted residual of the fit by possible bodies, percent, before the
+    /// data are said to contradict physics. The increase must also exceed noise (an F test at
     /// 0.1 % over the independent samples: a short log's plain fit follows the noise, and is better
     /// than the truth). Default 25.
     pub most_cost_percent: f64,
@@ -108,7 +109,7 @@ pub enum ConsistentError {
     /// A vector of the wrong length.
     #[error("{what}: {found} where the arm has {expected}")]
     Length {
-        /// Which.
+        /// The source.
         what: &'static str,
         /// Given.
         found: usize,
@@ -116,7 +117,7 @@ pub enum ConsistentError {
         expected: usize,
     },
     /// The arm's parameters do not describe whole bodies.
-    #[error("link {link} has no parameter {missing}: ten are needed to tell whether it can be a body")]
+    #[error("link {link} has no parameter {missing}: ten are needed to decide whether it can be a body")]
     Incomplete {
         /// From 1.
         link: usize,
@@ -135,7 +136,7 @@ pub enum ConsistentError {
     /// Bounds that leave no room.
     #[error("the bounds on the bodies contradict each other: {what}")]
     Bounds {
-        /// Where.
+        /// The place.
         what: String,
     },
     /// Numbers overflowed.
@@ -164,7 +165,7 @@ pub enum ConsistentError {
     },
 }
 
-/// What a fit costs against the plain one.
+/// Cost of a fit against the plain one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cost {
     /// By how much the norm of the weighted residual of the fit grows, percent.
@@ -184,9 +185,9 @@ pub struct Consistent {
     pub base: Vec<f64>,
     /// Names of the base parameters.
     pub names: Vec<String>,
-    /// What possibility and prior cost together: the errors of [`Consistent::standard`].
+    /// Cost of possibility and prior together: the errors of [`Consistent::standard`].
     pub cost: Cost,
-    /// What possibility alone costs (the prior's weight vanishing).
+    /// Cost of possibility alone (the prior's weight vanishing).
     pub possible: Cost,
     /// How [`Consistent::standard`] does on the validating logs beside the plain solution, with an
     /// interval.
@@ -194,7 +195,7 @@ pub struct Consistent {
     /// Whether what possibility alone costs is more than noise explains: some of the residual is
     /// not noise, and the plain solution follows it into the impossible.
     pub significant: bool,
-    /// Where each link's prior came from.
+    /// Source of each link's prior.
     pub sources: Vec<Source>,
     /// Entropic distance of each link from its prior.
     pub distances: Vec<f64>,
@@ -267,8 +268,7 @@ pub fn consistent(
             possible: cost.fit.rms[joint],
         })
     };
-    // Where bodies are out of the question a rough answer tells, and all digits of the sharp one
-    // would go into the size of the misfit.
+    // If no bodies fit, a rough answer suffices; all further digits would only measure the misfit.
     let rough = 1e-6 * setup.problem.misfit(&setup.start);
     if rough > vanishing.w {
         let (v, _) = setup.problem.follow(&setup.start, Weights { w: rough, mu: rough })?;

@@ -1,7 +1,7 @@
 //! Effects that a robot file has beyond links and plain friction are known: their torque is taken
 //! out of the measured one, and the fit is of what is left.
 //!
-//! With the file's prediction `p` (what the sensors say, late by `d`, gain `g`, offset `o`) and its
+//! With the file's prediction `p` (sensor readings, late by `d`, gain `g`, offset `o`) and its
 //! rigid part `r` (links, rotors, plain friction), the fit sees `tau' = r + (tau - p)(t + d) / g`.
 //! A file that predicts a log exactly therefore leaves exactly its own rigid torque.
 
@@ -14,7 +14,7 @@ pub struct KnownEffects<'a> {
     arm: &'a dyn Arm,
     /// Standard parameters of the file, in the arm's order.
     standard: Vec<f64>,
-    /// The same without Coulomb levels: their torque is smooth and passes the low-pass as it is.
+    /// The same without Coulomb levels: their torque is smooth and passes the low-pass unchanged.
     smooth: Vec<f64>,
     filter: Option<Filter>,
 }

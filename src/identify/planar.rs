@@ -153,6 +153,7 @@ pub(crate) fn motion(arm: &Planar, seconds: f64, rate: f64, phase: f64) -> Motio
         velocity_noise: vec![0.0; 2],
         position_noise: Vec::new(),
         temperature: Vec::new(),
+        motor: Vec::new(),
         ..Motion::default()
     }
 }

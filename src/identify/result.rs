@@ -1,4 +1,4 @@
-//! What identification found: plain data.
+//! Result of an identification: plain data.
 
 use super::Accuracy;
 use super::Dropped;
@@ -6,12 +6,13 @@ use super::ErrorBudget;
 use super::Noise;
 use crate::data::log::{Finding, Kind};
 
-/// What became of a parameter.
+/// Status of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Standing {
     /// Estimated, with a standard deviation.
     Identified,
-    /// The data do not tell it, or not apart from others: see [`Identification::confused`].
+    /// The data do not determine it, or not separately from others: see
+    /// [`Identification::confused`].
     NotIdentifiable,
     /// Left out as not essential: zero.
     Dropped,
@@ -28,13 +29,12 @@ pub struct Estimate {
     pub grouping: String,
     /// Value.
     pub value: f64,
-    /// Standard deviation; infinite where the data do not tell the parameter.
+    /// Standard deviation; infinite where the data do not determine the parameter.
     pub std: f64,
-    /// What the textbook's formula gives, `sigma^2 (W' W)^-1` with the residual of each sample
-    /// independent of its neighbours': too small after a low-pass. For comparison with published
-    /// figures.
+    /// Textbook's formula, `sigma^2 (W' W)^-1` with the residual of each sample independent of its
+    /// neighbours: too small after a low-pass. For comparison with published figures.
     pub white_std: f64,
-    /// What became of it.
+    /// Its status.
     pub standing: Standing,
     /// Value of the robot file, where it was given.
     pub prior: Option<f64>,
@@ -47,7 +47,7 @@ impl Estimate {
     }
 }
 
-/// Parameters that the data do not tell apart, or at all.
+/// Parameters that the data do not separate, or not determine at all.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Confused {
     /// Names.
@@ -64,11 +64,11 @@ pub struct Condition {
     pub weighted: f64,
     /// Of the weighted stack with columns of unit norm: free of units.
     pub scaled: f64,
-    /// Of the stack as it is, the paper's criterion.
+    /// Condition number of the unweighted stacked regressor, the paper's criterion.
     pub plain: f64,
 }
 
-/// One log as it was used.
+/// One log in the form used.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LogSummary {
     /// Name.
@@ -103,15 +103,15 @@ pub struct Identification {
     pub fit: Accuracy,
     /// Errors on all validating logs.
     pub validation: Option<Accuracy>,
-    /// Errors of the robot file as it was, on the fitted logs.
+    /// Errors of the unchanged robot file, on the fitted logs.
     pub fit_before: Option<Accuracy>,
-    /// Errors of the robot file as it was, on the validating logs.
+    /// Errors of the unchanged robot file, on the validating logs.
     pub validation_before: Option<Accuracy>,
     /// Each log.
     pub logs: Vec<LogSummary>,
     /// Condition numbers.
     pub condition: Condition,
-    /// Parameters that the data do not tell apart.
+    /// Parameters that the data do not separate.
     pub confused: Vec<Confused>,
     /// Parameters that were left out, in the order of their going, and what it cost.
     pub dropped: Vec<Dropped>,
@@ -119,7 +119,7 @@ pub struct Identification {
     pub iterations: usize,
     /// Whether joints were weighted by their noise.
     pub weighted: bool,
-    /// Where the residual on the fitted logs comes from; `None` where that was not asked.
+    /// Composition of the residual on the fitted logs; `None` if not requested.
     pub budget: Option<ErrorBudget>,
     /// Suspicions that need a model: signs.
     pub findings: Vec<Finding>,
@@ -158,8 +158,8 @@ impl Identification {
         self.parameters.iter().map(|p| p.value).collect()
     }
 
-    /// Whether torques, as the log has them, may be something else: a sign that does not go with the
-    /// model, much that no parameters explain, or a file that misses nearly all.
+    /// Whether the log's torques may be misread: a sign that contradicts the model, much that no
+    /// parameters explain, or a file that misses nearly all.
     pub fn is_suspicious(&self) -> bool {
         let kind = |f: &Finding| matches!(f.kind, Kind::Sign { .. } | Kind::Unexplained { .. } | Kind::Disagree { .. });
         let misses = |a: &Accuracy| a.relative_error_percent() > MISSES;

@@ -23,11 +23,11 @@ pub struct IdentifySettings {
     pub weighted: bool,
     /// Whether to leave out parameters that are not essential. Default no.
     pub essential: Option<Essential>,
-    /// Standard parameters of the robot file: what to compare with, and what stands where the data
-    /// say nothing.
+    /// Standard parameters of the robot file: for comparison, and as values where the data have no
+    /// information.
     pub prior: Option<Vec<f64>>,
-    /// Combinations whose singular value (columns of unit norm) is below this times the largest are
-    /// not told by the data. Default 1e-10: above rounding, below any noise.
+    /// Combinations whose singular value (columns of unit norm) is below this times the largest
+    /// count as undetermined. Default 1e-10: above rounding, below any noise.
     pub tolerance: f64,
     /// Most rounds of weighting. Default 20.
     pub most_iterations: usize,
@@ -64,7 +64,7 @@ pub enum IdentifyError {
     /// Factors of another arm, or a prior of the wrong length.
     #[error("{what}: {found} where the arm has {expected}")]
     Mismatch {
-        /// What does not fit.
+        /// The mismatch.
         what: String,
         /// Given.
         found: usize,

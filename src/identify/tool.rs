@@ -1,5 +1,5 @@
-//! What is in the arm's hand: its ten inertial parameters from logs, and which tool that is (the
-//! paper's section II.E).
+//! Body in the arm's hand: its ten inertial parameters from logs, and the matching tool of a table
+//! (the paper's section II.E).
 //!
 //! Unloaded and loaded logs -> [`Carrying`] arms -> factors -> [`identify_tool`] -> [`Carried`].
 

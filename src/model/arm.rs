@@ -1,4 +1,4 @@
-//! What methods that work on data see of a robot: its regressor and its torques.
+//! View of a robot for methods that work on data: its regressor and its torques.
 
 /// Joint motion of a block of samples, joint-major: sample `s` of joint `j` stands at `j * len +
 /// s`.
@@ -19,7 +19,7 @@ pub struct States {
 pub struct VelocitySum {
     /// Degrees of freedom.
     pub joints: [usize; 2],
-    /// What the second one's velocity is multiplied by.
+    /// Factor of the second one's velocity.
     pub ratio: f64,
 }
 
@@ -55,14 +55,14 @@ pub struct BaseParameter {
     pub unit: String,
 }
 
-/// What an arm's numbers stand for.
+/// Meaning of an arm's numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Description {
     /// The robot's name.
     pub name: String,
     /// Degrees of freedom, `n`.
     pub dof: usize,
-    /// Names of the standard parameters, `P`, in the order of contract section 2.
+    /// Names of the standard parameters, `P`, in the order of robots/README.md.
     pub standard: Vec<String>,
     /// The base parameters, `B`, in the order of the base regressor's columns.
     pub base: Vec<BaseParameter>,
@@ -88,7 +88,7 @@ pub trait Arm: Sync {
         self.description().dof
     }
 
-    /// Names of the standard parameters, `P`, in the order of contract section 2.
+    /// Names of the standard parameters, `P`, in the order of robots/README.md.
     fn standard_names(&self) -> &[String] {
         &self.description().standard
     }

@@ -11,8 +11,8 @@
 //! | `FCM`, N m | `KC sign(w)` | `sign(w)` |
 //!
 //! They stand behind the arm's own parameters, named after the row of the motor: `IAM6`, `FVM6`,
-//! `FCM6`. Rigid bodies give none of these columns, so each is a base parameter of its own; whether
-//! a motion tells it from the rest, the fit says.
+//! `FCM6`. Rigid bodies give none of these columns, so each is a base parameter of its own; the fit
+//! shows whether a motion separates it from the rest.
 
 use crate::model::{Arm, BaseParameter, Description, States, SummedSign, VelocitySum};
 
@@ -43,7 +43,7 @@ impl Coupling {
         TERMS.map(|(kind, _)| format!("{kind}{}", self.row + 1))
     }
 
-    /// What one unit of a parameter costs on joint k or m, at every sample.
+    /// Torque of one unit of a parameter on joint k or m, at every sample.
     fn column(&self, term: usize, on_motor: bool, states: &States, out: &mut [f64]) {
         let of = |all: &'_ [f64], joint: usize, s: usize| all[joint * states.len + s];
         let far = if on_motor { self.other } else { self.motor };
@@ -61,7 +61,7 @@ impl Coupling {
     }
 }
 
-/// Where an entry of the pattern comes from.
+/// Source of an entry of the pattern.
 #[derive(Clone, Copy)]
 enum Entry {
     /// That of the arm with this index.
@@ -172,7 +172,7 @@ mod tests {
     use crate::identify::planar::Planar;
 
     /// The power that goes into a coupled rotor alone is the change of `IAM/2 (w^2 - dq_m^2 - KC^2
-    /// dq_k^2)`, and what friction at the motor takes is `FCM |w|`; the regressor says the same as
+    /// dq_k^2)`, and friction at the motor dissipates `FCM |w|`. The regressor gives the same as
     /// the torques.
     #[test]
     fn energy_and_columns_agree() {

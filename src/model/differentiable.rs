@@ -5,7 +5,7 @@ use super::arm::{Arm, States};
 pub use dh_codegen::pullback::Gradient;
 
 /// An [`Arm`] whose quantities can be differentiated, by products with the transposed Jacobian
-/// ("vector-Jacobian products"): `seeds` has one weight per entry and sample, laid out like the
+/// ("vector-Jacobian products"). `seeds` has one weight per entry and sample, laid out like the
 /// quantity itself, and `d(sum of seeds * entries)` by `q`, `dq` and `ddq` of each sample is
 /// *added* to a [`Gradient`] whose parts have `dof * len` entries.
 pub trait Differentiable: Arm {

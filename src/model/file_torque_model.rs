@@ -3,8 +3,8 @@
 
 use dh_codegen::arm::param::Parameter;
 use dh_codegen::arm::{Function, param};
-use dh_codegen::drive::{self, Behind, Memory, Spring};
-use dh_codegen::interpret::{Room, State};
+use dh_codegen::drive::{self, Deflection, Memory, Spring};
+use dh_codegen::interpret::{Scratch, State};
 use dh_codegen::robot::{Laws, Robot};
 use dh_codegen::runtime::Scalar;
 
@@ -18,7 +18,7 @@ use crate::model::{Arm, States, TorqueModel};
 )]
 pub struct NoLinks;
 
-/// A robot with everything that its file knows of it.
+/// A robot with all effects of its file.
 pub struct FileTorqueModel {
     arm: Interpreted,
     standard: Vec<f64>,
@@ -30,10 +30,10 @@ pub struct FileTorqueModel {
 impl FileTorqueModel {
     /// Of this robot.
     pub fn new(robot: &Robot) -> Result<Self, NoLinks> {
-        let standard = param::standard_values(&robot.as_it_is()).ok_or(NoLinks)?;
+        let standard = param::standard_values(&robot.effective()).ok_or(NoLinks)?;
         Ok(Self {
             arm: Interpreted::with_effects(robot, &[Function::DriveTorques, Function::RigidDynamics]),
-            bodies: param::standard(&robot.as_it_is())
+            bodies: param::standard(&robot.effective())
                 .iter()
                 .zip(&standard)
                 .map(|(p, &v)| if matches!(p, Parameter::Link(..)) { v } else { 0.0 })
@@ -61,11 +61,12 @@ impl FileTorqueModel {
         let mut parameters = self.standard.clone();
         parameters.resize(p + 2 * n, 0.0);
         let (mut q, mut dq, mut ddq, mut tau) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; n]);
-        let (mut room, mut start) = (Room::default(), 0);
+        let (mut scratch, mut start) = (Scratch::default(), 0);
         let springs: Vec<Spring> = self.laws.iter().map(Laws::gear).collect();
         let swings = springs.iter().any(|s| s.stiffness > 0.0);
-        let (mut behind, mut still): (Vec<Behind<f64>>, Vec<Behind<f64>>) = (vec![[0.0; 3]; n], vec![[0.0; 3]; n]);
-        let (mut work, mut kernel) = (vec![0.0; n * (n + 2)], Room::default());
+        let (mut deflection, mut still): (Vec<Deflection<f64>>, Vec<Deflection<f64>>) =
+            (vec![[0.0; 3]; n], vec![[0.0; 3]; n]);
+        let (mut work, mut kernel) = (vec![0.0; n * (n + 2)], Scratch::default());
         for s in 0..len {
             let fresh = s == 0 || time[s] <= time[s - 1];
             if fresh {
@@ -81,24 +82,25 @@ impl FileTorqueModel {
                 (q[k], dq[k], ddq[k]) = (states.q[at], states.dq[at], states.ddq[at]);
             }
             let state = State { q: &q, dq: &dq, ddq: &ddq, tau: &[], parameters: &parameters };
-            self.arm.run_one(Function::DriveTorques, &state, &mut room, &mut tau);
+            self.arm.run_one(Function::DriveTorques, &state, &mut scratch, &mut tau);
             if swings && !fresh {
-                let mut bodies = |behind: &[Behind<f64>], out: &mut [f64]| {
+                let mut bodies = |deflection: &[Deflection<f64>], out: &mut [f64]| {
                     let less = |x: &[f64], which: usize| -> Vec<f64> {
-                        x.iter().zip(behind).map(|(x, b)| x - b[which]).collect()
+                        x.iter().zip(deflection).map(|(x, b)| x - b[which]).collect()
                     };
                     let (q, dq, ddq) = (less(&q, 0), less(&dq, 1), less(&ddq, 2));
                     let state = State { q: &q, dq: &dq, ddq: &ddq, tau: &[], parameters: &self.bodies };
                     self.arm.run_one(Function::RigidDynamics, &state, &mut kernel, out);
                 };
-                // At the first step the links hang at ease; from the second on they swing.
+                // At the first step the links are at their quasi-static deflection; from the second
+                // on they swing.
                 let dt = time[s] - time[s - 1];
                 match s - start {
-                    1 => drive::at_ease(&springs, &mut behind, &mut work[..n], &mut bodies),
-                    2 => drive::let_go(&springs, dt, &mut behind, &mut work[..2 * n], &mut bodies),
-                    _ => drive::swing(&springs, dt, &mut behind, &mut work, &mut bodies),
+                    1 => drive::quasi_static(&springs, &mut deflection, &mut work[..n], &mut bodies),
+                    2 => drive::start_swing(&springs, dt, &mut deflection, &mut work[..2 * n], &mut bodies),
+                    _ => drive::swing(&springs, dt, &mut deflection, &mut work, &mut bodies),
                 }
-                drive::swung(&springs, &behind, &mut still, &mut work[..2 * n], &mut tau, &mut bodies);
+                drive::elastic_torque(&springs, &deflection, &mut still, &mut work[..2 * n], &mut tau, &mut bodies);
             }
             (0..n).for_each(|k| out[k * len + s] = tau[k]);
         }

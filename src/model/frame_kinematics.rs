@@ -12,7 +12,7 @@ pub trait FrameKinematics: Arm {
     /// `(frame, row, column)` at `((frame * 3 + row) * 4 + column) * len + s`.
     fn frames(&self, states: &States, out: &mut [f64]);
 
-    /// Jacobian of the last DH frame's origin in world axes, linear part first: entry `(row, joint)`
-    /// at `(row * n + joint) * len + s`.
+    /// Jacobian of the last DH frame's origin in world axes, linear part first: entry `(row,
+    /// joint)` at `(row * n + joint) * len + s`.
     fn jacobian(&self, states: &States, out: &mut [f64]);
 }

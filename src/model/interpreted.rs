@@ -5,7 +5,7 @@ mod bodies;
 pub use bodies::Bodies;
 
 use dh_codegen::arm::{Argument, Function, Model};
-use dh_codegen::interpret::{Batch, Interpreter, Room, State};
+use dh_codegen::interpret::{Batch, Interpreter, Scratch, State};
 use dh_codegen::robot::{Convention, JointKind, Robot};
 
 use crate::model::{Arm, BaseParameter, Description, FrameKinematics, LinkExtents, Payload, States};
@@ -28,15 +28,14 @@ impl Interpreted {
         Self::of(robot, Model::new(robot), more)
     }
 
-    /// The same with all effects of the file, as its generated code has them: zeros, rows and base
-    /// are the true ones, and inverse dynamics (which is no longer linear in the parameters) has
-    /// the laws of the drives in it. The parameters that go with it are those of
-    /// [`Robot::as_it_is`].
+    /// The same with all effects of the file, like its generated code. Zeros, rows and base are the
+    /// true ones, and inverse dynamics, which is no longer linear in the parameters, contains the
+    /// laws of the drives. The parameters that go with it are those of [`Robot::effective`].
     pub fn with_effects(robot: &Robot, more: &[Function]) -> Self {
         if !robot.has_effects() {
             return Self::new(robot, more);
         }
-        Self::of(&robot.as_it_is(), Model::with_effects(robot), more)
+        Self::of(&robot.effective(), Model::with_effects(robot), more)
     }
 
     fn of(robot: &Robot, model: Model, more: &[Function]) -> Self {
@@ -111,13 +110,13 @@ impl Interpreted {
         (0..states.len).map(|s| (0..size).map(|o| out[o * states.len + s]).collect()).collect()
     }
 
-    /// One state of any function that was asked for, without allocation once `room` has grown; see
-    /// [`Interpreter::run_one`].
+    /// One state of any function that was asked for, without allocation once `scratch` has grown;
+    /// see [`Interpreter::run_one`].
     ///
     /// # Panics
     /// Like [`Interpreted::evaluate`].
-    pub fn run_one(&self, function: Function, state: &State<'_>, room: &mut Room, out: &mut [f64]) {
-        self.interpreter.run_one(function, state, room, out);
+    pub fn run_one(&self, function: Function, state: &State<'_>, scratch: &mut Scratch, out: &mut [f64]) {
+        self.interpreter.run_one(function, state, scratch, out);
     }
 
     /// Extents of a function's result.
@@ -193,7 +192,7 @@ impl Arm for Interpreted {
 }
 
 impl Interpreted {
-    /// What [`FrameKinematics`] needs to have been asked for in [`Interpreted::new`].
+    /// Request in [`Interpreted::new`] that [`FrameKinematics`] needs.
     pub const PLACED: [Function; 3] = [Function::Frames, Function::ToolPose, Function::Jacobian];
 }
 

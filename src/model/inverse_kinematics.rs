@@ -14,7 +14,7 @@ pub use dh_codegen::ik::PoseError;
 pub struct Posture {
     /// Positions, rad or m, `dof` entries.
     pub q: Vec<f64>,
-    /// Which posture it is.
+    /// The posture.
     pub branch: Branch,
     /// Distance of the last frame's origin from the pose's, m.
     pub position_error: f64,
@@ -24,14 +24,14 @@ pub struct Posture {
     pub within_limits: bool,
     /// Distance to the nearest limit, rad or m; infinite where no joint has one.
     pub margin: f64,
-    /// Joints, from 0, that can move together and leave the pose as it is.
+    /// Joints, from 0, that can move together without changing the pose.
     pub free: Vec<usize>,
 }
 
 /// All postures of one pose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Postures {
-    /// What became of the pose.
+    /// Outcome for the pose.
     pub status: Status,
     /// In the order of their branches, or by distance from the near posture.
     pub list: Vec<Posture>,
@@ -49,10 +49,10 @@ pub struct Postures {
     pub second_plane: bool,
 }
 
-/// Where the swivel angle of one branch may lie.
+/// Intervals of the swivel angle of one branch.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SwivelRange {
-    /// Which of the eight.
+    /// Index among the eight.
     pub branch: Branch,
     /// From and to, rad, ascending within `[-pi, pi]`; one that goes on beyond pi is given in two
     /// parts.
@@ -61,7 +61,7 @@ pub struct SwivelRange {
     pub best: Option<(f64, f64)>,
 }
 
-/// What is asked beside the pose.
+/// Options of a query beside the pose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ask {
     /// Of a redundant arm: swivel angle, rad, or position of the locked joint, rad or m.
@@ -70,9 +70,9 @@ pub struct Ask {
     pub reference: Reference,
     /// A posture: free joints and whole turns are taken near it, and nearest solutions stand first.
     pub near: Option<Vec<f64>>,
-    /// What may be left to the pose, m and rad.
+    /// Tolerated pose error, m and rad.
     pub tolerance: f64,
-    /// Newton's steps at most on a branch that is not exact as it stands: see [`Query::steps`].
+    /// Newton's steps at most on a branch that is not exact at first: see [`Query::steps`].
     pub steps: usize,
 }
 
@@ -233,8 +233,8 @@ impl Kinematics {
     }
 
     /// The swivel angle, or one of 48 positions of the locked joint, at which some posture of a
-    /// pose stays farthest from its limits; `None` where no swivel angle respects them, the pose is
-    /// out of reach, or the arm is not redundant.
+    /// pose stays farthest from its limits. It is `None` if no swivel angle respects them, the pose
+    /// is out of reach, or the arm is not redundant.
     ///
     /// # Errors
     /// Like [`Kinematics::solve`].
@@ -242,9 +242,9 @@ impl Kinematics {
         self.solver.best_redundancy(pose, reference)
     }
 
-    /// Where the swivel angle of each of the eight branches may lie under the joint limits, and
-    /// where it is best; `None` for an arm without one. Of an arm that is only nearly of the
-    /// family: those of the nominal arm.
+    /// Intervals of the swivel angle of each of the eight branches under the joint limits, and its
+    /// best value; `None` for an arm without one. Of an arm that is only nearly of the family:
+    /// those of the nominal arm.
     ///
     /// # Errors
     /// Like [`Kinematics::solve`].

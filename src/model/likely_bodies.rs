@@ -2,7 +2,7 @@
 
 use crate::model::pseudo_inertia::{Yardstick, is_body};
 
-/// Where a link's prior comes from.
+/// Source of a link's prior.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Source {
     /// The robot file's body.
@@ -11,7 +11,7 @@ pub enum Source {
     Thickened,
     /// None stands in the robot file: a guess from the geometry.
     Geometric,
-    /// What stands in the robot file is no possible body: a guess from the geometry in its place.
+    /// The link of the robot file is no possible body: a guess from the geometry replaces it.
     Impossible,
 }
 
@@ -27,7 +27,7 @@ impl Source {
 pub struct PriorBody {
     /// `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the link's frame, about its origin.
     pub body: [f64; 10],
-    /// Where it comes from.
+    /// Its source.
     pub source: Source,
 }
 
@@ -37,9 +37,9 @@ const THIN: f64 = 0.04;
 const DENSITY: f64 = 1000.0;
 
 /// A guess for each link: a solid capsule-like cylinder of the density of water from the frame's
-/// origin to where the link ends, one radius longer at both ends; the radius is a sixteenth of the
-/// arm's reach (the sum of the links' lengths), at least 40 mm. Right to a factor of a few; it is
-/// there to give the unseen combinations the size of a robot's link, and weighs accordingly
+/// origin to the link's end, one radius longer at both ends. The radius is a sixteenth of the arm's
+/// reach (the sum of the links' lengths), at least 40 mm. Right to a factor of a few; it is there
+/// to give the unseen combinations the size of a robot's link, and weighs accordingly
 /// ([`ConsistentSettings::geometric_share`](crate::identify::ConsistentSettings)).
 pub fn geometric_bodies(ends: &[[f64; 3]]) -> Vec<[f64; 10]> {
     let length = |p: &[f64; 3]| p.iter().map(|x| x * x).sum::<f64>().sqrt();

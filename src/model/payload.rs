@@ -2,11 +2,11 @@
 
 use super::arm::{Arm, States};
 
-/// An arm that can tell what a body in its hand adds to the torques.
+/// An arm that computes the torques of a body in its hand.
 pub trait Payload: Arm {
     /// Rows and columns of the structural nonzeros of the payload regressor, sorted by row, then
     /// column. Columns are the body's ten parameters `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool
-    /// frame, about its origin; in the last DH frame where the robot has no tool.
+    /// frame, about its origin. Without a tool they hold in the last DH frame.
     fn payload_pattern(&self) -> &[(usize, usize)];
 
     /// The payload regressor at every sample: entry `k` of [`Payload::payload_pattern`] at sample

@@ -45,7 +45,7 @@ pub trait PerturbableArm: Arm {
     /// Row of each joint, from 0, base to tip.
     fn rows(&self) -> &[usize];
 
-    /// Motor turns per joint turn, where the file tells.
+    /// Motor turns per joint turn, if the file has them.
     fn gear_ratios(&self) -> &[Option<f64>];
 
     /// Values of the standard parameters in the file (`P`); `None` where it has no links.
@@ -55,7 +55,7 @@ pub trait PerturbableArm: Arm {
     /// it has links.
     fn given_drive(&self, index: usize) -> f64;
 
-    /// The most that each joint gives, N m, where the file tells.
+    /// Largest torque of each joint, N m, if the file has it.
     fn torque_limits(&self) -> Vec<Option<f64>> {
         vec![None; self.dof()]
     }
@@ -66,9 +66,9 @@ pub trait PerturbableArm: Arm {
         None
     }
 
-    /// Effects that the file knows beyond rotors, `FV`, `FC` and `FO`: its name and joint (from 0;
-    /// `None`: the whole robot). Those of geometry and bodies are in
-    /// the arm itself, delays in [`PerturbableArm::delays`], the rest in [`PerturbableArm::known`].
+    /// Effects of the file beyond rotors, `FV`, `FC` and `FO`: name and joint (from 0; `None`: the
+    /// whole robot). Those of geometry and bodies are in the arm itself, delays in
+    /// [`PerturbableArm::delays`], the rest in [`PerturbableArm::known`].
     fn effects(&self) -> Vec<(EffectKind, Option<usize>)> {
         Vec::new()
     }
@@ -78,10 +78,10 @@ pub trait PerturbableArm: Arm {
         vec![0.0; self.dof()]
     }
 
-    /// What the file's effects add to the recorded torques beside the plain arm (which is as late),
-    /// N m, joint-major like the states, along recorded motion as in
-    /// [`TorqueModel::torques_along`](super::TorqueModel::torques_along). `false`: nothing, and
-    /// `out` is as it was.
+    /// Contribution of the file's effects to the recorded torques beside the plain arm (which is as
+    /// late), N m, joint-major like the states, along recorded motion as in
+    /// [`TorqueModel::torques_along`](super::TorqueModel::torques_along). `false`: none, and `out`
+    /// is unchanged.
     fn known(&self, _time: &[f64], _states: &States, _temperature: &[f64], _out: &mut [f64]) -> bool {
         false
     }
@@ -92,23 +92,23 @@ pub trait PerturbableArm: Arm {
         vec![0.0; self.dof()]
     }
 
-    /// What the links' bodies are looked for near; `None` where nothing is known of their size.
+    /// Prior bodies of the links; `None` without any knowledge of their size.
     fn bodies(&self) -> Option<LikelyBodies> {
         None
     }
 
-    /// The same arm whose file does not know some of its [`PerturbableArm::effects`].
+    /// The same arm without some of its file's [`PerturbableArm::effects`].
     fn without(&self, _effects: &[(EffectKind, Option<usize>)]) -> Option<Box<dyn PerturbableArm>> {
         None
     }
 
-    /// [`Arm::inverse_dynamics`] of the arm with a change: torques, N m (N for a prismatic joint),
-    /// of all joints, joint-major like the states, from the standard parameters (`P`, SI) of the
-    /// unchanged arm's frames.
+    /// [`Arm::inverse_dynamics`] of the arm with a change. It gives torques, N m (N for a prismatic
+    /// joint), of all joints, joint-major like the states, from the standard parameters (`P`, SI)
+    /// of the unchanged arm's frames.
     fn changed_dynamics(&self, change: &Change, states: &States, standard: &[f64], out: &mut [f64]);
 
-    /// `J'`: the torque on joint `j` of a unit of component `c` (`fx fy fz mx my mz`, at the origin
-    /// of the last frame, in its axes or in the base's) of a wrench on it at sample `s` goes to
-    /// `out[(c * n + j) * len + s]`.
+    /// `J'`: the torque on joint `j` of a unit of component `c` of a wrench on the last frame at
+    /// sample `s` goes to `out[(c * n + j) * len + s]`. Components are `fx fy fz mx my mz`, at the
+    /// origin of the last frame, in its axes or in the base's.
     fn wrench_columns(&self, states: &States, base: bool, out: &mut [f64]);
 }

@@ -16,9 +16,9 @@ use crate::model::{Arm, Change, Description, LikelyBodies, PerturbableArm, State
 pub struct PerturbableRobot {
     /// As its file has it.
     file: Robot,
-    /// As it is.
+    /// Unchanged.
     robot: Robot,
-    /// All that the file knows, and what it knows but for the laws of its drives; where it knows
+    /// Arms with all effects of the file, and with all but the laws of its drives; where it has
     /// such.
     known: Option<(FileTorqueModel, FileTorqueModel)>,
     delays: Vec<f64>,
@@ -34,7 +34,7 @@ impl PerturbableRobot {
     pub fn new(robot: &Robot) -> Self {
         let rows = robot.moving();
         let file = robot.clone();
-        let robot = if file.has_effects() { file.as_it_is() } else { file.clone() };
+        let robot = if file.has_effects() { file.effective() } else { file.clone() };
         Self {
             arm: Interpreted::new(&robot, &[]),
             numeric: Numeric::new(&robot),
@@ -49,7 +49,7 @@ impl PerturbableRobot {
     }
 }
 
-/// Predictors of a file and of the arm as it is without its drives' laws, both as late.
+/// Predictors of a file and of the arm without its drives' laws, both as late.
 fn laws(file: &Robot, real: &Robot) -> Option<(FileTorqueModel, FileTorqueModel)> {
     let late = |e: &Effect| e.kind() == EffectKind::TimeDelay;
     let mut plain = real.clone();

@@ -1,7 +1,7 @@
 //! The ten parameters of a body as a symmetric 4 x 4 matrix.
 //!
-//! `P = [[S, MS], [MS', M]]` with `S = tr(I)/2 1 - I`, the second moments `integral of x x' dm`:
-//! the parameters are those of some distribution of mass exactly if `P` is positive semidefinite
+//! `P = [[S, MS], [MS', M]]` with `S = tr(I)/2 1 - I`, the second moments `integral of x x' dm`.
+//! The parameters are those of some distribution of mass exactly if `P` is positive semidefinite
 //! (P. Wensing, S. Kim, J.-J. Slotine, *Linear matrix inequalities for physically consistent
 //! inertial parameter identification*, IEEE Robotics and Automation Letters 3(1), 2018).
 

@@ -9,10 +9,10 @@
 //! of the parameters ([`dh_codegen::arm::param`]), so that agreement between the two means
 //! something.
 //!
-//! Everywhere: `n` degrees of freedom, `P` standard parameters `phi` in the order of
-//! `param::standard`; `q` in rad or m, one entry per moving row; torques in N m (N for a prismatic
-//! joint), those of the actuators on the links, positive in the direction in which `q` grows.
-//! Parameters are given at each call, so one [`Numeric`] serves any estimate. A tool counts
+//! Everywhere there are `n` degrees of freedom and `P` standard parameters `phi` in the order of
+//! `param::standard`. `q` is in rad or m, one entry per moving row. Torques are in N m (N for a
+//! prismatic joint), those of the actuators on the links, positive in the direction in which `q`
+//! grows. Parameters are given at each call, so one [`Numeric`] serves any estimate. A tool counts
 //! only through its pose here: `param::standard_values` folds its inertia into the last link's.
 //!
 //! Every method panics when an argument has the wrong length (`q`, `dq`, `ddq`, `tau`: `n`; `phi`:
@@ -69,7 +69,7 @@ pub struct Numeric {
     parameters: usize,
 }
 
-/// Room for the intermediate results of one call, so that repeated calls through the `_into`
+/// Scratch for the intermediate results of one call, so that repeated calls through the `_into`
 /// methods allocate nothing.
 #[derive(Debug, Clone)]
 pub struct Workspace {
@@ -124,7 +124,7 @@ impl Numeric {
         self.parameters
     }
 
-    /// Room for the `_into` methods; of this robot only.
+    /// Scratch for the `_into` methods; of this robot only.
     pub fn workspace(&self) -> Workspace {
         let rows = self.rows.len();
         Workspace {

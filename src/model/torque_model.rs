@@ -14,16 +14,16 @@ pub trait TorqueModel: Sync {
     /// nothing is late.
     fn torques(&self, states: &States, out: &mut [f64]);
 
-    /// Along recorded motion: `time` (s, one per sample; where it does not rise another recording
-    /// begins) lets bristles bend, gears warm and torques be late; `temperature` (deg C,
+    /// Along recorded motion: bristles bend, gears warm and torques are late with `time` (s, one
+    /// per sample; where it does not rise another recording begins). `temperature` (deg C,
     /// joint-major) may be empty.
     fn torques_along(&self, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]);
 
     /// How late each joint's torque is, s.
     fn delays(&self) -> Vec<f64>;
 
-    /// What each joint's sensor makes of its true torque: gain, and offset (N m) that is added.
-    /// True torques, as a controller has to command them, are `(measured - offset) / gain`.
+    /// Calibration of each joint's torque sensor: gain, and offset (N m) that is added. True
+    /// torques, as a controller has to command them, are `(measured - offset) / gain`.
     fn sensors(&self) -> Vec<[f64; 2]>;
 
     /// Breakaway level of each joint's static friction, N m, where a law of its drive gives one.

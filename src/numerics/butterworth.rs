@@ -25,7 +25,7 @@ fn slow(rate: f64) -> &'static str {
 /// as second-order sections of unit gain at rest.
 ///
 /// Each analog pair `1 / (s^2 + 2 zeta s + 1)`, `zeta` the cosine of the angle of the poles from
-/// the negative real axis, is taken through the bilinear transform with the cutoff prewarped, `K =
+/// the negative real axis, is taken through the bilinear transform. The cutoff is prewarped, `K =
 /// tan(pi cutoff / rate)` (Oppenheim and Schafer, Discrete-Time Signal Processing, section 7.1.2).
 pub fn low_pass(order: usize, cutoff: f64, rate: f64) -> Result<Sos, CutoffError> {
     if order == 0 || order > 20 || !cutoff.is_finite() || cutoff <= 0.0 || cutoff >= 0.499 * rate {

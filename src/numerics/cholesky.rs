@@ -28,7 +28,7 @@ pub(crate) fn solve(n: usize, l: &[f64], x: &mut [f64]) {
         let known: f64 = row.iter().zip(done.iter()).map(|(l, x)| l * x).sum();
         rest[0] = (rest[0] - known) / row[i];
     }
-    // Row by row here too, as they stand in memory: what is found is taken off the others.
+    // Row by row here too, in memory order: each solved unknown is subtracted from the others.
     for i in (0..n).rev() {
         let row = &l[i * n..=i * n + i];
         let (others, rest) = x.split_at_mut(i);

@@ -2,12 +2,12 @@
 //!
 //! With `d` the angle of the motor before the link, the link's own equation (M. W. Spong, *Modeling
 //! and control of elastic joint robots*, J. Dyn. Sys. Meas. Control 109, 1987) to first order in
-//! `d` is `m d'' + (D + c) d' + (K + g) d = f`: `f` the torque of the arm as if its link stood
-//! where the motor is, `m`, `c`, `g` how that changes with the link's acceleration, velocity and
-//! position, `K` and `D` spring and damper. Motions of other joints act through `f`. Solved by the
-//! trapezoidal rule, which neither damps nor grows.
+//! `d` is `m d'' + (D + c) d' + (K + g) d = f`. Here `f` is the torque of the arm at zero
+//! deflection, `m`, `c`, `g` its derivatives by the link's acceleration, velocity and position, `K`
+//! and `D` spring and damper. Motions of other joints act through `f`. Solved by the trapezoidal
+//! rule, which neither damps nor grows.
 
-/// What the link asks for, at evenly spaced instants.
+/// Link load at evenly spaced instants.
 #[derive(Debug, Clone, Copy)]
 pub struct LinkLoad<'a> {
     /// `f`, N m.
@@ -40,7 +40,7 @@ const FINE: f64 = 0.1;
 const MOST: f64 = 40.0;
 
 impl Spring {
-    /// Where the load winds the spring if nothing swings: angle and rate at the first instant.
+    /// Quasi-static deflection: initial angle and rate.
     pub fn quasi_static(self, asked: &LinkLoad<'_>) -> [f64; 2] {
         let stiffness = |k: usize| self.stiffness + asked.stiffness[k];
         match asked.load {

@@ -5,8 +5,8 @@
 
 use std::f64::consts::TAU;
 
-/// Power `|X_k|^2` of a real series for `k = 0..=n / 2`, padded with zeros to `n`, the next power of
-/// two; and `n`.
+/// Power `|X_k|^2` of a real series for `k = 0..=n / 2`, padded with zeros to `n`, the next power
+/// of two; and `n`.
 pub fn power_spectrum(x: &[f64]) -> (Vec<f64>, usize) {
     let n = x.len().next_power_of_two();
     let bits = n.trailing_zeros();

@@ -1,5 +1,4 @@
-//! Integration with error control. [`rosenbrock`] for what is stiff, [`dormand_prince`] for what is
-//! not.
+//! Integration with error control. [`rosenbrock`] for stiff systems, [`dormand_prince`] for others.
 
 pub(crate) mod dormand_prince;
 pub(crate) mod rosenbrock;
@@ -7,7 +6,7 @@ pub(crate) mod rosenbrock;
 /// How the integrator works.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solver {
-    /// Which method.
+    /// The method.
     pub method: Method,
     /// Relative error of a step; absolute errors are a hundredth of it in rad, all of it in rad/s.
     pub tolerance: f64,
@@ -67,8 +66,8 @@ pub(crate) trait System {
     fn linearise(&mut self, t: f64, y: &[f64], linear: &mut Linear, dy: &mut [f64]) -> Result<(), Breakdown>;
 }
 
-/// Where a system is stiff: `M a = -K x - D x' - sum_b along_b c_b z_b + (what is not)`, `z_b' =
-/// a_b v_b + b_b z_b + ..`, `v_b = along_b . x'`.
+/// Stiff part of a system: `M a = -K x - D x' - sum_b along_b c_b z_b + (other terms)`, `z_b' = a_b
+/// v_b + b_b z_b + ..`, `v_b = along_b . x'`.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Linear {
     /// `N x N`, row-major.

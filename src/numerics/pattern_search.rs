@@ -1,14 +1,14 @@
-//! Direct search: steps along given directions and along turned frames, halved when none helps
+//! Direct search: steps along given directions and along turned frames, halved if none improves
 //! (Kolda, Lewis and Torczon, SIAM Review 45, 2003; the turned frames of Abramson, Audet, Dennis
 //! and Le Digabel, SIAM J. Optimization 20, 2009, without which a search stops where two limits
 //! meet at a slant).
 //!
-//! A handful of variables, a cost whose gradient jumps where another joint begins to bind or a
-//! branch of the inverse ends, and a yes or no for the reach: a search that asks only which of two
-//! candidates is better needs no more than that, gives the same answer on every machine, and stops
-//! where no step of the smallest size helps. The quadratic programs of `excite` (hundreds of smooth
-//! variables) would need derivatives of the inverse that are infinite at the edge of the reach,
-//! which is where the widest lanes end.
+//! The problems have a handful of variables, a cost whose gradient jumps where another joint begins
+//! to bind or a branch of the inverse ends, and a yes or no for the reach. A search that only
+//! compares two candidates suffices, gives the same answer on every machine, and stops where no
+//! step of the smallest size improves. The quadratic programs of `excite` (hundreds of smooth
+//! variables) would need derivatives of the inverse. These are infinite at the edge of the reach,
+//! where the widest lanes end.
 
 /// How a search goes about it.
 pub(crate) struct Effort {
@@ -23,9 +23,9 @@ pub(crate) struct Effort {
 }
 
 /// Improves `x` and what belongs to it. `scale` is the first step of each variable, `directions`
-/// further ones in its units; `make` gives a candidate for a point (which it may bring back to
-/// where it means something), `beats` compares, and gets the size of the step so that it can ask
-/// for more than a hair.
+/// further ones in its units. `make` gives a candidate for a point, which it may project to the
+/// valid range. `beats` compares, and gets the size of the step so that it can require more than a
+/// hair.
 pub(crate) fn pattern_search<T>(
     x: &mut Vec<f64>,
     best: &mut T,
@@ -47,7 +47,7 @@ pub(crate) fn pattern_search<T>(
         while frame <= effort.frames {
             let turned = if frame == 0 { given.clone() } else { mirror(n, turn) };
             turn += usize::from(frame > 0);
-            // What helped last is tried first.
+            // The last successful direction is tried first.
             let both = turned.iter().flat_map(|d| [d.clone(), d.iter().map(|e| -e).collect()]);
             let order: Vec<Vec<f64>> = again.take().into_iter().chain(both).collect();
             let mut moved = false;

@@ -54,9 +54,9 @@ impl Sos {
     }
 
     /// Filters forward and backward, so without lag; the gain is that of one pass squared. `pad`
-    /// samples are added at each end by turning the signal about its end point ("odd" extension),
-    /// and each pass starts at rest at its first value, as SciPy's `sosfiltfilt` does (Gustafsson
-    /// 1996 compares the ways to start).
+    /// samples are added at each end by turning the signal about its end point ("odd" extension).
+    /// Each pass starts at rest at its first value, as SciPy's `sosfiltfilt` does (Gustafsson 1996
+    /// compares the ways to start).
     pub fn forward_backward(&self, x: &mut [f64], pad: usize) {
         let Some((&first, &last)) = x.first().zip(x.last()) else { return };
         let pad = pad.min(x.len() - 1);

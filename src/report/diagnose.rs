@@ -1,5 +1,7 @@
 //! The `diagnose` verb's results.
 
+pub(crate) mod calibrate;
+mod doubts;
 pub(crate) mod json;
 pub(crate) mod next_experiment;
 pub(crate) mod page;

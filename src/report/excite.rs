@@ -2,4 +2,5 @@
 
 pub(crate) mod motion_check;
 pub(crate) mod page;
+pub(crate) mod saved;
 pub(crate) mod text;

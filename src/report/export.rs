@@ -1,4 +1,4 @@
-//! What `denavit export` reports: what the format could not say.
+//! Report of `denavit export`: entries that the format can't express.
 
 use core::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! What `denavit import` reports.
+//! Report of `denavit import`.
 
 pub mod json;
 pub mod text;

@@ -2,6 +2,7 @@
 
 pub(crate) mod bodies;
 pub(crate) mod budget;
+pub(crate) mod fields;
 pub(crate) mod number;
 pub(crate) mod page;
 pub(crate) mod stick_figure;

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use dh_codegen::robot::effects;
 
-/// What is known of an arm before anything is measured.
+/// Data of an arm before any measurement.
 pub struct RobotTemplate<'a> {
     /// Name of the robot.
     pub name: &'a str,

@@ -1,4 +1,4 @@
-//! What the reports must keep.
+//! Checks of the reports.
 
 use super::*;
 use crate::identify::{
@@ -127,8 +127,11 @@ fn diagnosis_page_stands_alone() {
     use crate::diagnose::{
         Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, Named, NextExperiment, Offer, Offered, Verdict,
     };
+    let identification = found();
     let errors = |x: f64| Errors { fit: vec![x], validate: vec![x], moving: vec![x] };
     let found = Diagnosis {
+        changed: Vec::new(),
+        changes: Vec::new(),
         robot: "a <b>".into(),
         verdict: Verdict::Explained,
         noise_floor: vec![0.1],
@@ -142,6 +145,7 @@ fn diagnosis_page_stands_alone() {
         links_refitted: false,
         standard: None,
         causes: vec![Cause {
+            recurrence: 0.9,
             cause: "joint_elasticity",
             joints: vec![1],
             probability: 0.95,
@@ -181,7 +185,7 @@ fn diagnosis_page_stands_alone() {
         }],
         maps: vec![vec![ErrorMap { over: "velocity, rad/s", x: vec![0.0], before: vec![1.0], after: vec![0.1] }]],
     };
-    let page = diagnose_html(&found, &[], &Warnings::default(), &[("robot file".into(), "a & b".into())]);
+    let page = diagnose_html(&found, &[], &Warnings::default(), None, &[("robot file".into(), "a & b".into())]);
     for outside in ["http://", "https://", "src=", "href=", "@import", "url("] {
         let used = page.replace("http://www.w3.org/2000/svg", "").replace("href='#s", "").contains(outside);
         assert!(!used, "{outside}");
@@ -189,7 +193,7 @@ fn diagnosis_page_stands_alone() {
     assert_eq!(page.matches("</script>").count(), 2);
     assert!(page.contains("a &lt;b&gt;") && page.contains("a &amp; b"));
     assert!(page.contains("<tr><th>td1<td>0.02000<td>0.0010</tr>"), "value and deviation");
-    assert!(page.contains("Not told apart from viscous friction") && page.contains("a second speed"));
+    assert!(page.contains("Not separated from viscous friction") && page.contains("a second speed"));
     // (1 - 0.01) / (1 - 0.01): all that could be gained.
     assert!(page.contains("<td>100 %</tr>"));
     let start = page.find("application/json>").unwrap() + "application/json>".len();
@@ -197,8 +201,16 @@ fn diagnosis_page_stands_alone() {
     let data: serde_json::Value = serde_json::from_str(&page[start..end].replace("<\\/", "</")).unwrap();
     assert!(data["causes"][0]["after"][0].is_null() && data["causes"][0]["curve"]["measured"][1].is_null());
     assert_eq!(data["curves"][0]["after"][1], 0.12346);
+    // The same after an identification: the joint that gained most, and the parameters.
+    let mut warnings = Warnings::default();
+    warnings.push("few samples");
+    let identified = Identified { found: &identification, warnings: &warnings };
+    let page = diagnose_html(&found, &[], &Warnings::default(), Some(&identified), &[]);
+    assert!(page.contains("data-joint=0") && page.contains("Parameters as identified") && page.contains("few samples"));
+    let text = calibrate_text(&found, &identified, &Warnings::default());
+    assert!(text.contains("warning of the identification: few samples"), "{text}");
     // A delay has no curve of its own.
     let mut late = found;
     late.causes[0].cause = "time_delay";
-    assert!(diagnose_html(&late, &[], &Warnings::default(), &[]).contains("\"curve\":null"));
+    assert!(diagnose_html(&late, &[], &Warnings::default(), None, &[]).contains("\"curve\":null"));
 }

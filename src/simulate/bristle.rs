@@ -1,4 +1,4 @@
-//! The sign of a velocity, as a bristle: a state that remembers a little travel, so that joints
+//! The sign of a velocity, as a bristle: a state with a memory of a little travel, so that joints
 //! stick, creep nowhere, and break away.
 //!
 //! `dz/dt = (v - |v| z) / X` (P. R. Dahl, 1968; Canudas de Wit et al. 1995); friction is a level
@@ -6,7 +6,7 @@
 //! takes energy (H. Olsson, K. J. Astrom et al., *Friction models and friction compensation*, Eur.
 //! J. Control 4, 1998). After a travel of some `X` in one direction `z` is `sign(v)`.
 
-/// What a bristle's force is.
+/// Role of a bristle's force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
     /// All laws of a joint with `sign(v)` in them.
@@ -50,7 +50,7 @@ impl Bristle {
         0.2 * self.travel / self.fade * libm::exp(-ratio * ratio)
     }
 
-    /// What stands for `sign(v)`, in about `[-1, 1]`.
+    /// Substitute for `sign(v)`, in about `[-1, 1]`.
     pub fn sign(&self, v: f64, z: f64) -> f64 {
         z + self.damping(v) * self.rate(v, z)
     }

@@ -1,11 +1,11 @@
-//! What acts on the tool from outside.
+//! External wrenches on the tool.
 
 use super::effects::ExternalContact;
 
 /// A wrench on the tool, and how it answers to motion.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Wrench {
-    /// Force (N) and moment (N m) on the tool, about the origin of its frame, base axes.
+    /// Force (N) and moment (N m) on the tool, about the origin of its frame, world axes.
     pub wrench: [f64; 6],
     /// Minus the derivative of the force by the position of the origin, N/m; for the implicit
     /// integrator: may be rough, or zero for what is soft.
@@ -17,8 +17,9 @@ pub struct Wrench {
 /// Something that pushes on the tool: a wall, a hand, a spring. Any closure of the same form is
 /// one.
 pub trait External: Sync {
-    /// The wrench at time `t` (s) on a tool with this frame (top three rows of its homogeneous
-    /// matrix, base axes) and twist (velocity of its origin and angular velocity, base axes).
+    /// The wrench at time `t` (s) on a tool with this frame and twist. The frame is the top three
+    /// rows of its homogeneous matrix, the twist the velocity of its origin and its angular
+    /// velocity, both in world axes.
     fn wrench(&self, t: f64, pose: &[f64; 12], twist: &[f64; 6]) -> Wrench;
 }
 
@@ -28,13 +29,12 @@ impl<F: Fn(f64, &[f64; 12], &[f64; 6]) -> Wrench + Sync> External for F {
     }
 }
 
-/// A compliant plane with the damping of Hunt and Crossley (J. Applied Mechanics 42, 1975): `k d
-/// (1 + c d')` along the normal while the tool's origin is `d` deep in it, so that the force
-/// begins and ends at zero; never pulls. Sliding is resisted by Coulomb friction, rounded off
-/// below `creep`.
+/// A compliant plane with the damping of Hunt and Crossley (J. Applied Mechanics 42, 1975): `k d (1
+/// + c d')` along the normal while the tool's origin is `d` deep in it. The force begins and ends
+/// at zero and never pulls. Sliding is resisted by Coulomb friction, rounded off below `creep`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wall {
-    /// A point of the plane, base axes, m.
+    /// A point of the plane, world axes, m.
     pub point: [f64; 3],
     /// Unit normal, out of the wall.
     pub normal: [f64; 3],
@@ -83,7 +83,7 @@ impl External for Wall {
     }
 }
 
-/// All that acts at a time, base axes.
+/// Sum of all external wrenches at a time, world axes.
 pub(super) fn total(
     contacts: &[ExternalContact],
     external: &[&dyn External],
@@ -112,7 +112,7 @@ pub(super) fn total(
     sum
 }
 
-/// A wrench in base axes in those of the tool.
+/// Transforms a wrench from world axes to those of the tool.
 pub(super) fn in_tool(pose: &[f64; 12], wrench: &[f64; 6]) -> [f64; 6] {
     std::array::from_fn(|i| {
         let (column, from) = (i % 3, 3 * (i / 3));

@@ -1,6 +1,6 @@
 //! The loop that makes the arm follow the motion.
 
-/// What drives the arm.
+/// Control of the arm.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Mode {
     /// Feedforward of the given model along the motion, and proportional-derivative feedback. The
@@ -33,7 +33,7 @@ impl Mode {
 /// Settings of the loop.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Control {
-    /// What drives the arm.
+    /// Control of the arm.
     pub mode: Mode,
     /// Bandwidth that default gains are made for, rad/s.
     pub bandwidth: f64,

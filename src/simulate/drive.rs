@@ -1,4 +1,4 @@
-//! What stands between the command and the link of one joint: motor, gear, friction, sensors.
+//! Chain between the command and the link of one joint: motor, gear, friction, sensors.
 
 use super::bristle::sign;
 use super::effects::{
@@ -106,7 +106,7 @@ impl Drive {
         self.drift.map_or(ROOM, |d| d.temperature(t))
     }
 
-    /// What `sign(v)` is multiplied with, without warmth and load.
+    /// Factor of `sign(v)`, without warmth and load.
     pub fn level(&self, q: f64, v: f64) -> f64 {
         let coulomb = self.plain.level;
         coulomb + self.stribeck.map_or(0.0, |s| s.excess(v, coulomb)) + self.position.map_or(0.0, |p| p.excess(q))

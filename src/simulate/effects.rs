@@ -1,8 +1,8 @@
 //! The effects beyond the rigid body, one file each: what it does in the
 //! simulated robot.
 //!
-//! Names, keys and defaults stand in [`dh_codegen::robot::effects`]; what changes geometry or bodies
-//! in [`dh_codegen::robot::Robot::change`].
+//! Names, keys and defaults stand in [`dh_codegen::robot::effects`]; what changes geometry or
+//! bodies in [`dh_codegen::robot::Robot::change`].
 
 mod asymmetric_friction;
 mod backlash;

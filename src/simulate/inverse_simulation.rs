@@ -86,8 +86,8 @@ pub(super) fn follow(
     truth
 }
 
-/// What the gears transmit: bodies, springs, what pushes from outside, and what a motor bears of a link
-/// that it carries.
+/// Transmitted torque of the gears: bodies, springs, external wrenches, and the share of a motor in
+/// a link that it carries.
 fn loads(
     built: &SimulatedRobot,
     settled: &Settled,
@@ -143,7 +143,7 @@ fn links(trajectory: &Trajectory, drives: &[Drive], times: &[f64]) -> (States, V
     (states, desired)
 }
 
-/// What pushes from outside is not for the drives to give.
+/// The drives do not give external wrenches.
 fn push(
     built: &SimulatedRobot,
     settled: &Settled,
@@ -183,8 +183,7 @@ fn push(
 fn torques(settled: &Settled, plant: &Plant<'_>, ddq: &[f64], start: f64, truth: &mut Truth) {
     let (n, len) = (settled.drives.len(), truth.t.len());
     let motors: Vec<usize> = (0..n).collect();
-    // In the plant a bristle's directions are coordinates; here motors stand in the order of
-    // joints.
+    // In the plant a bristle's directions are coordinates; here motors are ordered as the joints.
     let joint_of = |coordinate: usize| plant.motor.iter().position(|&m| m == coordinate).unwrap_or(coordinate);
     let mut z: Vec<Option<f64>> = vec![None; plant.bristles.len()];
     let (mut signs, mut hysteresis, mut coupled) = (vec![0.0; n], vec![0.0; n], vec![0.0; settled.couplings.len()]);

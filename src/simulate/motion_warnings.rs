@@ -1,4 +1,4 @@
-//! What about a motion does not go with the robot that is to play it: units, columns, the clock. It
+//! Contradictions between a motion and the robot that is to play it: units, columns, the clock. It
 //! is played all the same.
 
 use dh_codegen::robot::{JointKind, Robot};
@@ -38,7 +38,7 @@ pub fn motion_warnings(trajectory: &Trajectory, robot: &Robot) -> Vec<String> {
         let off = trajectory.off_slope(k);
         if off > OFF {
             said.push(format!(
-                "dq{number} is not the slope of q{number}: they differ by {:.0} % (columns exchanged, other units, or rows missing?); both are kept to, so the joint speeds up and brakes between rows",
+                "dq{number} is not the slope of q{number}: they differ by {:.0} % (columns exchanged, other units, or rows missing?); both are followed, so the joint speeds up and brakes between rows",
                 100.0 * off
             ));
         }

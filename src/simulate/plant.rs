@@ -36,19 +36,19 @@ pub(super) struct Plant<'a> {
     hint: usize,
     /// Torques that a sampled controller holds, instead of the loop; empty where there is none.
     pub held: Vec<f64>,
-    /// What was found at the state that was looked at last.
+    /// Result at the last evaluated state.
     pub now: Now,
     work: Work,
 }
 
-/// All there is to know at one state.
+/// All quantities at one state.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Now {
     /// Of the coordinates.
     pub acceleration: Vec<f64>,
     /// Of the drives, N m.
     pub motor_torque: Vec<f64>,
-    /// What each gear transmits to its link, N m.
+    /// Torque that each gear transmits to its link, N m.
     pub link_torque: Vec<f64>,
     /// Desired motion.
     pub desired: Vec<Point>,
@@ -71,13 +71,13 @@ struct Work {
     /// External stiffness and damping at the joints, `n x n`.
     push_stiffness: Vec<f64>,
     push_damping: Vec<f64>,
-    /// What stands for the sign and the hysteresis of each joint.
+    /// Substitute for the sign, and the hysteresis of each joint.
     sign: Vec<f64>,
     hysteresis: Vec<f64>,
     coupled: Vec<f64>,
 }
 
-/// What a plant is made of.
+/// Parts of a plant.
 pub(super) struct Parts<'a> {
     pub bodies: &'a mut dyn Dynamics,
     pub drives: &'a [Drive],
@@ -208,7 +208,7 @@ impl<'a> Plant<'a> {
         y
     }
 
-    /// Everything at a state, to [`Plant::now`].
+    /// Evaluates a state, into [`Plant::now`].
     pub fn look(&mut self, t: f64, y: &[f64]) -> Result<(), Breakdown> {
         self.see(t, y, false)
     }
@@ -344,7 +344,7 @@ impl<'a> Plant<'a> {
         self.work.bias.clone()
     }
 
-    /// Frame of the tool at a state, base axes.
+    /// Frame of the tool at a state, world axes.
     pub fn tool_pose(&mut self, y: &[f64]) -> [f64; 12] {
         self.bodies.tool(&y[..self.n], &mut self.work.tool);
         self.work.tool.pose

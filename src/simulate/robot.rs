@@ -18,14 +18,14 @@ use crate::model::interpreted::Interpreted;
 use crate::model::{Arm, Dynamics};
 use crate::numerics::cholesky;
 
-/// The robot as it is, and as its file says.
+/// The true robot, and the robot of its file.
 pub(super) struct SimulatedRobot {
-    /// As the file says: what the controller knows.
+    /// The robot of the file: the controller's model.
     pub given: Interpreted,
     pub given_standard: Vec<f64>,
-    /// As it is; `None` where only parameters differ.
+    /// The true one; `None` where only parameters differ.
     real: Option<Interpreted>,
-    /// Links as they are, drives zero.
+    /// True links, drives zero.
     pub bodies_standard: Vec<f64>,
     /// One for each degree of freedom.
     pub drives: Vec<Drive>,
@@ -57,7 +57,7 @@ impl SimulatedRobot {
             .joints
             .iter()
             .map(|(row, e)| (*row, e))
-            // What stands at the top means every joint.
+            // An entry at the top means every joint.
             .chain(
                 everywhere
                     .clone()
@@ -67,7 +67,7 @@ impl SimulatedRobot {
             .chain(more.joints.iter().map(|(row, e)| (*row, e)))
             .collect();
 
-        let real_robot = as_it_is(robot, &of_joints, everywhere)?;
+        let real_robot = effective(robot, &of_joints, everywhere)?;
         let differs = real_robot.gravity != robot.gravity || real_robot.joints != robot.joints;
         let given = Interpreted::new(robot, &Interpreted::BODIES);
         let real = differs.then(|| Interpreted::new(&real_robot, &Interpreted::BODIES));
@@ -86,7 +86,7 @@ impl SimulatedRobot {
             contacts,
             saturates: Vec::new(),
         };
-        // Plain friction first: a Stribeck law is told the Coulomb level.
+        // Plain friction first: a Stribeck law needs the Coulomb level.
         for plain in [true, false] {
             for &(row, effect) in &of_joints {
                 let Some(dof) = dof_of(row) else { continue };
@@ -101,12 +101,12 @@ impl SimulatedRobot {
         Ok(built)
     }
 
-    /// The arm as it is.
+    /// The true arm.
     pub fn real(&self) -> &Interpreted {
         self.real.as_ref().unwrap_or(&self.given)
     }
 
-    /// One effect of one joint. Bodies and geometry: see [`as_it_is`]; contacts: see
+    /// One effect of one joint. Bodies and geometry: see [`effective`]; contacts: see
     /// [`SimulatedRobot::settle`].
     fn apply(
         &mut self,
@@ -269,7 +269,7 @@ fn plain_drive(robot: &Robot, row: usize) -> Drive {
 }
 
 /// The robot with its true base, rows and links.
-fn as_it_is<'e>(
+fn effective<'e>(
     robot: &Robot,
     of_joints: &[(usize, &Effect)],
     of_robot: impl Iterator<Item = &'e Effect>,

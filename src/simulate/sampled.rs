@@ -18,11 +18,11 @@ use crate::numerics::integrators::{Pace, dormand_prince::DormandPrince, rosenbro
 /// How a controller is run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sampled {
-    /// Where the arm rests at the beginning, rad or m.
+    /// Rest posture at the beginning, rad or m.
     pub start: Vec<f64>,
     /// Length, s.
     pub seconds: f64,
-    /// What it sees; its rate is the controller's.
+    /// Its sensors; their rate is the controller's.
     pub sensors: Sensors,
     /// How it is integrated.
     pub solver: Solver,
@@ -30,8 +30,8 @@ pub struct Sampled {
     pub seed: u64,
 }
 
-/// What the sensors see at an instant; nothing is younger than it, and torques are those that were
-/// held until then.
+/// Sensor readings at an instant: nothing is younger than it, and torques are those that were held
+/// until then.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Seen {
     /// s
@@ -42,16 +42,16 @@ pub struct Seen {
     pub tau: Vec<f64>,
 }
 
-/// What truly is at that instant.
+/// True quantities at that instant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Instant {
     /// Angles of the links, rad.
     pub q: Vec<f64>,
     /// rad/s
     pub dq: Vec<f64>,
-    /// Frame of the tool: top three rows, base axes.
+    /// Frame of the tool: top three rows, world axes.
     pub pose: [f64; 12],
-    /// Force (N) and moment (N m) on the tool, about its origin, base axes.
+    /// Force (N) and moment (N m) on the tool, about its origin, world axes.
     pub wrench: [f64; 6],
 }
 
@@ -74,7 +74,7 @@ impl<'a> Gauges<'a> {
         Self { sensors, drives, position: streams(60_000), torque: streams(62_000), colour, past: Vec::new() }
     }
 
-    /// A value of the row as it was `age` samples ago, between the two nearest.
+    /// A value of the row `age` samples ago, between the two nearest.
     fn aged(&self, at: usize, age: f64) -> f64 {
         let last = self.past.len() - 1;
         let whole = age.floor();

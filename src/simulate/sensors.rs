@@ -15,7 +15,7 @@ pub enum Side {
     Link,
 }
 
-/// What is recorded, and how well. A list has one entry, or one for each joint.
+/// Recorded quantities, and their accuracy. A list has one entry, or one for each joint.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sensors {
     /// Samples per second.
@@ -54,8 +54,8 @@ pub struct Sensors {
 
 impl Default for Sensors {
     /// 1 kHz as in the paper; 1e-5 rad, an absolute encoder of 19 bits or a motor's of 13 bits
-    /// behind a gear of 100; 0.05 N m white, the order of what the joint torque sensors of
-    /// light-weight arms resolve.
+    /// behind a gear of 100. 0.05 N m white noise is of the order of the resolution of joint torque
+    /// sensors of light-weight arms.
     fn default() -> Self {
         Self {
             rate: 1000.0,
@@ -79,7 +79,7 @@ impl Default for Sensors {
 }
 
 impl Sensors {
-    /// Everything as it is.
+    /// Ideal sensors.
     pub fn perfect(rate: f64) -> Self {
         Self { rate, encoder: vec![0.0], torque_noise: vec![0.0], velocity_noise: vec![0.0], ..Self::default() }
     }
@@ -103,7 +103,7 @@ impl Sensors {
     }
 }
 
-/// What truly happened, joint-major over the samples.
+/// True motion, joint-major over the samples.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Truth {
     /// s
@@ -146,7 +146,7 @@ impl Truth {
     }
 }
 
-/// What the sensors make of it.
+/// Sensor readings of it.
 pub(super) fn record(truth: &Truth, drives: &[Drive], sensors: &Sensors, seed: u64) -> Log {
     let (n, len) = (drives.len(), truth.t.len());
     let of = |list: &[f64], joint: usize| list.get(joint).or(list.first()).copied().unwrap_or(0.0);

@@ -57,9 +57,9 @@ const LONGEST: f64 = 1e4;
 pub type Point = [f64; 3];
 
 impl Trajectory {
-    /// From knots, joint-major. Velocities that are missing come from the cubic spline through the
-    /// positions (its end slopes those of the cubic through the four outermost knots),
-    /// accelerations from the spline through the velocities.
+    /// From knots, joint-major. Missing velocities come from the cubic spline through the positions
+    /// (its end slopes those of the cubic through the four outermost knots). Missing accelerations
+    /// come from the spline through the velocities.
     pub fn new(
         dof: usize,
         t: Vec<f64>,
@@ -93,9 +93,9 @@ impl Trajectory {
         Ok(Self { dof, t, q, dq, ddq, tau: Vec::new() })
     }
 
-    /// The same motion as a spline or a Fourier series: exactly, where pieces of a spline are of
-    /// fifth degree or less and their second derivative is continuous; else through its values at 1
-    /// kHz.
+    /// The same motion as a spline or a Fourier series. It is exact if pieces of a spline are of
+    /// fifth degree or less and their second derivative is continuous; else it goes through its
+    /// values at 1 kHz.
     ///
     /// # Errors
     /// Where it has no duration, or more than 10000 s.

@@ -120,7 +120,7 @@ fn a_hidden_payload_is_the_whole_robots() {
     let first = &found["causes"][0];
     assert_eq!((first["cause"].as_str(), &first["joints"]), (Some("payload"), &serde_json::json!([])), "{found:#}");
     assert!(first["not_distinguished_from"].as_array().unwrap().contains(&"link_inertia_error".into()));
-    // No motion tells those two apart, so none is written.
+    // No motion separates those two, so none is written.
     assert!(found["next_experiment"]["file"].is_null() && !Path::new(&out).with_extension("next.csv").exists());
 }
 

@@ -9,7 +9,7 @@ use super::*;
 
 const STATES: usize = 4;
 
-/// A robot file with links, states and torques, and the oracle that knows the answers.
+/// A robot file with links, states and torques, and the oracle with the answers.
 struct Bench {
     robot: String,
     states: String,
@@ -118,7 +118,7 @@ fn stanford() {
     all_quantities("stanford");
 }
 
-/// Only what a quantity needs must be there and be numbers; other columns are nobody's business.
+/// Only the inputs of a quantity must be present and be numbers; other columns are ignored.
 #[test]
 fn columns_that_are_not_needed_are_not_looked_at() {
     let folder = folder("eval-columns");

@@ -1,7 +1,6 @@
-//! Motions as files: what the contract fixes, what the numeric oracle says about them, how wrong
-//! uses end.
+//! Motions as files: fixed formats, the numeric oracle's results about them, and the ends of wrong
+//! uses.
 
-use denavit::data::trajectory::Trajectory;
 use denavit::model::rigid_body::Numeric;
 use dh_codegen::arm::param;
 use nalgebra::DMatrix;
@@ -62,7 +61,7 @@ fn the_written_motion_is_what_the_json_says() {
 
     // The same motion from its coefficients, by the checker, and as ROS reads it.
     let value = serde_json::from_str(&std::fs::read_to_string(&coefficients).unwrap()).unwrap();
-    let motion = Trajectory::from_json(&value).unwrap();
+    let motion = denavit::report::trajectory_of_json(&value).unwrap();
     for row in rows.iter().step_by(37) {
         let at = motion.at(row[0]);
         let all = at.q.iter().chain(&at.dq).chain(&at.ddq);
@@ -226,5 +225,5 @@ fn a_tool_needs_nominal_values_for_a_target_and_an_arm_that_can_tell_it() {
     assert!(run.err.contains("under `tool`"), "{}", run.err);
     let run = denavit(&["excite", "robots/planar2r.yaml", "--tool", "--starts", "1", "--iterations", "2"]);
     assert_eq!(run.status, Some(1), "{}", run.err);
-    assert!(run.err.contains("no motion of this arm tells MSZ of the tool"), "{}", run.err);
+    assert!(run.err.contains("no motion of this arm separates MSZ of the tool"), "{}", run.err);
 }

@@ -227,7 +227,8 @@ fn with_friction(folder: &Path, robot: &str, levels: &[f64]) -> String {
 }
 
 /// 16 s at 100 Hz of an arm that stands: encoders with noise, friction that holds `share` of its
-/// level; from 6 to 9 s a push on the tool, and after it friction that holds another share.
+/// level. From 6 to 9 s there is a push on the tool, and after it friction that holds another
+/// share.
 fn standing(robot: &str, q: &[f64], push: [f64; 6], encoder: f64, noise: f64, seed: u64) -> String {
     let read = read_robot(robot);
     let (arm, phi, mut random) = (Numeric::new(&read), param::standard_values(&read).unwrap(), Random::new(seed));
@@ -325,9 +326,10 @@ fn at_rest_friction_is_an_interval() {
 fn wrong_use_is_explained() {
     let logs = logs();
     let bad = file(&logs.folder, "bad.json", "{\"parameters\": []}");
-    let cases: [(&[&str], &str); 8] = [
+    let cases: [(&[&str], &str); 9] = [
         (&[&logs.identified, &logs.push, "--gain", "30"], "--estimator momentum"),
         (&[&logs.identified, &logs.push, "--wander", "5,1"], "--estimator kalman"),
+        (&[&logs.identified, &logs.push, "--against", "nothing", "--free", "0:1"], "--free has no effect"),
         (&[&logs.identified, &logs.push, "--identified", &bad], "correlation"),
         (&["robots/planar2r.yaml", &logs.push], "joints"),
         (&[&logs.identified, &logs.push, "--free", "3:1"], "0:2.5"),

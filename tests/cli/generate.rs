@@ -113,7 +113,7 @@ fn an_interrupted_update_does_not_compile_and_is_finished_by_the_next() {
     assert!(!std::fs::read_to_string(own.join("src/lib.rs")).unwrap().contains("compile_error!"));
 }
 
-/// What the crate no longer has goes, whatever else stands there stays.
+/// Files that the crate no longer has are removed; everything else in the folder stays.
 #[test]
 fn files_of_an_earlier_run_are_removed() {
     let own = folder("generate_again");
@@ -173,7 +173,7 @@ fn a_new_crate_is_whole_or_absent() {
     assert!(run.status == Some(2) && run.err.contains("name a folder"), "{}", run.err);
 }
 
-/// On `denavit-runtime` a crate ships no runtime of its own; a repeated check knows its options.
+/// On `denavit-runtime` a crate ships no runtime of its own; a repeated check uses its options.
 #[test]
 fn a_crate_on_the_runtime_crate_names_it() {
     let folder = folder("generate_runtime");

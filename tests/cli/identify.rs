@@ -411,7 +411,7 @@ fn plain_values_are_written_with_links_that_could_be_built_or_not_at_all() {
     assert!(!std::path::Path::new(&none).exists());
 }
 
-/// A spring on joint 2 that the file knows: the fit is beside it, and it stays in the file.
+/// A spring on joint 2 in the file: the fit is beside it, and it stays in the file.
 #[test]
 fn effects_of_the_file_are_taken_as_known() {
     let folder = folder("identify-effects");
@@ -424,7 +424,7 @@ fn effects_of_the_file_are_taken_as_known() {
     let out = folder.join("out.yaml").display().to_string();
     let said = json(&["identify", &robot, &log, "--out", &out, "--json", "-"]);
     assert!(said["warnings"].to_string().contains("taken as known: joint_spring of joint 2"), "{}", said["warnings"]);
-    // The file is right as it is, and the fit is no worse than that of the same arm without.
+    // The file is right, and the fit is no worse than that of the same arm without.
     let [before, after] = ["fit_before", "fit"].map(|which| numbers(&said["rms"][which]));
     let plain = json(&["identify", ROBOT, &file(&folder, "plain.csv", record(12, 31)), "--json", "-"]);
     let plain = numbers(&plain["rms"]["fit"]);

@@ -1,4 +1,4 @@
-//! `denavit ik` as the contract has it.
+//! `denavit ik`: columns, JSON and exit status.
 
 use denavit::model::rigid_body::Numeric;
 use denavit::numerics::prng::Random;
@@ -207,7 +207,7 @@ fn a_search_does_not_say_that_it_has_all() {
     assert_eq!((&exact["method"], &exact["poses"][4]["not_found"]), (&"closed form".into(), &false.into()));
 }
 
-/// What is wrong is said with its place, and the status is 2.
+/// A mistake is reported with its place, and the status is 2.
 #[test]
 fn wrong_poses_are_told() {
     let folder = folder("ik-wrong");

@@ -10,6 +10,7 @@ mod generate;
 mod identify;
 mod ik;
 mod import;
+mod log;
 mod new;
 mod outputs;
 mod paint;
@@ -43,7 +44,7 @@ fn denavit(arguments: &[&str]) -> Run {
     Run { status: run.status.code(), out: text(run.stdout), err: text(run.stderr) }
 }
 
-/// What a successful run with `--json -` prints: one JSON value and nothing else.
+/// Output of a successful run with `--json -`: one JSON value and nothing else.
 fn json(arguments: &[&str]) -> serde_json::Value {
     let run = denavit(arguments);
     assert_eq!(run.status, Some(0), "{}", run.err);

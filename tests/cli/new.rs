@@ -23,7 +23,7 @@ fn a_new_file_is_valid_and_has_the_joints_that_were_asked_for() {
         assert_eq!(kinds, wanted);
         let check = json(&["check", path, "--json", "-"]);
         assert_eq!(check["dof"], wanted.len());
-        // What stands there is kept.
+        // Existing files are kept.
         let again = denavit(&["new", "my-arm", "--joints", joints, "--out", path]);
         assert_eq!(again.status, Some(2));
         assert!(again.err.contains("--force"), "{}", again.err);

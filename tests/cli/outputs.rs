@@ -1,4 +1,4 @@
-//! Where results go: files are whole or absent, and nothing is destroyed that was not named.
+//! Destinations of results: files are whole or absent, and nothing is destroyed that was not named.
 
 use std::fs;
 use std::path::Path;
@@ -138,7 +138,7 @@ mod unix {
             assert_eq!(out.status.code(), Some(1), "{arguments:?}: {said}");
             assert!(said.contains("standard output can't be written"), "{said}");
         }
-        // Where standard error is gone too, nothing panics.
+        // Without standard error nothing panics, either.
         let gone = command(&["check", "none.yaml"]).stderr(full()).output().unwrap();
         assert_eq!(gone.status.code(), Some(2));
     }
@@ -204,7 +204,7 @@ fn names_are_no_markup() {
         let run = denavit(&[arguments, &["--report", &page]].concat());
         assert_eq!(run.status, Some(0), "{}", run.err);
         let text = fs::read_to_string(&page).unwrap();
-        // What the script draws is JSON, in which only `</` matters.
+        // The script's input is JSON, in which only `</` matters.
         let data = text.find("<script id=data").unwrap();
         let end = data + text[data..].find("</script>").unwrap();
         let markup = format!("{}{}", &text[..data], &text[end..]);

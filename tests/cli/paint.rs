@@ -1,6 +1,5 @@
 //! `denavit paint plan` and `denavit paint run`: files, figures, wrong uses.
 
-use denavit::apps::painting::Plan;
 use denavit::model::rigid_body::Numeric;
 
 use super::*;
@@ -34,8 +33,10 @@ fn the_files_are_the_plan() {
     let found = json(&[&["paint", "plan", ROBOT], &QUICK[..], &files[..]].concat());
     assert_eq!(found["painted"], 1.0);
     assert_eq!(found["feasible"], true);
-    let written = Plan::from_json(&serde_json::from_str(&std::fs::read_to_string(&plan).unwrap()).unwrap()).unwrap();
-    assert_eq!(Plan::from_json(&found).unwrap(), written);
+    let written =
+        denavit::report::plan_of_json(&serde_json::from_str(&std::fs::read_to_string(&plan).unwrap()).unwrap())
+            .unwrap();
+    assert_eq!(denavit::report::plan_of_json(&found).unwrap(), written);
     assert!((written.duration() - found["duration"].as_f64().unwrap()).abs() < 1e-9);
 
     let (header, joints) = rows(&out);

@@ -1,4 +1,4 @@
-//! What made a result stands in it, and repeats it.
+//! The provenance of a result stands in it, and repeats it.
 
 use std::fs;
 

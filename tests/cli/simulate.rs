@@ -78,7 +78,7 @@ fn a_free_swing_needs_no_trajectory() {
     assert!(run.err.contains("--trajectory has no effect here"), "{}", run.err);
 }
 
-/// What is said of a motion stands in the JSON, too.
+/// Notes on a motion stand in the JSON, too.
 #[test]
 fn doubts_are_in_the_json() {
     let folder = folder("simulate-doubts");
@@ -134,9 +134,9 @@ fn mistakes_are_told_and_mended() {
     let sensors = file(&folder, "sensors.yaml", "sensors: { torque_noise: [1, 2, 3] }\n");
     let torque = file(&folder, "torque.yaml", "control: { mode: torque }\n");
     for (robot, trajectory, effects, expected) in [
-        ("robots/kuka-lbr-med7.yaml", &motion, None, "the robot has 7"),
-        ("robots/staubli-tx40.yaml", &motion, None, "the robot has 6"),
-        (ROBOT, &three, None, "the trajectory has 3 joints"),
+        ("robots/kuka-lbr-med7.yaml", &motion, None, "7 in the robot file"),
+        ("robots/staubli-tx40.yaml", &motion, None, "6 in the robot file"),
+        (ROBOT, &three, None, "is 3 in the trajectory"),
         (ROBOT, &back, None, "does not ascend at row 3: 1 s, then 0.5 s"),
         (ROBOT, &text, None, "line 3, column q1: `one` is not a finite number"),
         (ROBOT, &motion, Some(&key), "the keys of backlash are BL (rad)"),

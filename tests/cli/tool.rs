@@ -166,7 +166,7 @@ fn a_known_robot_and_a_scale_say_more() {
     assert_eq!(weighed["M"], 0.2);
     assert_eq!(weighed["relative_std_percent"][0], 0.0);
     let std = |said: &Value, k: usize| said["std"][k].as_f64().unwrap();
-    // Weights are estimated anew each time, so a twentieth is let pass.
+    // Weights are estimated again each time, so a tolerance of a twentieth is allowed.
     assert!(std(&weighed, 4) <= 1.05 * std(&free, 4) && std(&free, 4) <= 1.05 * std(&refreshed, 4));
 }
 

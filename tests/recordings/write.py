@@ -10,10 +10,12 @@ elbow, shoulder; positions and torques of joint `shoulder` are the first of the 
 """
 import io, os, sqlite3, struct
 from pathlib import Path
+from tempfile import TemporaryDirectory
 import numpy as np
 import scipy.io
 import pyarrow as pa, pyarrow.parquet as pq
 from mcap.writer import Writer, CompressionType
+from rosbags.rosbag2 import StoragePlugin, Writer as Bag2
 from rosbags.typesys import Stores, get_typestore
 
 here = Path(__file__).parent
@@ -159,3 +161,18 @@ with open(here / "german.csv", "w") as f:
     for k in range(n):
         cells = [1000 * t[k], *np.degrees(q[:, k]), *(1000 * tau[:, k])]
         f.write(";".join(f"{c:.9g}".replace(".", ",") for c in cells) + "\n")
+
+# rosbag2's SQLite.
+with TemporaryDirectory() as place:
+    with Bag2(Path(place) / "bag", version=8, storage_plugin=StoragePlugin.SQLITE3) as bag:
+        joint_states = bag.add_connection("/joint_states", JS, typestore=store)
+        rosout = bag.add_connection("/rosout", "std_msgs/msg/String", typestore=store)
+        for k in range(n):
+            ns = EPOCH + int(round((t[k] + 0.002) * 1e9))
+            bag.write(joint_states, ns, cdr(JS, joint_state(k)))
+            if k % 20 == 0:
+                text = T["std_msgs/msg/String"](data=f"step {k}")
+                bag.write(rosout, ns, cdr("std_msgs/msg/String", text))
+    (here / "rosbag2").mkdir(exist_ok=True)
+    for name in ("bag.db3", "metadata.yaml"):
+        (here / "rosbag2" / name).write_bytes((Path(place) / "bag" / name).read_bytes())

@@ -2,8 +2,8 @@
 //!
 //! `RUSTFLAGS="-C target-cpu=native" cargo run --release` in this folder. It needs cmake and a C
 //! compiler, for nlopt (ik-geo). ik-geo gets the same lines and poses as we do. rs-opw-kinematics
-//! gets an arm of the same lengths, and poses of its own forward kinematics, because its zero
-//! posture is another one.
+//! gets an arm of the same lengths and poses of its own forward kinematics, because its zero
+//! posture differs.
 
 #[path = "../../ik/measure.rs"]
 mod measure;
@@ -90,7 +90,7 @@ fn row<const N: usize>(name: &str, bench: &Bench<N>, geo: Option<f64>, opw: Opti
     );
 }
 
-/// Where the last three axes meet.
+/// Intersection of the last three axes.
 fn wrist(axes: &[Axis; 6], center: [f64; 3]) -> [[f64; 3]; 6] {
     core::array::from_fn(|k| if k < 3 { axes[k].c } else { center })
 }

@@ -42,7 +42,7 @@ pub struct State<'a> {
 
 /// Working memory of [`Interpreter::run_one`]; may be shared between functions and robots.
 #[derive(Debug, Clone, Default)]
-pub struct Room {
+pub struct Scratch {
     inputs: Vec<f64>,
     slots: Vec<f64>,
 }
@@ -118,16 +118,16 @@ impl Interpreter {
         evaluator.run(batch.len, |i| columns.input(i), out);
     }
 
-    /// One state, without allocation once `room` has grown: the row-major result goes to `out`. The
-    /// same bits as [`Interpreter::run`].
+    /// One state, without allocation once `scratch` has grown: the row-major result goes to `out`.
+    /// The same bits as [`Interpreter::run`].
     ///
     /// # Panics
     /// Like [`Interpreter::run`].
-    pub fn run_one(&self, function: Function, state: &State<'_>, room: &mut Room, out: &mut [f64]) {
+    pub fn run_one(&self, function: Function, state: &State<'_>, scratch: &mut Scratch, out: &mut [f64]) {
         let Ready { kernel, evaluator, .. } = &self.ready[&function];
         let arguments = kernel.function.arguments();
         let n = self.dof;
-        let Room { inputs, slots } = room;
+        let Scratch { inputs, slots } = scratch;
         inputs.clear();
         inputs.resize(6 * n, 0.0);
         let index = |group| kernel.inputs.index(group, 0);

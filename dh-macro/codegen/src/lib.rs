@@ -2,6 +2,21 @@
 //!
 //! `YAML -> robot (validated, exact angles) -> sym (hash-consed graph) -> arm (sweeps, regressor,
 //! base) -> tape -> rust (text) | sym::eval (runs it)`
+//!
+//! ```
+//! use dh_codegen::robot::Robot;
+//!
+//! let text = "
+//! name: pendulum
+//! convention: modified
+//! gravity: [0, -9.81, 0]
+//! joints: [ { type: revolute } ]
+//! ";
+//! let robot = Robot::from_yaml(text, &|name| Err(format!("no file {name}")))?.robot;
+//! let files = dh_codegen::krate(&robot, text);
+//! assert!(files["src/parameters.rs"].contains("pub const DOF: usize = 1;"));
+//! # Ok::<(), dh_codegen::robot::Problems>(())
+//! ```
 
 pub mod arm;
 pub mod interpret;

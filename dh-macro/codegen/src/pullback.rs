@@ -10,7 +10,7 @@ use crate::sym::{Evaluator, Ex, Graph, Operand, Tape};
 pub struct Pullback {
     inputs: Inputs,
     evaluator: Evaluator,
-    /// Which derivatives come out: 0 by q, 1 by dq, 2 by ddq; and of which joint.
+    /// Selects the derivatives: 0 by q, 1 by dq, 2 by ddq; and the joint.
     outputs: Vec<(usize, usize)>,
     /// First input that is a seed.
     first_seed: usize,
@@ -18,7 +18,8 @@ pub struct Pullback {
     tape: Tape,
 }
 
-/// Where [`Pullback::run`] adds derivatives; each part `dof * len`, joint-major like [`Batch`].
+/// Buffers to which [`Pullback::run`] adds derivatives; each part `dof * len`, joint-major like
+/// [`Batch`].
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Gradient {
     /// By positions.

@@ -1,7 +1,7 @@
 //! A validated serial robot: SI units, exact angles; and its file.
 //!
 //! `text -> yaml (tree with places) -> check (by the tables in keys, numbers by expression) ->
-//! Robot | Problems`, and back by `write`. What stands in this file knows no file format.
+//! Robot | Problems`, and back by `write`. This file is independent of file formats.
 
 mod angle;
 mod check;
@@ -12,6 +12,7 @@ mod inertia;
 mod keys;
 mod laws;
 mod length;
+mod log;
 mod name;
 mod open;
 mod physical;
@@ -31,13 +32,14 @@ pub use effects::{Effect, EffectKind, RATED};
 pub use inertia::Inertia;
 pub use laws::{Coupling, Laws};
 pub use length::{Length, Polynomial};
+pub use log::{Dimension, LogChannel, LogMapping, log_column};
 pub use name::crate_name;
 pub use physical::NotPhysical;
 pub use problem::{Note, Problem, Problems};
 pub use rewrite::{Files, Run, files_of_runs};
 pub use schema::schema;
 
-/// Which Denavit-Hartenberg convention the rows are written in.
+/// Denavit-Hartenberg convention of the rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Convention {
     /// Khalil-Kleinfinger: `T(i-1,i) = RotX(alpha) TransX(d) RotZ(theta) TransZ(r)`.
@@ -46,7 +48,7 @@ pub enum Convention {
     Standard,
 }
 
-/// What a joint lets its link do (Khalil's sigma).
+/// Motion that a joint allows its link (Khalil's sigma).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum JointKind {
     /// Turns about z: sigma = 0; `q` adds to `theta`.
@@ -192,21 +194,21 @@ pub struct Sphere {
     pub radius: f64,
 }
 
-/// A box of the surroundings, along the base axes.
+/// A box of the surroundings, along the world axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cuboid {
     /// Name in the file, or `box<i>`.
     pub name: String,
-    /// Lowest corner, m, in the base frame.
+    /// Lowest corner, m, in the world frame.
     pub min: [f64; 3],
     /// Highest corner, m.
     pub max: [f64; 3],
 }
 
-/// What must not be hit.
+/// Obstacles.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Collision {
-    /// Lowest z that elbow, wrist and tool may reach, m, in the base frame.
+    /// Lowest z that elbow, wrist and tool may reach, m, in the world frame.
     pub ground: Option<f64>,
     /// Spheres on links.
     pub spheres: Vec<Sphere>,
@@ -237,6 +239,8 @@ pub struct Robot {
     pub collision: Collision,
     /// Effects of the whole robot (`effects:` at the top of the file).
     pub effects: Vec<Effect>,
+    /// Which channel of its logs is which column (`log:` at the top of the file).
+    pub log: Option<LogMapping>,
 }
 
 impl Robot {

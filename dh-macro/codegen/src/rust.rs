@@ -1,4 +1,4 @@
-//! Tapes as Rust text, with comments: kernels, the shell around them, whole crates. Knows no
+//! Tapes as Rust text, with comments: kernels, the shell around them, whole crates. Independent of
 //! mechanics.
 
 mod comment;

@@ -1,8 +1,8 @@
 //! Expressions: a hash-consed graph, simplified at birth, and the straight-line tape that it is
 //! lowered to.
 //!
-//! `Graph -> factor -> signs -> Tape -> print | eval | adjoint -> Graph`. Nothing here knows
-//! mechanics.
+//! `Graph -> factor -> signs -> Tape -> print | eval | adjoint -> Graph`. This module is
+//! independent of mechanics.
 
 mod adjoint;
 mod call;

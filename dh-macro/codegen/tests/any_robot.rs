@@ -6,7 +6,7 @@ use common::{files, robots};
 use dh_codegen::robot::effects::Magnitude;
 use dh_codegen::robot::{
     Angle, Collision, Convention, Cuboid, Drive, Effect, EffectKind, Inertia, Joint, JointKind, JointSource, Length,
-    Limits, Polynomial, Pose, Robot, Sphere, Tool, ToolGeometry,
+    Limits, LogChannel, LogMapping, Polynomial, Pose, Robot, Sphere, Tool, ToolGeometry,
 };
 use proptest::collection::vec;
 use proptest::option;
@@ -160,6 +160,23 @@ fn robot() -> impl Strategy<Value = Robot> {
                 tool,
                 collision: Collision { ground, spheres, boxes },
                 effects: effect.into_iter().collect(),
+                log: ground.map(|_| LogMapping {
+                    columns: vec![
+                        (
+                            "q*".into(),
+                            LogChannel {
+                                name: "Axis {number}: Pos".into(),
+                                unit: Some("deg".into()),
+                                ..LogChannel::default()
+                            },
+                        ),
+                        (
+                            "i2".into(),
+                            LogChannel { name: "#2".into(), unit: None, gain: vec![0.5, -1.5], offset: vec![0.1] },
+                        ),
+                    ],
+                    arrival: standard,
+                }),
             }
         },
     )
@@ -230,8 +247,8 @@ proptest! {
     }
 }
 
-/// An expression in any form that the reader knows: literals, constants, units, signs with blanks,
-/// brackets.
+/// An expression in any form that the reader accepts: literals, constants, units, signs with
+/// blanks, brackets.
 fn expression() -> impl Strategy<Value = String> {
     let literals =
         ["0", "1", "5", "0.3", ".5", "5.", "1e-3", "2.5E+1", "1.5708", "3.14159", "90deg", "22.5 deg", "0.1rad"];
@@ -265,7 +282,7 @@ proptest! {
              joints: [ {{ type: revolute, alpha: \"{alpha}\", d: \"{d}\", theta: \"{theta}\", r: \"{r}\", position: [-300, \"{x}\"] }} ]\n\
              tool: {{ pose: {{ xyz: [\"{x}\", 0, 0], rpy: [\"{roll}\", 0, 0] }} }}\n"
         );
-        // A division by zero, or a constant of itself.
+        // A division by zero, or a constant that refers to itself.
         let Ok(first) = Robot::from_yaml(&text, &|_| Err(String::new())) else { return Ok(()) };
         let written = first.robot.to_yaml();
         let again = Robot::from_yaml(&written, &|_| Err(String::new()))

@@ -1,4 +1,4 @@
-//! What robots/README.md shows is true, and tool files are read.
+//! Checks the examples of robots/README.md and reads the tool files.
 
 mod common;
 

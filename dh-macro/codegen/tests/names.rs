@@ -20,7 +20,7 @@ use proc_macro2::TokenStream;
 /// Of so many robots one is compiled as the macro expands it, too: the same text, through tokens.
 const MACROS: usize = 8;
 
-/// What every crate has in common; it stands once beside the robots.
+/// Words that every crate has in common; they stand once beside the robots.
 const SHARED: [&str; 5] = ["ik", "robot", "runtime", "drive", "elementary"];
 
 const KEYWORDS: &str = "as async await break const continue crate dyn else enum extern false fn for gen if impl in let loop match mod \
@@ -195,7 +195,7 @@ fn as_module(root: &str) -> String {
     text.replace("::denavit_runtime::", "crate::shared::")
 }
 
-/// What the macro expands to, through tokens as the compiler gets it.
+/// Expansion of the macro, through tokens as the compiler gets it.
 fn expanded(name: &str, robot: &Robot) -> String {
     let module = dh_codegen::module_on(robot, "", &runtime());
     let body = module.body.replace("::denavit_runtime::", "crate::shared::");

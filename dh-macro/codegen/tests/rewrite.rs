@@ -1,5 +1,4 @@
-//! A robot that was changed goes back into the text of its file: what did not change stays as it
-//! was written.
+//! A changed robot goes back into the text of its file: unchanged parts keep their text.
 
 use dh_codegen::robot::effects::{TimeDelay, TorqueOffset};
 use dh_codegen::robot::{Effect, Inertia, Robot, Run};

@@ -1,10 +1,10 @@
-//! Drives that remember: friction that depends on the travel since the last reversal, and on time
-//! and temperature; links that swing on the springs of their gears. Shipped verbatim into crates
-//! whose robot file has effects; the interpreter uses the same text.
+//! Drives with memory: friction that depends on the travel since the last reversal, on time and on
+//! temperature; links that swing on the springs of their gears. Shipped verbatim into crates whose
+//! robot file has effects; the interpreter uses the same text.
 
 use super::elementary::Real;
 
-/// What one joint's drive remembers by; a travel of 0 is no bristle, a time of 0 no drift.
+/// Constants of the memory of one joint's drive; a travel of 0 is no bristle, a time of 0 no drift.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Memory {
     /// `HX`: the travel in which a bristle bends to 1 - 1/e of its level, rad or m.
@@ -54,72 +54,88 @@ pub struct Spring {
     pub gain: f64,
 }
 
-/// Where a link stands behind its motor: angle, rad, its rate and its acceleration.
-pub type Behind<S> = [S; 3];
+/// Deflection of a link behind its motor: angle, rad, its rate and its acceleration.
+pub type Deflection<S> = [S; 3];
 
 /// Torques of the arm, N m, whose links stand so far behind their motors.
-pub type Bodies<'a, S> = dyn FnMut(&[Behind<S>], &mut [S]) + 'a;
+pub type Bodies<'a, S> = dyn FnMut(&[Deflection<S>], &mut [S]) + 'a;
 
 /// Least damping ratio of a link on its spring: with less, what the motion was long ago would
 /// count.
 pub const LEAST_DAMPING: f64 = 0.01;
 
-/// Where the springs carry their links if nothing swings: the arm behind them hangs otherwise than
-/// it was, so it is asked again until that is next to nothing. `bodies`: torques of the arm with
-/// its links so far behind.
-pub fn at_ease<S: Real>(springs: &[Spring], behind: &mut [Behind<S>], torques: &mut [S], bodies: &mut Bodies<'_, S>) {
-    behind.fill([S::default(); 3]);
+/// Quasi-static deflections: the springs carry their links, nothing swings. The deflected arm has
+/// other torques, so the evaluation is repeated until the change is negligible. `bodies`: torques
+/// of the arm with its links so far behind.
+pub fn quasi_static<S: Real>(
+    springs: &[Spring],
+    deflection: &mut [Deflection<S>],
+    torques: &mut [S],
+    bodies: &mut Bodies<'_, S>,
+) {
+    deflection.fill([S::default(); 3]);
     for _ in 0..5 {
-        wind(springs, behind, torques, bodies);
+        deflect(springs, deflection, torques, bodies);
     }
 }
 
-/// Winds the springs by the torques of the arm as it is behind them.
-fn wind<S: Real>(springs: &[Spring], behind: &mut [Behind<S>], torques: &mut [S], bodies: &mut Bodies<'_, S>) {
-    bodies(behind, torques);
-    for ((behind, spring), &torque) in behind.iter_mut().zip(springs).zip(torques.iter()) {
+/// Deflects the springs by the torques of the arm at the present deflections.
+fn deflect<S: Real>(
+    springs: &[Spring],
+    deflection: &mut [Deflection<S>],
+    torques: &mut [S],
+    bodies: &mut Bodies<'_, S>,
+) {
+    bodies(deflection, torques);
+    for ((deflection, spring), &torque) in deflection.iter_mut().zip(springs).zip(torques.iter()) {
         if spring.stiffness > 0.0 {
-            behind[0] = torque / S::constant(spring.stiffness);
+            deflection[0] = torque / S::constant(spring.stiffness);
         }
     }
 }
 
-/// The same one step later, `dt` s after [`at_ease`], and at the rate at which the springs are
-/// wound meanwhile: from here links [`swing`]. `room` is of `2 n` numbers.
-pub fn let_go<S: Real>(
+/// The same one step later, `dt` s after [`quasi_static`], and with the rate of the deflections:
+/// from here links [`swing`]. `scratch` is of `2 n` numbers.
+pub fn start_swing<S: Real>(
     springs: &[Spring],
     dt: S,
-    behind: &mut [Behind<S>],
-    room: &mut [S],
+    deflection: &mut [Deflection<S>],
+    scratch: &mut [S],
     bodies: &mut Bodies<'_, S>,
 ) {
-    let (torques, before) = room.split_at_mut(springs.len());
-    before.iter_mut().zip(behind.iter()).for_each(|(before, behind)| *before = behind[0]);
-    at_ease(springs, behind, torques, bodies);
-    for (behind, &mut before) in behind.iter_mut().zip(before) {
-        behind[1] = (behind[0] - before) / dt;
+    let (torques, before) = scratch.split_at_mut(springs.len());
+    before.iter_mut().zip(deflection.iter()).for_each(|(before, deflection)| *before = deflection[0]);
+    quasi_static(springs, deflection, torques, bodies);
+    for (deflection, &mut before) in deflection.iter_mut().zip(before) {
+        deflection[1] = (deflection[0] - before) / dt;
     }
 }
 
-/// The links go on by `dt`, s, by the trapezoidal rule: of each soft joint `KE d + DE d'` is the
-/// torque of the arm whose links stand `d` behind their motors, linear in the accelerations.
-/// `bodies` gives that torque; `room` is of `n (n + 2)` numbers.
-pub fn swing<S: Real>(springs: &[Spring], dt: S, behind: &mut [Behind<S>], room: &mut [S], bodies: &mut Bodies<'_, S>) {
+/// Integrates the links over `dt`, s, by the trapezoidal rule. For each soft joint `KE d + DE d'`
+/// is the torque of the arm whose links stand `d` behind their motors, linear in the accelerations.
+/// `bodies` gives that torque; `scratch` is of `n (n + 2)` numbers.
+pub fn swing<S: Real>(
+    springs: &[Spring],
+    dt: S,
+    deflection: &mut [Deflection<S>],
+    scratch: &mut [S],
+    bodies: &mut Bodies<'_, S>,
+) {
     let n = springs.len();
-    let (matrix, rest) = room.split_at_mut(n * n);
+    let (matrix, rest) = scratch.split_at_mut(n * n);
     let (load, column) = rest.split_at_mut(n);
     let (half, zero, one) = (dt * S::constant(0.5), S::default(), S::constant(1.0));
     let quarter = half * half;
     let soft = |k: usize| springs[k].stiffness > 0.0;
-    for [x, v, a] in behind.iter_mut() {
-        // What the step's end has of its beginning.
+    for [x, v, a] in deflection.iter_mut() {
+        // Contribution of the step's beginning to its end.
         (*x, *v, *a) = (*x + dt * *v + quarter * *a, *v + half * *a, zero);
     }
-    bodies(behind, load);
+    bodies(deflection, load);
     for c in (0..n).filter(|&c| soft(c)) {
-        behind[c][2] = one;
-        bodies(behind, column);
-        behind[c][2] = zero;
+        deflection[c][2] = one;
+        bodies(deflection, column);
+        deflection[c][2] = zero;
         for r in 0..n {
             matrix[r * n + c] = load[r] - column[r];
         }
@@ -128,7 +144,7 @@ pub fn swing<S: Real>(springs: &[Spring], dt: S, behind: &mut [Behind<S>], room:
         let (stiffness, inertia) = (S::constant(springs[k].stiffness), matrix[k * n + k]);
         let least = S::constant(2.0 * LEAST_DAMPING) * (stiffness * inertia.max(zero)).sqrt();
         let damping = S::constant(springs[k].damping).max(least);
-        load[k] = load[k] - damping * behind[k][1] - stiffness * behind[k][0];
+        load[k] = load[k] - damping * deflection[k][1] - stiffness * deflection[k][0];
         matrix[k * n + k] = inertia + half * damping + quarter * stiffness;
     }
     // Gauss: the matrix is positive definite.
@@ -144,31 +160,31 @@ pub fn swing<S: Real>(springs: &[Spring], dt: S, behind: &mut [Behind<S>], room:
     for p in (0..n).rev().filter(|&p| soft(p)) {
         let mut sum = load[p];
         for c in (p + 1..n).filter(|&c| soft(c)) {
-            sum = sum - matrix[p * n + c] * behind[c][2];
+            sum = sum - matrix[p * n + c] * deflection[c][2];
         }
-        behind[p][2] = sum / matrix[p * n + p];
+        deflection[p][2] = sum / matrix[p * n + p];
     }
-    for [x, v, a] in behind.iter_mut() {
+    for [x, v, a] in deflection.iter_mut() {
         (*x, *v) = (*x + quarter * *a, *v + half * *a);
     }
 }
 
-/// What the links' swing adds to the torques at the sensors, beside the static winding of the
-/// springs. `room` is of `2 n` numbers.
-pub fn swung<S: Real>(
+/// Dynamic part of the torque at the sensors due to the swinging links, beside the quasi-static
+/// deflection of the springs. `scratch` is of `2 n` numbers.
+pub fn elastic_torque<S: Real>(
     springs: &[Spring],
-    behind: &[Behind<S>],
-    still: &mut [Behind<S>],
-    room: &mut [S],
+    deflection: &[Deflection<S>],
+    still: &mut [Deflection<S>],
+    scratch: &mut [S],
     torques: &mut [S],
     bodies: &mut Bodies<'_, S>,
 ) {
-    let (moving, resting) = room.split_at_mut(springs.len());
+    let (moving, resting) = scratch.split_at_mut(springs.len());
     // Once, as the static law has it.
     still.fill([S::default(); 3]);
-    wind(springs, still, resting, bodies);
+    deflect(springs, still, resting, bodies);
     bodies(still, resting);
-    bodies(behind, moving);
+    bodies(deflection, moving);
     for ((torque, spring), (moving, resting)) in torques.iter_mut().zip(springs).zip(moving.iter().zip(resting.iter()))
     {
         *torque = *torque + S::constant(spring.gain) * (*moving - *resting);

@@ -1,9 +1,9 @@
-//! What laws of drives ask of a number beyond [`Scalar`]: sizes, roots, exponentials, single sines.
+//! Operations that laws of drives need beyond [`Scalar`]: sizes, roots, exponentials, single sines.
 //! Shipped verbatim into crates whose robot file has effects; the interpreter uses the same text.
 //!
 //! The exponential and the logarithm reduce their argument by powers of two and use the polynomials
-//! of fdlibm's `e_exp.c` and `e_log.c`: within 1 ulp, additions, multiplications and divisions
-//! only, the same bits on every machine.
+//! of fdlibm's `e_exp.c` and `e_log.c`. They are within 1 ulp, use additions, multiplications and
+//! divisions only, and give the same bits on every machine.
 
 use super::runtime::{Pack, Scalar, square_root};
 

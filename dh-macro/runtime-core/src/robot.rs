@@ -1,4 +1,4 @@
-//! What every robot implements, so that code is written once for all of them: a description,
+//! Traits that every robot implements, so that code is written once for all of them: a description,
 //! kinematics, dynamics, and the inverse.
 //!
 //! `N` is the number of joints. Parameters are vectors of the robot's own length, associated types

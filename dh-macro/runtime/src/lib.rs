@@ -1,4 +1,4 @@
-//! What generated robot code runs on, and the traits that every robot implements: a controller, a
+//! Runtime of generated robot code, and the traits that every robot implements: a controller, a
 //! planner or a test is written once for all of them.
 //!
 //! No `std`, no allocation, no dependency without the feature `derive`. With it the crate of a user

@@ -1,5 +1,4 @@
-//! What generated code needs beside itself: a scalar, sines and cosines, packs of states. Shipped
-//! along verbatim.
+//! Runtime of generated code: a scalar, sines and cosines, packs of states. Shipped along verbatim.
 
 // A robot whose postures need no blocks, and a derived one, leave some of it unused.
 #[allow(dead_code)]

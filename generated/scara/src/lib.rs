@@ -1,6 +1,6 @@
 //! Closed-form kinematics and dynamics of `scara`: 4 degrees of freedom, 8 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest 7fae07d23dc99c13. Do not edit it:
+//! Written by denavit 0.1.0 from the robot file with digest 3d07412b4b34a7f3. Do not edit it:
 //! change the file and run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Poses and

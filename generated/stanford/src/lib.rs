@@ -1,6 +1,6 @@
 //! Closed-form kinematics and dynamics of `stanford`: 6 degrees of freedom, 37 base parameters.
 //!
-//! Written by denavit 0.1.0 from the robot file with digest b0b4c404891fade7. Do not edit it:
+//! Written by denavit 0.1.0 from the robot file with digest 06515fdc2920d4b9. Do not edit it:
 //! change the file and run `denavit generate` again.
 //!
 //! SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Poses and

@@ -1,4 +1,4 @@
-//! What the arm must not touch while it paints: itself, the ground, boxes, the wall with anything
+//! Clearance while painting: the arm against itself, the ground, boxes, and the wall with anything
 //! but the roller.
 
 use crate::excite::Bodies;

@@ -7,7 +7,7 @@ use super::track::{Line, Postures};
 use crate::apps::painting::clearance::Surroundings;
 use crate::apps::painting::leg_timing::{Bound, Broken, Grid, Leg, share_out};
 
-/// Where the postures of a candidate begin.
+/// Start of a candidate's postures.
 #[derive(Clone, Copy)]
 pub(super) enum From<'a> {
     /// Every posture of the first way point.
@@ -129,8 +129,8 @@ impl<'a> Judge<'a> {
             .zip(&all)
             .filter(|(_, p)| p.distance[0] + p.distance[1] > 0.0)
             .map(|(line, p)| {
-                // m and rad are weighed against each other as in the weight; what weighs more is
-                // told, in its own unit.
+                // m and rad are weighed against each other as in the weight; the heavier one is
+                // reported, in its own unit.
                 let [place, turn] = [p.distance[0] / 0.1, p.distance[1]];
                 let (bound, amount) =
                     if place >= turn { (Bound::LinkExtents, p.distance[0]) } else { (Bound::Direction, p.distance[1]) };

@@ -1,4 +1,4 @@
-//! What a painting motion covers: the roller's line of contact, swept over the wall, counted in
+//! Coverage of a painting motion: the roller's line of contact, swept over the wall, counted in
 //! cells.
 
 use super::strokes::Strokes;

@@ -10,7 +10,7 @@ use crate::simulate::Trajectory;
 const FAR: f64 = 0.04;
 const TIME: f64 = 1.5;
 const REST: f64 = 0.6;
-/// What is left of the settling time for the force to come up first, s.
+/// Part of the settling time in which the force comes up first, s.
 const BEFORE: f64 = 0.9;
 /// Knots, 1/s.
 const RATE: f64 = 100.0;

@@ -1,9 +1,10 @@
 //! How fast a leg can be, what its jerk costs, and which limit it breaks.
 //!
-//! Way points are passed at rest, so legs share nothing but their ends: with a leg's time `tau`,
-//! speeds go with `1/tau`, accelerations with `1/tau^2`, the integral of the squared jerk is `J /
-//! tau^5`. The best `tau` of a leg is the larger of what its limits ask for and `(5 w J)^(1/6)`,
-//! where the derivative of `tau + w J / tau^5` vanishes: `T_C` of equation (12) needs no search.
+//! Way points are passed at rest, so legs share nothing but their ends. With a leg's time `tau`,
+//! speeds go with `1/tau`, accelerations with `1/tau^2`, and the integral of the squared jerk is `J
+//! / tau^5`. The best `tau` of a leg is the larger of the time that its limits need and `(5 w
+//! J)^(1/6)`, where the derivative of `tau + w J / tau^5` vanishes. `T_C` of equation (12)
+//! therefore needs no search.
 
 use nalgebra::DMatrix;
 
@@ -47,13 +48,13 @@ pub(super) enum Bound {
 /// A broken limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Broken {
-    /// Which.
+    /// The limit.
     pub bound: Bound,
     /// By how much: m, rad, N m, s by its kind.
     pub amount: f64,
     /// Number that makes different kinds comparable; over zero.
     pub weight: f64,
-    /// Where the roller is: wall coordinates and distance, m.
+    /// Position of the roller: wall coordinates and distance, m.
     pub at: [f64; 3],
 }
 
@@ -86,7 +87,7 @@ pub(super) struct Leg {
     pub jerk: f64,
     /// Shortest time by speed, acceleration and jerk, s, and what binds.
     pub fastest: (f64, Bound),
-    /// What is broken whatever the time.
+    /// Limits that are broken whatever the time.
     pub broken: Vec<Broken>,
     states: States,
     /// Torques of the contact, `n * len`.
@@ -97,7 +98,7 @@ pub(super) struct Leg {
 const LEAST: f64 = 0.05;
 /// A leg that needs longer is not possible, s.
 const LONGEST: f64 = 1e4;
-/// What a polynomial may leave out of a smooth branch, rad or m.
+/// Truncation error of a polynomial on a smooth branch, rad or m.
 const SMOOTH: f64 = 2e-3;
 
 impl Leg {
@@ -215,8 +216,8 @@ impl Leg {
     }
 }
 
-/// What the wall's push asks of the joints: minus `J'` times the wrench on the last frame, N m,
-/// `n * len`.
+/// Joint torques due to the wall's push: minus `J'` times the wrench on the last frame, N m, `n *
+/// len`.
 fn load(task: &Task<'_>, line: &Line, states: &States, frames: &[f64]) -> Vec<f64> {
     let (n, len) = (task.dof(), states.len);
     let mut out = vec![0.0; n * len];
@@ -245,9 +246,9 @@ fn load(task: &Task<'_>, line: &Line, states: &States, frames: &[f64]) -> Vec<f6
     out
 }
 
-/// Times of legs: each at least its own, together `duration` where it is given, with the least sum
-/// of `J / tau^5` (equal marginal gain: `tau` in proportion to `J^(1/6)`); without it each where
-/// `tau + w J / tau^5` is least. True: the leg is as fast as it can be.
+/// Times of legs: each at least its own. With `duration` they sum to it, with the least sum of `J /
+/// tau^5` (equal marginal gain: `tau` in proportion to `J^(1/6)`). Without it `tau + w J / tau^5`
+/// is least for each. True: the leg is as fast as it can be.
 pub(super) fn share_out(least: &[f64], jerk: &[f64], weight: f64, duration: Option<f64>) -> Vec<(f64, bool)> {
     let at = |scale: f64| -> Vec<(f64, bool)> {
         least
@@ -272,7 +273,7 @@ pub(super) fn share_out(least: &[f64], jerk: &[f64], weight: f64, duration: Opti
         let middle = 0.5 * (low + high);
         if total(middle) < duration { low = middle } else { high = middle }
     }
-    // What rounding has left goes to the legs that have time.
+    // The rounding remainder goes to the legs that have time.
     let mut times = at(high);
     let rest = duration - times.iter().map(|t| t.0).sum::<f64>();
     if let Some(longest) = times.iter_mut().filter(|t| !t.1).max_by(|a, b| a.0.total_cmp(&b.0)) {

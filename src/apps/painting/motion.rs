@@ -1,5 +1,4 @@
-//! The joint motion as a piecewise quintic: position, velocity and acceleration at knots, and
-//! nothing else to remember.
+//! The joint motion as a piecewise quintic, stored as position, velocity and acceleration at knots.
 
 use nalgebra::DMatrix;
 
@@ -121,9 +120,9 @@ struct Smooth {
 
 /// Order of a panel.
 const ORDER: usize = 20;
-/// What a panel may leave out, rad or m.
+/// Truncation error of a panel, rad or m.
 const TAIL: f64 = 2e-12;
-/// What the quintic between knots may leave out, rad or m.
+/// Truncation error of the quintic between knots, rad or m.
 const BETWEEN: f64 = 1e-11;
 
 impl Smooth {

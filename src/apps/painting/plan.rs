@@ -1,12 +1,10 @@
 //! The plan: the motion that was found, and everything that is asked of it later.
 
-use serde_json::{Value, json};
-
 use crate::data::trajectory::times;
 
 use super::motion::Motion;
 use super::search::{Progress, Search};
-use super::strokes::{Pattern, Phase, Strokes, rest_to_rest};
+use super::strokes::{Phase, Strokes, rest_to_rest};
 use super::surface::{Roller, Surface};
 use super::task::{Cover, Task};
 use crate::apps::painting::cost::{From, Scored};
@@ -16,16 +14,16 @@ use crate::apps::painting::leg_timing::{Bound, Broken};
 /// A leg of a plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Span {
-    /// What it does.
+    /// Action of the roller.
     pub phase: Phase,
-    /// Where it begins: wall coordinates and distance from the wall, m, and swivel angle, rad (or
-    /// position of the joint that is given).
+    /// Start: wall coordinates and distance from the wall, m, and swivel angle, rad (or position of
+    /// the joint that is given).
     pub from: [f64; 4],
-    /// Where it ends.
+    /// End.
     pub to: [f64; 4],
     /// From when to when, s.
     pub time: [f64; 2],
-    /// What keeps it from being shorter, in words.
+    /// Limit that keeps it from being shorter, in words.
     pub bound: String,
 }
 
@@ -34,9 +32,9 @@ pub struct Span {
 pub struct Side {
     /// `upper`, `lower`, `left` (least y), `right`.
     pub side: &'static str,
-    /// What is left unpainted there, m.
+    /// Width left unpainted there, m.
     pub gap: f64,
-    /// What is broken when the lanes are widened by a centimetre to this side, in words.
+    /// Limits that break when the lanes are widened by a centimetre to this side, in words.
     pub bound: String,
 }
 
@@ -76,9 +74,9 @@ pub struct Moment {
     pub dq: Vec<f64>,
     /// Accelerations.
     pub ddq: Vec<f64>,
-    /// Top three rows of the tool frame's homogeneous matrix in base axes, row-major, m.
+    /// Top three rows of the tool frame's homogeneous matrix in world axes, row-major, m.
     pub pose: [f64; 12],
-    /// Middle of the roller's face, base axes, m.
+    /// Middle of the roller's face, world axes, m.
     pub point: [f64; 3],
     /// Its velocity, m/s, and acceleration, m/s^2.
     pub velocity: [f64; 3],
@@ -86,20 +84,20 @@ pub struct Moment {
     pub acceleration: [f64; 3],
     /// The same point on the wall: coordinates and distance, m.
     pub place: [f64; 3],
-    /// Out of the wall, base axes.
+    /// Out of the wall, world axes.
     pub normal: [f64; 3],
     /// Swivel angle, rad, or position of the joint that is given.
     pub swivel: f64,
-    /// What the roller does.
+    /// Action of the roller.
     pub phase: Phase,
-    /// Which leg it is.
+    /// Index of the leg.
     pub span: usize,
 }
 
 /// Why there is no plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Infeasible {
-    /// What binds and by how much, in words; worst first.
+    /// Binding limits and by how much, in words; worst first.
     pub reasons: Vec<String>,
 }
 
@@ -234,7 +232,7 @@ impl Search<'_> {
         }
     }
 
-    /// What the wall's sides lack, and why.
+    /// Uncovered sides of the wall, and why.
     fn sides(&self, best: &Scored) -> Vec<Side> {
         let task = self.judge.task;
         let ([left, right], [low, high]) = (task.surface.sides(), task.surface.ends());
@@ -324,140 +322,8 @@ impl Plan {
         times(self.duration(), rate).into_iter().map(|t| (t, self.at(t))).collect()
     }
 
-    /// What it paints.
+    /// Painted area.
     pub fn coverage(&self) -> Coverage {
         Coverage::new(&self.surface, &self.strokes, self.roller.width)
     }
-
-    /// Everything that it takes to have the same plan again.
-    pub fn to_json(&self) -> Value {
-        let (s, r, l) = (&self.surface, &self.roller, &self.strokes);
-        json!({
-            "kind": "paint_plan",
-            "robot": self.robot,
-            "wall": {"center": s.center, "normal": s.normal, "up": s.up, "width": s.width, "height": s.height},
-            "roller": {"length": r.length, "width": r.width, "turned": r.turned},
-            "strokes": {
-                "upper": l.upper, "lower": l.lower, "first": l.first, "step": l.step, "lanes": l.lanes,
-                "pattern": if l.pattern == Pattern::Cycle { "cycle" } else { "snake" },
-            },
-            "contact_seconds": self.contact, "jerk": self.jerk, "cost": self.cost, "cost_constant_swivel": self.cost_constant,
-            "spans": self.spans.iter().map(|s| json!({
-                "phase": s.phase.name(), "from": s.from, "to": s.to, "time": s.time, "bound": s.bound,
-            })).collect::<Vec<_>>(),
-            "motion": {"times": self.motion.times, "q": self.motion.q, "dq": self.motion.dq, "ddq": self.motion.ddq},
-        })
-    }
-
-    /// Reads what [`Plan::to_json`] wrote. The sides that were not reached are not in it.
-    ///
-    /// # Errors
-    /// Says which key is missing or has the wrong shape.
-    pub fn from_json(value: &Value) -> Result<Self, String> {
-        let value = value.get("plan").unwrap_or(value);
-        if value.get("kind").and_then(Value::as_str) != Some("paint_plan") {
-            return Err("`kind` is not `paint_plan`; this is not what `denavit paint plan --plan` writes".into());
-        }
-        let wall = key(value, "wall")?;
-        let surface = Surface::new(
-            numbers(wall, "center")?,
-            numbers(wall, "normal")?,
-            numbers(wall, "up")?,
-            number(wall, "width")?,
-            number(wall, "height")?,
-        )?;
-        let held = key(value, "roller")?;
-        let turned = held.get("turned").and_then(Value::as_bool).ok_or("`roller.turned` must be true or false")?;
-        let roller = Roller { length: number(held, "length")?, width: number(held, "width")?, turned };
-        let lanes = key(value, "strokes")?;
-        let strokes = Strokes {
-            upper: number(lanes, "upper")?,
-            lower: number(lanes, "lower")?,
-            first: number(lanes, "first")?,
-            step: number(lanes, "step")?,
-            lanes: lanes
-                .get("lanes")
-                .and_then(Value::as_u64)
-                .filter(|n| (1..=1000).contains(n))
-                .ok_or("`strokes.lanes` must be a whole number from 1 to 1000")? as usize,
-            pattern: match lanes.get("pattern").and_then(Value::as_str) {
-                Some("cycle") => Pattern::Cycle,
-                Some("snake") => Pattern::Snake,
-                _ => return Err("`strokes.pattern` must be cycle or snake".into()),
-            },
-        };
-        let text = |v: &Value, name: &str| -> Result<String, String> {
-            v.get(name).and_then(Value::as_str).map(String::from).ok_or_else(|| format!("`{name}` must be a word"))
-        };
-        let list = key(value, "spans")?.as_array().ok_or("`spans` must be a list")?;
-        let spans: Vec<Span> = list
-            .iter()
-            .map(|s| {
-                let phase = text(s, "phase")?;
-                Ok(Span {
-                    phase: Phase::named(&phase).ok_or_else(|| format!("`{phase}` is no phase"))?,
-                    from: numbers(s, "from")?,
-                    to: numbers(s, "to")?,
-                    time: numbers(s, "time")?,
-                    bound: text(s, "bound")?,
-                })
-            })
-            .collect::<Result<_, String>>()?;
-        if spans.is_empty() || spans.windows(2).any(|w| (w[0].time[1] - w[1].time[0]).abs() > 1e-9) {
-            return Err("`spans` must follow each other in time".into());
-        }
-        let curve = key(value, "motion")?;
-        let times = floats(key(curve, "times")?).ok_or("`motion.times` must be a list of numbers")?;
-        let rows = |name: &str| -> Result<Vec<Vec<f64>>, String> {
-            let rows = key(curve, name)?.as_array().and_then(|r| r.iter().map(floats).collect::<Option<Vec<_>>>());
-            rows.ok_or_else(|| format!("`motion.{name}` must be a list of lists of numbers"))
-        };
-        let motion = Motion { q: rows("q")?, dq: rows("dq")?, ddq: rows("ddq")?, times };
-        let n = motion.dof();
-        let whole = [&motion.q, &motion.dq, &motion.ddq]
-            .iter()
-            .all(|rows| rows.len() == motion.times.len() && rows.iter().all(|r| r.len() == n));
-        if !whole || n == 0 || motion.times.len() < 2 || motion.times[0] != 0.0 {
-            return Err(
-                "`motion` needs as many rows of q, dq and ddq as it has times, from 0, all of one length".into()
-            );
-        }
-        if motion.times.windows(2).any(|w| w[1] <= w[0]) {
-            return Err("`motion.times` must ascend".into());
-        }
-        Ok(Self {
-            robot: text(value, "robot")?,
-            surface,
-            roller,
-            strokes,
-            spans,
-            motion,
-            contact: number(value, "contact_seconds")?,
-            jerk: number(value, "jerk")?,
-            cost: number(value, "cost")?,
-            cost_constant: value.get("cost_constant_swivel").and_then(Value::as_f64),
-            sides: Vec::new(),
-        })
-    }
-}
-
-fn key<'v>(value: &'v Value, name: &str) -> Result<&'v Value, String> {
-    value.get(name).ok_or_else(|| format!("`{name}` is missing"))
-}
-
-fn number(value: &Value, name: &str) -> Result<f64, String> {
-    value
-        .get(name)
-        .and_then(Value::as_f64)
-        .filter(|x| x.is_finite())
-        .ok_or_else(|| format!("`{name}` must be a number"))
-}
-
-fn floats(value: &Value) -> Option<Vec<f64>> {
-    value.as_array()?.iter().map(|x| x.as_f64().filter(|x| x.is_finite())).collect()
-}
-
-fn numbers<const N: usize>(value: &Value, name: &str) -> Result<[f64; N], String> {
-    let found = value.get(name).and_then(floats).and_then(|v| v.try_into().ok());
-    found.ok_or_else(|| format!("`{name}` must be {N} numbers"))
 }

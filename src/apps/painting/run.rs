@@ -1,13 +1,12 @@
 //! A planned motion against the simulated wall, under the controller of the paper's Fig. 8.
 //!
-//! The arm starts 2 cm before the wall, comes to it, presses at the plan's first point until the
-//! force has settled (and wipes 4 cm there and back where drag is to be predicted), and then
-//! paints.
+//! The arm starts 2 cm before the wall, comes to it, and presses at the plan's first point until
+//! the force has settled. If drag is to be predicted it wipes 4 cm there and back. Then it paints.
 
 use dh_codegen::robot::{Robot, Tool};
 
 use super::Plan;
-use super::tune::{Demands, Tuning, plant, tune};
+use super::tune::{Demands, TuneError, Tuning, plant, tune};
 use super::wall::{RollerWall, WallSensor};
 use crate::apps::painting::drag_calibration_stroke::wipe;
 use crate::control::iterative_learning::{Learned, learned};
@@ -22,7 +21,7 @@ use crate::simulate::{
     Drive, External, Sampled, Sensors, SimulateError, Simulator, Solver, Trajectory, TrajectoryError,
 };
 
-/// What the controller knows of the robot.
+/// The controller's model of the robot.
 pub struct Known<'a> {
     /// Geometry, limits and the tool's frame.
     pub robot: &'a Robot,
@@ -34,13 +33,12 @@ pub struct Known<'a> {
     pub drives: Vec<Drive>,
     /// Standard deviation of each joint's torque error, N m: weights of the estimate.
     pub spread: Vec<f64>,
-    /// By how much each joint's friction may be off at most where it has just turned round, N m;
-    /// infinite where nothing is known of it, 0 where noise explains all torque errors:
-    /// [`EstimatorSettings::turning`].
+    /// Largest error of each joint's friction just after a reversal, N m; infinite where nothing is
+    /// known of it, 0 where noise explains all torque errors: [`EstimatorSettings::turning`].
     pub doubt: Vec<f64>,
 }
 
-/// Which force the loop is closed with.
+/// Force in the feedback.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Feedback {
     /// Equation (14): Fig. 13a.
@@ -49,7 +47,7 @@ pub enum Feedback {
     Measured,
 }
 
-/// What the inner loop adds to equation (13): shares from 0 to 1.
+/// Additions of the inner loop to equation (13): shares from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Law {
     /// Of the desired force: see [`Settings::carry`].
@@ -64,13 +62,13 @@ pub struct Law {
 }
 
 impl Law {
-    /// Equations (13) and (15) as they stand.
+    /// Equations (13) and (15) of the paper, without additions.
     pub const PAPER: Self = Self { carry: 0.0, feed: 0.0, aside: 0.0, drag: 0.0 };
     /// With what is known fed forward.
     pub const FED: Self = Self { carry: 1.0, feed: 1.0, aside: 0.5, drag: 1.0 };
 }
 
-/// What is to be done.
+/// The task.
 #[derive(Debug, Clone)]
 pub struct Task<'a> {
     /// The planned joint motion, along which the tool touches the wall.
@@ -79,18 +77,18 @@ pub struct Task<'a> {
     pub wall: RollerWall,
     /// Force to press with, N: the paper's 30.
     pub force: f64,
-    /// Which force the loop is closed with.
+    /// Force in the feedback.
     pub feedback: Feedback,
     /// How large a moment the estimate allows for at the contact, N m, as a standard deviation: see
     /// [`EstimatorSettings::moment`] and [`roller_moment`].
     pub moment: f64,
-    /// What the inner loop adds to equation (13).
+    /// Additions of the inner loop to equation (13).
     pub law: Law,
     /// Corner of the low-pass of both forces, Hz.
     pub corner: f64,
     /// How long it presses before it paints, s.
     pub settle: f64,
-    /// What the coat before has learned.
+    /// Displacement learned from the coat before.
     pub learned: Option<&'a Learned>,
     /// Sensors of the joints.
     pub sensors: Sensors,
@@ -98,20 +96,20 @@ pub struct Task<'a> {
     pub seed: u64,
 }
 
-/// What was recorded, one entry per sample of the painting proper.
+/// Recording, one entry per sample of the painting proper.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Trace {
     /// Since the painting began, s.
     pub t: Vec<f64>,
     /// Estimated force on the wall along the normal, N.
     pub estimated: Vec<f64>,
-    /// What the sensor showed, through the same low-pass.
+    /// Force of the sensor, through the same low-pass.
     pub measured: Vec<f64>,
-    /// What was.
+    /// True force.
     pub truth: Vec<f64>,
     /// Displacement along the normal, m.
     pub displacement: Vec<f64>,
-    /// Place of the contact, m, base axes: planned and actual.
+    /// Place of the contact, m, world axes: planned and actual.
     pub planned: Vec<[f64; 3]>,
     /// Actual.
     pub actual: Vec<[f64; 3]>,
@@ -131,7 +129,7 @@ pub struct Accuracy {
 /// A run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// What was recorded.
+    /// Recording.
     pub trace: Trace,
     /// Table IV.
     pub accuracy: Accuracy,
@@ -154,9 +152,12 @@ pub enum RunError {
     /// Of an arm that is too large.
     #[error("a robot with {0} joints can't be controlled here: at most {MOST}")]
     Joints(usize),
-    /// Gains, limits, or the plan.
+    /// Limits, or the plan.
     #[error("{0}")]
     Setting(String),
+    /// Gains that keep their margins do not exist.
+    #[error(transparent)]
+    Tune(#[from] TuneError),
     /// The simulation.
     #[error(transparent)]
     Simulate(#[from] SimulateError),
@@ -203,7 +204,7 @@ const APART: f64 = 1.0;
 /// The last of these by default.
 pub const SETTLE: f64 = 4.0;
 
-/// Runs it. `progress` is told the share that is done.
+/// Runs it. `progress` receives the share that is done.
 pub fn run(
     known: &Known<'_>,
     real: &Simulator,
@@ -272,7 +273,7 @@ fn run_n<const N: usize>(
             .collect(),
     };
     let wiped = (task.law.drag > 0.0).then(|| wipe(&mut lent, &first, &postures, &press, task.settle)).flatten();
-    let tuning = tune(&mut lent, &postures, &viscous, &press, &demands).map_err(RunError::Setting)?;
+    let tuning = tune(&mut lent, &postures, &viscous, &press, &demands)?;
 
     let settings = Settings {
         period,
@@ -390,10 +391,7 @@ fn run_n<const N: usize>(
         }
         true
     })?;
-    let rms = |difference: &dyn Fn(usize) -> f64| {
-        let sum: f64 = (0..trace.t.len()).map(|k| difference(k).powi(2)).sum();
-        (sum / trace.t.len().max(1) as f64).sqrt()
-    };
+    let rms = |difference: &dyn Fn(usize) -> f64| root_mean_square(trace.t.len(), difference);
     let n = task.wall.normal;
     let aside = |k: usize| {
         let d: [f64; 3] = std::array::from_fn(|i| trace.actual[k][i] - trace.planned[k][i]);
@@ -419,4 +417,10 @@ fn run_n<const N: usize>(
         learned(&plants?, [tuning.force.kp, tuning.force.ki], &error, &pace, period, task.learned)
     });
     Ok(Run { accuracy, tracking: rms(&aside), off: idle, status, tuning, learned: next.flatten(), trace })
+}
+
+/// Of `len` values; no number where there is none: a run that ended before it painted has no error.
+pub(super) fn root_mean_square(len: usize, of: &dyn Fn(usize) -> f64) -> f64 {
+    let sum: f64 = (0..len).map(|k| of(k).powi(2)).sum();
+    (sum / len as f64).sqrt()
 }

@@ -1,6 +1,6 @@
 //! The prediction of the gains' tool against the simulated arm.
 
-use super::run::{Feedback, Known, Law, Run, SETTLE, Task, run};
+use super::run::{Feedback, Known, Law, Run, SETTLE, Task, root_mean_square, run};
 use super::wall::RollerWall;
 use crate::control::iterative_learning::Learned;
 use crate::control::law::Model;
@@ -71,8 +71,8 @@ fn it_presses_as_asked() {
     }
 }
 
-/// 0.4 m along the wall in 3 s; the gears of the first two joints ripple, which the controller does
-/// not know.
+/// 0.4 m along the wall in 3 s; the gears of the first two joints ripple, and the controller's
+/// model has no ripple.
 fn coats(count: usize) -> Vec<Run> {
     let robot = Robot::from_yaml(FILE, &|name| Err(format!("no file {name}"))).unwrap().robot;
     let text = "joints:\n  1: { torque_ripple: { RC: 0.8, RS: 0.3 } }\n  2: { torque_ripple: { RC: 0.5, RS: -0.4 } }\n";
@@ -131,4 +131,11 @@ fn a_coat_learns_from_the_one_before() {
         assert!(learned.at(-1.0) == 0.0 && learned.at(99.0) == 0.0 && learned.at(f64::NAN) == 0.0);
     }
     assert_eq!(Learned::default().at(0.0), 0.0);
+}
+
+/// A run that ended before it painted has no error: no zero stands for it.
+#[test]
+fn nothing_painted_is_not_accurate() {
+    assert!(root_mean_square(0, &|_| 1.0).is_nan());
+    assert_eq!(root_mean_square(2, &|k| [3.0, 4.0][k]), 12.5_f64.sqrt());
 }

@@ -4,8 +4,9 @@
 //!    inverse, swivel angles all around.
 //! 2. Compass search in swivel, `Z_u`, `Z_l`, `Y_0` and `dY` from the best of them (`T_C` follows
 //!    in closed form, see `pace`).
-//! 3. Beyond the paper: the angle at each way point, by dynamic programming over a grid (a leg sees
-//!    only its two ends, so the grid's optimum is exact), then compass search in all variables.
+//! 3. Beyond the paper: the angle at each way point, by dynamic programming over a grid, then
+//!    compass search in all variables. A leg depends only on its two ends, so the grid's optimum is
+//!    exact.
 
 use super::strokes::Strokes;
 use super::surface::Roller;
@@ -48,7 +49,7 @@ impl<'a> Search<'a> {
             plain = Some(best.clone());
             self.spline(&mut best);
         }
-        // What only shows between the coarse samples.
+        // Violations that show only between the coarse samples.
         (self.progress)("between samples", 0.0);
         best = self.again(&self.fine, &best);
         if !best.feasible() {

@@ -11,7 +11,7 @@ pub enum Pattern {
     Snake,
 }
 
-/// What the roller does on a leg.
+/// Action of the roller on a leg.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
     /// From the place before the wall to the wall.
@@ -25,7 +25,7 @@ pub enum Phase {
 }
 
 impl Phase {
-    /// As it is written in files.
+    /// The name in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Approach => "approach",
@@ -67,11 +67,11 @@ pub struct Strokes {
 /// m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
-    /// What it does.
+    /// Action.
     pub phase: Phase,
-    /// Where it begins: `[y, z, distance]`.
+    /// Start: `[y, z, distance]`.
     pub from: [f64; 3],
-    /// Where it ends.
+    /// End.
     pub to: [f64; 3],
 }
 
@@ -86,7 +86,7 @@ impl Strokes {
         self.first + self.step * k as f64
     }
 
-    /// What is painted, `[least y, largest y, least z, largest z]`, by a roller of this width, m;
+    /// Painted rectangle, `[least y, largest y, least z, largest z]`, of a roller of this width, m;
     /// whole where `|dY|` is at most the width.
     pub fn painted(&self, width: f64) -> [f64; 4] {
         let (a, b) = (self.lane(0), self.lane(self.lanes.saturating_sub(1)));

@@ -3,13 +3,13 @@
 use super::vector::{Vector, add, cross, dot, norm, scale};
 
 /// A rectangle to be painted. A point of its plane has two coordinates, `[y, z]`: along
-/// [`Surface::across`] and [`Surface::up`], counted from the origin of the base frame; for the
-/// paper's wall they are y and z of the base frame.
+/// [`Surface::across`] and [`Surface::up`], counted from the origin of the world frame. For the
+/// paper's wall they are y and z of the world frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Surface {
-    /// Middle of the rectangle, base axes, m.
+    /// Middle of the rectangle, world axes, m.
     pub center: [f64; 3],
-    /// Unit normal, out of the wall, base axes.
+    /// Unit normal, out of the wall, world axes.
     pub normal: [f64; 3],
     /// Unit vector of the strokes, in the plane: "up".
     pub up: [f64; 3],
@@ -19,29 +19,58 @@ pub struct Surface {
     pub height: f64,
 }
 
+/// Reason why numbers describe no wall.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum SurfaceError {
+    /// Place or directions are not finite, or too large.
+    #[error("the wall's place and directions must be finite numbers, at most 1000")]
+    Numbers,
+    /// An extent is out of range.
+    #[error("the wall's {name} is {size} m; from 0.001 to 100 m")]
+    Size {
+        /// `width` or `height`.
+        name: &'static str,
+        /// Its value, m.
+        size: f64,
+    },
+    /// The normal is zero.
+    #[error("the wall's normal is zero")]
+    Normal,
+    /// The upward direction is along the normal.
+    #[error("the wall's up is along its normal; name a direction in the plane of the wall")]
+    Up,
+}
+
 impl Surface {
     /// From any normal and any vector that is not along it (its part in the plane counts as up).
     ///
     /// # Errors
     /// Says which number can't be.
-    pub fn new(center: [f64; 3], normal: [f64; 3], up: [f64; 3], width: f64, height: f64) -> Result<Self, String> {
+    pub fn new(
+        center: [f64; 3],
+        normal: [f64; 3],
+        up: [f64; 3],
+        width: f64,
+        height: f64,
+    ) -> Result<Self, SurfaceError> {
         if center.iter().chain(&normal).chain(&up).any(|x| x.is_nan() || x.abs() > 1e3) {
-            return Err("the wall's place and directions must be finite numbers, at most 1000".into());
+            return Err(SurfaceError::Numbers);
         }
         for (name, size) in [("width", width), ("height", height)] {
             if !(1e-3..=100.0).contains(&size) {
-                return Err(format!("the wall's {name} is {size} m; from 0.001 to 100 m"));
+                return Err(SurfaceError::Size { name, size });
             }
         }
         let length = norm(normal);
         if length < 1e-9 {
-            return Err("the wall's normal is zero".into());
+            return Err(SurfaceError::Normal);
         }
         let normal = scale(1.0 / length, normal);
         let along = add(up, scale(-dot(up, normal), normal));
         let rest = norm(along);
         if rest < 1e-6 * norm(up).max(1e-300) || rest < 1e-9 {
-            return Err("the wall's up is along its normal; name a direction in the plane of the wall".into());
+            return Err(SurfaceError::Up);
         }
         Ok(Self { center, normal, up: scale(1.0 / rest, along), width, height })
     }
@@ -68,20 +97,20 @@ impl Surface {
         [z - 0.5 * self.height, z + 0.5 * self.height]
     }
 
-    /// The point at two coordinates and at a distance from the plane, in base axes, m.
+    /// The point at two coordinates and at a distance from the plane, in world axes, m.
     pub fn point(&self, [y, z, off]: [f64; 3]) -> [f64; 3] {
         let plane = dot(self.normal, self.center) + off;
         add(add(scale(y, self.across()), scale(z, self.up)), scale(plane, self.normal))
     }
 
-    /// A direction with these three parts, in base axes.
+    /// A direction with these three parts, in world axes.
     pub fn direction(&self, [y, z, off]: [f64; 3]) -> [f64; 3] {
         add(add(scale(y, self.across()), scale(z, self.up)), scale(off, self.normal))
     }
 }
 
-/// What paints: its axis is along x of the tool frame, and what touches the wall is `length` along
-/// z of it.
+/// The paint roller: its axis is along x of the tool frame, and its line of contact lies `length`
+/// along z of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roller {
     /// From the origin of the tool frame to what touches the wall, m.
@@ -95,8 +124,8 @@ pub struct Roller {
 
 impl Roller {
     /// The tool frame with the middle of the roller's face at a point (wall coordinates and
-    /// distance), held perpendicular to the wall: top three rows of the homogeneous matrix in base
-    /// axes, m.
+    /// distance), held perpendicular to the wall. It is given as the top three rows of the
+    /// homogeneous matrix in world axes, m.
     pub fn pose(&self, surface: &Surface, at: [f64; 3]) -> [[f64; 4]; 3] {
         let z = scale(-1.0, surface.normal);
         let x = if self.turned { scale(-1.0, surface.across()) } else { surface.across() };

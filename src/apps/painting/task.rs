@@ -1,10 +1,10 @@
-//! What is asked for: arm, wall, roller, limits, weights.
+//! A painting task: arm, wall, roller, limits, weights.
 
 use dh_codegen::arm::param;
 use dh_codegen::ik::{Displacement, Family, Reference};
 use dh_codegen::robot::{JointKind, Robot};
 
-use crate::excite::{Bodies, JointLimits, Missing};
+use crate::excite::{Bodies, JointLimits, LimitsError, Missing};
 use crate::model::FrameKinematics;
 use crate::model::inverse_kinematics::Kinematics;
 
@@ -48,9 +48,9 @@ pub struct Task<'a> {
     pub inverse: &'a Kinematics,
     /// Limits per joint.
     pub limits: Vec<JointLimits>,
-    /// What the file does not say, and what was taken.
+    /// Defaults taken for values missing in the file.
     pub missing: Vec<Missing>,
-    /// Which joints slide.
+    /// Sliding joints.
     pub slides: Vec<bool>,
     /// Standard parameters, tool included; `None`: torques are not checked.
     pub standard: Option<Vec<f64>>,
@@ -103,7 +103,7 @@ impl<'a> Task<'a> {
         surface: Surface,
         roller: Roller,
         acceleration_time: f64,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, LimitsError> {
         let mut missing = Vec::new();
         let moving = robot.moving();
         let limits: Vec<JointLimits> = moving

@@ -149,8 +149,8 @@ fn a_whole_wall_by_the_lwr() {
     assert!(found.cost <= found.cost_constant.unwrap() * (1.0 + 1e-9));
     judge(&ready, &task, &found);
     // Files bring the same plan back.
-    let text = found.to_json().to_string();
-    let again = Plan::from_json(&serde_json::from_str(&text).unwrap()).unwrap();
+    let text = crate::report::plan_json(&found).to_string();
+    let again = crate::report::plan_of_json(&serde_json::from_str(&text).unwrap()).unwrap();
     for t in [-1.0, 0.0, 0.37, 5.0, 1e9, f64::NAN] {
         let (a, b) = (found.at(t), again.at(t));
         assert!(a.q.iter().zip(&b.q).all(|(a, b)| (a - b).abs() < 1e-12) && a.phase == b.phase, "{t}");

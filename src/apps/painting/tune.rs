@@ -9,7 +9,7 @@ use crate::control::gains::{
 use crate::control::law::Model;
 use crate::control::robot::RobotModel;
 
-/// What the gains must bear.
+/// Loads on the loop that the gains must bear.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Demands {
     /// Time between samples, s.
@@ -34,17 +34,35 @@ pub struct Tuning {
     pub force: ForceProposal,
 }
 
+/// Margin that no gains keep.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum TuneError {
+    /// Of a joint by itself, from 1.
+    #[error("no gains of joint {0} keep their margins")]
+    Joint(usize),
+    /// Of all joints together.
+    #[error("no gains keep their margins with all joints together")]
+    Together,
+    /// A posture has no displacement along the normal.
+    #[error("a posture can't be displaced along the normal")]
+    Posture,
+    /// Of the force loop.
+    #[error("no gains of the force loop keep their margins on this wall")]
+    Force,
+}
+
 /// Gains that keep their margins in all these postures; `press` is the unit vector into the wall.
 ///
 /// # Errors
-/// Says what can't be kept.
+/// The margin that can't be kept.
 pub fn tune<const N: usize>(
     lent: &mut RobotModel<'_>,
     postures: &[[f64; N]],
     viscous: &[f64; N],
     press: &[f64; 3],
     demands: &Demands,
-) -> Result<Tuning, String> {
+) -> Result<Tuning, TuneError> {
     let masses: Vec<Vec<f64>> = postures.iter().map(|q| lent.mass(q)).collect();
     let mut joints = Vec::new();
     for j in 0..N {
@@ -61,10 +79,7 @@ pub fn tune<const N: usize>(
             damping,
             viscous: viscous[j],
         };
-        joints.push((
-            plant,
-            propose_joint(&plant).ok_or_else(|| format!("no gains of joint {} keep their margins", j + 1))?,
-        ));
+        joints.push((plant, propose_joint(&plant).ok_or(TuneError::Joint(j + 1))?));
     }
     let arms: Vec<ArmPlant> = masses
         .iter()
@@ -76,7 +91,7 @@ pub fn tune<const N: usize>(
         })
         .collect();
     let gains = lowered(&arms, joints.iter().map(|(_, p)| [p.kp, p.kd]).collect());
-    let gains = gains.ok_or("no gains keep their margins with all joints together")?;
+    let gains = gains.ok_or(TuneError::Together)?;
     let joints: Vec<JointProposal> = joints
         .iter()
         .zip(gains)
@@ -90,8 +105,8 @@ pub fn tune<const N: usize>(
     let gains: Vec<[f64; 2]> = joints.iter().map(|j| [j.kp, j.kd]).collect();
     let rigid: Option<Vec<ForcePlant>> =
         postures.iter().map(|q| plant(lent, q, viscous, press, demands, &gains, false)).collect();
-    let force = propose_force(&rigid.ok_or("a posture can't be displaced along the normal")?);
-    let force = force.ok_or("no gains of the force loop keep their margins on this wall")?;
+    let force = propose_force(&rigid.ok_or(TuneError::Posture)?);
+    let force = force.ok_or(TuneError::Force)?;
     Ok(Tuning { joints, force })
 }
 

@@ -1,4 +1,4 @@
-//! What the gains' tool promises against the simulated arm on walls of several stiffnesses.
+//! Promises of the gains' tool against the simulated arm on walls of several stiffnesses.
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::{Effects, Robot};

@@ -11,11 +11,11 @@ use crate::simulate::{External, Wrench};
 /// across the roller's axis, sliding friction along it, both rounded off below `creep`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollerWall {
-    /// A point of the plane, base axes, m.
+    /// A point of the plane, world axes, m.
     pub point: [f64; 3],
     /// Unit normal, out of the wall.
     pub normal: [f64; 3],
-    /// Where the tool touches, tool frame, m.
+    /// Point of contact of the tool, tool frame, m.
     pub contact: [f64; 3],
     /// Of roller and wall in series, N/m.
     pub stiffness: f64,
@@ -122,7 +122,7 @@ impl WallSensor {
         Self { noise: 1.0 / 16.0, step: 1.0 / 16.0, range: 290.0, random: Random::new(seed ^ 0xA71) }
     }
 
-    /// What it shows of a force along its axis, N.
+    /// Reading for a force along its axis, N.
     pub fn read(&mut self, force: f64) -> f64 {
         // Twelve even numbers: normal enough for a sensor, and always as many draws.
         let normal: f64 = (0..12).map(|_| self.random.even(1.0)).sum::<f64>() * 0.5;

@@ -10,9 +10,9 @@ use crate::identify::{AccumulatorSettings, Factors, Identification, IdentifySett
 use crate::model::Arm;
 use crate::simulate::{Recording, Request, Simulator, Solver};
 
-/// How finely motions are integrated. At 1e-5 the torques that the loop asks for are off by 0.012 N
-/// m after the low-pass on the first joints, a quarter of the noise floor; at this by 0.004, which
-/// is what the low-pass itself does to torques and motion. The simulator's default, 1e-7, takes
+/// How finely motions are integrated. At 1e-5 the torques of the loop are off by 0.012 N m after
+/// the low-pass on the first joints, a quarter of the noise floor. At this tolerance they are off
+/// by 0.004, the low-pass's own effect on torques and motion. The simulator's default, 1e-7, takes
 /// twice as long.
 const TOLERANCE: f64 = 1e-6;
 

@@ -2,8 +2,7 @@
 //! the diagnosis makes of the logs.
 //!
 //! `seed -> arm, task, motion -> simulator (bristles, encoders that step, jitter) -> bytes of a log
-//! -> diagnosis -> figures`. The diagnosis sees the robot as a file tells it and logs, nothing
-//! else.
+//! -> diagnosis -> figures`. The diagnosis gets the robot file and the logs, nothing else.
 
 mod case;
 mod hidden;
@@ -21,7 +20,7 @@ pub use case::{Outcome, Task};
 pub use hidden::{Hidden, Wanted};
 pub use score::{Claim, Scores, Share};
 
-/// Which cases.
+/// The cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
     /// How many.
@@ -38,7 +37,7 @@ pub struct Settings {
     pub rate: f64,
     /// How many of the arms, at most 6.
     pub arms: usize,
-    /// What makes the arm follow.
+    /// Control of the arm.
     pub control: Mode,
 }
 
@@ -60,7 +59,7 @@ impl Default for Settings {
 /// All cases, by seed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Battery {
-    /// Which.
+    /// The kind.
     pub settings: Settings,
     /// One per case.
     pub outcomes: Vec<Outcome>,

@@ -65,7 +65,7 @@ pub struct Other {
     pub published: Option<(f64, &'static str)>,
 }
 
-/// What a criterion gains after [`CHOSEN`] seconds.
+/// Gain of a criterion after [`CHOSEN`] seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Late {
     /// Share of the whole decrease from the shortest to the longest motion that comes after
@@ -97,7 +97,7 @@ impl Excitation {
         self.fig5.iter().filter(move |row| row.criterion == criterion)
     }
 
-    /// What comes late, where the criterion has values at both ends and at [`CHOSEN`].
+    /// Late gain, where the criterion has values at both ends and at [`CHOSEN`].
     pub fn late(&self, criterion: &str) -> Option<Late> {
         let value = |row: &AtDuration| row.value.map(|v| if criterion == "cond" { v.ln() } else { v });
         let at = self.of(criterion).find(|row| row.seconds == CHOSEN).and_then(value)?;
@@ -110,8 +110,7 @@ impl Excitation {
 }
 
 /// Designs all motions: three criteria for 1 to [`ExcitationSettings::longest`] seconds on the LWR,
-/// then one motion for each other arm. Columns are those of the links, as they are (not scaled), at
-/// 100 Hz.
+/// then one motion for each other arm. Columns are those of the links, unscaled, at 100 Hz.
 ///
 /// # Errors
 /// Where a built-in robot can't be used.
@@ -148,8 +147,11 @@ pub fn excitation(settings: &ExcitationSettings, watch: Watch<'_>) -> Result<Exc
 }
 
 fn task<'a>(arm: &'a Differentiated, robot: &Robot) -> Result<Task<'a>, ReproduceError> {
-    let failed = |why: String| ReproduceError::Design { what: format!("a motion for {}", robot.name), why };
-    let mut task = Task::new(arm, robot, CHOSEN, ACCELERATION_TIME).map_err(failed)?;
+    let failed = |why: &dyn std::fmt::Display| ReproduceError::Design {
+        what: format!("a motion for {}", robot.name),
+        why: why.to_string(),
+    };
+    let mut task = Task::new(arm, robot, CHOSEN, ACCELERATION_TIME).map_err(|e| failed(&e))?;
     task.links_only();
     Ok(task)
 }

@@ -26,7 +26,7 @@ pub struct Bars {
     pub rms: Vec<f64>,
     /// That by the range of the measured torque.
     pub nrms: Vec<f64>,
-    /// What the parameters' own standard deviations add to it, N m, per joint.
+    /// Contribution of the parameters' own standard deviations, N m, per joint.
     pub uncertainty: Vec<f64>,
 }
 
@@ -127,8 +127,8 @@ impl Row {
         self.noise_only.mean() / mean(&self.floor) - 1.0
     }
 
-    /// What of that the true parameters show as well, and what the parameters' uncertainty adds:
-    /// shares of the floor.
+    /// The part of it that the true parameters show as well, and the part of the parameters'
+    /// uncertainty: shares of the floor.
     pub fn explained(&self) -> [f64; 2] {
         let floor = mean(&self.floor);
         let with = |k: usize| self.true_parameters[k].hypot(self.noise_only.uncertainty[k]);
@@ -143,7 +143,7 @@ impl Row {
     }
 
     /// Against the paper, with effects that the model has not. Their sizes are the same for all
-    /// three criteria, so that the order of the criteria tells more than the size.
+    /// three criteria, so the order of the criteria is more reliable than the size.
     pub fn verdict(&self) -> Verdict {
         Verdict::less(self.unmodelled.mean(), self.paper)
     }

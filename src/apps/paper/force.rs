@@ -2,8 +2,8 @@
 //! the simulated LWR, and whether 95 % bands hold.
 //!
 //! A run: identify from a log with noise, estimate from another one with a known wrench of all six
-//! components. Parameters are identified again in each run, so that their error, the same at all
-//! samples of a run, is drawn again as well: a band's coverage is over runs and samples.
+//! components. Parameters are identified again in each run. Their error, the same at all samples of
+//! a run, is thus drawn again as well, and a band's coverage is over runs and samples.
 
 use dh_codegen::robot::Robot;
 
@@ -42,7 +42,7 @@ impl Default for ForceSettings {
 /// Accuracy of an estimator in a state of the arm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Accuracy {
-    /// Which estimator.
+    /// The estimator.
     pub method: Method,
     /// `standing`, `moving`, `near a singularity`.
     pub state: &'static str,
@@ -50,7 +50,7 @@ pub struct Accuracy {
     pub components: [Comparison; 6],
 }
 
-/// What the model of a run is.
+/// Model of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Case {
     /// Right up to noise.
@@ -81,9 +81,9 @@ impl Case {
 pub struct Coverage {
     /// Name of the robot.
     pub robot: String,
-    /// Which estimator.
+    /// The estimator.
     pub method: Method,
-    /// What the model is.
+    /// The model.
     pub case: Case,
     /// Runs.
     pub runs: usize,
@@ -99,8 +99,8 @@ pub struct Coverage {
     pub half: [f64; 6],
     /// Root mean square error, per component, N and N m.
     pub rms: [f64; 6],
-    /// Share of runs whose verdict does not call the model too wrong for the band to hold: an arm
-    /// with a spare joint can tell.
+    /// Share of runs whose verdict does not call the model too wrong for the band to hold: only an
+    /// arm with a spare joint can detect it.
     pub found_right: f64,
 }
 
@@ -281,7 +281,7 @@ impl Stage {
     }
 }
 
-/// Of all samples of components that are told, those inside their band.
+/// Of all samples of observable components, those inside their band.
 pub fn share(all: &[Comparison; 6]) -> f64 {
     let told: f64 = all.iter().map(|c| c.samples as f64).sum();
     all.iter().map(|c| c.inside * c.samples as f64).sum::<f64>() / told.max(1.0)
@@ -315,7 +315,8 @@ pub fn coverage(
             let of = |i: usize| {
                 let errors = all.iter().flat_map(|run| {
                     let s = &run[m];
-                    (0..s.time.len()).map(move |k| (s.wrench[k][i] - s.measured[k][i], s.half[k][i], s.told[k][i]))
+                    (0..s.time.len())
+                        .map(move |k| (s.wrench[k][i] - s.measured[k][i], s.half[k][i], s.observable[k][i]))
                 });
                 Comparison::of(errors)
             };
@@ -360,7 +361,9 @@ pub fn accuracy(postures: usize, seed: u64, watch: Watch<'_>) -> Result<Vec<Accu
         for (state, belongs) in states {
             let picked: Vec<usize> = (0..s.time.len()).filter(|&k| belongs(k)).collect();
             let of = |i: usize| {
-                Comparison::of(picked.iter().map(|&k| (s.wrench[k][i] - s.measured[k][i], s.half[k][i], s.told[k][i])))
+                Comparison::of(
+                    picked.iter().map(|&k| (s.wrench[k][i] - s.measured[k][i], s.half[k][i], s.observable[k][i])),
+                )
             };
             rows.push(Accuracy { method, state, components: std::array::from_fn(of) });
         }
@@ -390,7 +393,7 @@ pub fn alone(seed: u64) -> Result<Vec<Stage>, ReproduceError> {
     ALONE.into_iter().map(stage).collect()
 }
 
-/// Runs it: a minute or so; `watch` is told how far it is.
+/// Runs it: a minute or so; `watch` receives the progress.
 pub fn force(settings: &ForceSettings, watch: Watch<'_>) -> Result<Force, ReproduceError> {
     let ForceSettings { runs, postures, seed } = *settings;
     let accuracy = accuracy(postures, seed, &|what, share| watch(what, 0.2 * share))?;

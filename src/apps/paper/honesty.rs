@@ -10,7 +10,7 @@ use super::many::many;
 use crate::model::Arm;
 use crate::simulate::Recording;
 
-/// What many runs show.
+/// Statistics over many runs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Honesty {
     /// Runs.

@@ -31,10 +31,10 @@ impl Default for Settings {
     }
 }
 
-/// What one effect alone leaves unexplained.
+/// Residual of one effect alone.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Missing {
-    /// Which.
+    /// The effect.
     pub effect: Unmodelled,
     /// Held-out RMS with this effect alone, mean over the joints, N m.
     pub rms: f64,
@@ -49,16 +49,16 @@ pub struct Experiment {
     pub motions: Vec<Motion>,
     /// White noise of the torque sensors, N m, per joint.
     pub noise: Vec<f64>,
-    /// What the low-pass leaves of it: the floor.
+    /// Its remainder after the low-pass: the floor.
     pub floor: Vec<f64>,
     /// Fig. 6.
     pub fig6: Vec<fig6::Row>,
-    /// What the residuals of the second case are made of.
+    /// Composition of the residuals of the second case.
     pub missing: Vec<Missing>,
     /// Table II, of the motion by log det.
     pub table2: Vec<table2::Row>,
-    /// Base parameters within three standard deviations of the truth where there are effects that
-    /// the model has not: count, of so many inertial ones (friction takes up part of the effects).
+    /// Base parameters within three standard deviations of the truth where the model lacks effects:
+    /// count, of so many inertial ones (friction takes up part of the effects).
     pub within_unmodelled: [usize; 2],
     /// Table III.
     pub table3: Vec<Column>,
@@ -70,7 +70,7 @@ pub struct Experiment {
     pub honesty: Option<Honesty>,
 }
 
-/// Where an experiment stands.
+/// Progress of an experiment.
 struct Stage<'a> {
     watch: Watch<'a>,
     from: f64,
@@ -111,7 +111,7 @@ fn case(
     Ok(Case { recordings, found, validate })
 }
 
-/// Runs it. A minute or less; `watch` is told how far it is.
+/// Runs it. A minute or less; `watch` receives the progress.
 pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experiment, ReproduceError> {
     let lwr = Lwr::new()?;
     let Settings { runs, seed } = *settings;

@@ -12,9 +12,9 @@ use crate::identify::Factors;
 use crate::identify::tool::{Carried, Carrying, ToolSettings, catalogue, identify_tool};
 use crate::simulate::{Recording, Simulator};
 
-/// What was recorded and found.
+/// Recording and estimate.
 pub struct Loaded {
-    /// The tool as it is.
+    /// The true tool.
     pub tool: Tool,
     /// With the tool.
     pub recording: Recording,

@@ -11,7 +11,7 @@ use crate::model::Arm;
 use crate::model::interpreted::Interpreted;
 use crate::simulate::Sensors;
 
-/// The robot file as it is in the repository.
+/// The robot file of the repository, unchanged.
 const FILE: &str = include_str!("../../../robots/kuka-lwr4.yaml");
 
 /// Level of the hysteresis by the torque limit: a quarter of the simulator's default, 0.1 to 0.4 N
@@ -29,7 +29,7 @@ const DAMPING: f64 = 0.05;
 /// them, and the paper's model has no rotor.
 const ROTOR: f64 = 0.0003;
 
-/// What no rigid-body model has.
+/// Effects beyond any rigid-body model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unmodelled {
     /// `presliding_hysteresis`.

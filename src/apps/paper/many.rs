@@ -7,7 +7,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use super::ReproduceError;
 use super::Watch;
 
-/// What `one(0)`, `one(1)`, ... give, in this order.
+/// Results of `one(0)`, `one(1)`, ..., in this order.
 pub fn many<T: Send>(
     runs: usize,
     one: &(dyn Fn(usize) -> Result<T, ReproduceError> + Sync),

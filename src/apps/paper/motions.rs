@@ -42,10 +42,10 @@ const SECONDS: [f64; 2] = [10.0, 20.0];
 /// their speed, s.
 pub(super) const ACCELERATION_TIME: f64 = 0.5;
 
-/// Designs all six: the three criteria's, the condition number's without friction, one for what the
-/// hand carries (log det of equation 7's loaded part, joints weighted by their noise; the paper
-/// does not say how it moved its rollers), and last the one that validates. The seed says which
-/// random motions the search starts with.
+/// Designs all six: the three criteria's, the condition number's without friction, one for the load
+/// of the hand, and last the one that validates. For the load it is log det of equation 7's loaded
+/// part, joints weighted by their noise; the paper does not say how it moved its rollers. The seed
+/// says which random motions the search starts with.
 pub fn motions(lwr: &Lwr, seed: u64, watch: Watch<'_>) -> Result<Vec<Motion>, ReproduceError> {
     let arm = Differentiated::new(&lwr.robot);
     let asked = CRITERIA.into_iter().chain([(LINKS, Criterion::Condition), ("tool", Criterion::LogDet)]);
@@ -70,8 +70,11 @@ pub(super) fn designed(
     effort: Effort,
     tell: &(dyn Fn(f64) + Sync),
 ) -> Result<Motion, ReproduceError> {
-    let failed = |why: String| ReproduceError::Design { what: format!("the motion `{name}`"), why };
-    let mut task = Task::new(arm, &lwr.robot, seconds, ACCELERATION_TIME).map_err(failed)?;
+    let failed = |why: &dyn std::fmt::Display| ReproduceError::Design {
+        what: format!("the motion `{name}`"),
+        why: why.to_string(),
+    };
+    let mut task = Task::new(arm, &lwr.robot, seconds, ACCELERATION_TIME).map_err(|e| failed(&e))?;
     task.criterion = criterion;
     if name == LINKS {
         task.links_only();
@@ -83,9 +86,9 @@ pub(super) fn designed(
     }
     let progress = |p: &excite::Progress| tell(p.done as f64 / p.total.max(1) as f64);
     let watch = excite::Watch { stop: &AtomicBool::new(false), progress: &progress };
-    let found = design(&task, &effort, &watch).map_err(failed)?;
+    let found = design(&task, &effort, &watch).map_err(|e| failed(&e))?;
     if !found.feasible {
-        return Err(failed("no motion inside all limits was found".into()));
+        return Err(failed(&"no motion inside all limits was found"));
     }
     let (t, states) = found.trajectory.sampled(100.0);
     let largest = |j: usize| {

@@ -1,5 +1,5 @@
-//! Sections V and VI.B of the paper, end to end: identify the arm and what it carries, plan, press
-//! a roller on the wall with 30 N without a force sensor, and compare with the sensor in the wall:
+//! Sections V and VI.B of the paper, end to end. Identify the arm and its load, plan, press a
+//! roller on the wall with 30 N without a force sensor, and compare with the sensor in the wall:
 //! Table IV, Figs. 12 and 13. Then the same once the diagnosis has extended the model.
 
 mod plans;
@@ -38,7 +38,7 @@ impl Default for PaintingSettings {
     }
 }
 
-/// Which robot, and what is known of it.
+/// The robot and its model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Case {
     /// The model is right up to noise.
@@ -75,7 +75,7 @@ pub const KINDS: [(Law, Feedback); 3] =
 pub const COATS: usize = 3;
 /// The paper's durations, s.
 pub const PAPER_SECONDS: [f64; 2] = [50.0, 46.0];
-/// What is asked of estimated against measured once the model is extended, N.
+/// Bound on estimated against measured after the model is extended, N.
 pub const ASKED: f64 = 1.0;
 
 /// One run.
@@ -83,13 +83,14 @@ pub const ASKED: f64 = 1.0;
 pub struct Row {
     /// Name of the tool.
     pub roller: &'static str,
-    /// Which robot.
+    /// The robot.
     pub case: Case,
-    /// What the inner loop adds to equation (13).
+    /// Additions of the inner loop to equation (13).
     pub law: Law,
-    /// What closed the loop.
+    /// Force in the feedback.
     pub feedback: Feedback,
-    /// Which coat: beyond the first, what the coats before have learned is fed forward too.
+    /// Number of the coat: beyond the first, the result of learning on the coats before is fed
+    /// forward too.
     pub coat: usize,
     /// Everything that was recorded.
     pub run: Run,
@@ -125,7 +126,7 @@ pub struct Painting {
     pub noise: [f64; 2],
     /// Runs: rollers, cases, laws and feedback, the first and the last coat.
     pub rows: Vec<Row>,
-    /// What the diagnosis found in the logs of the second robot; none where it was quick.
+    /// Findings of the diagnosis in the logs of the second robot; none in a quick run.
     pub diagnosis: Option<Diagnosis>,
 }
 
@@ -150,7 +151,7 @@ fn wandered(lwr: &Lwr, seed: u64) -> Result<Motion, ReproduceError> {
     Ok(Motion { name: "random", seconds, condition: unknown, log_det: unknown, speed: Vec::new(), played })
 }
 
-/// Runs it. Some minutes; `watch` is told how far it is.
+/// Runs it. Some minutes; `watch` receives the progress.
 pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Painting, ReproduceError> {
     let lwr = Lwr::new()?;
     let seed = settings.seed;

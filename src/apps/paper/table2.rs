@@ -23,8 +23,8 @@ const SAMPLES: f64 = 10_000.0;
 
 impl Printed {
     /// For a Coulomb level, whose column is a sign: the largest residual, N m, with which the
-    /// printed standard deviation could have been had from 10 s, by the textbook's formula (others
-    /// that must be told from it only make it worse).
+    /// printed standard deviation is possible from 10 s, by the textbook's formula. (Correlation
+    /// with other parameters only makes it worse.)
     pub fn residual(&self) -> f64 {
         0.01 * self.paper[1] * self.paper[0].abs() * SAMPLES.sqrt()
     }
@@ -97,8 +97,8 @@ impl Row {
     }
 }
 
-/// By how much standard deviations that know how alike neighbouring samples are exceed the
-/// textbook's where there are effects that the model has not: median over the rows.
+/// Factor by which standard deviations that include the correlation of neighbouring samples exceed
+/// the textbook's where the model lacks effects: median over the rows.
 pub fn too_small(rows: &[Row]) -> f64 {
     let mut ratios: Vec<f64> = rows.iter().map(|r| r.unmodelled[1] / r.textbook).collect();
     ratios.sort_by(f64::total_cmp);

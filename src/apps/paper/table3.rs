@@ -1,6 +1,6 @@
 //! Table III: both paint rollers, identified by equation (7) from 10 s with an empty hand and 10 s
-//! with the roller in the same motion: then the robot's own parameters are in both logs alike, and
-//! of the roller is known what a log that is twice as noisy would say.
+//! with the roller in the same motion. The robot's own parameters are then in both logs alike, and
+//! the roller is determined as from a log that is twice as noisy.
 
 use super::ReproduceError;
 use super::Share;
@@ -53,7 +53,7 @@ pub fn columns(
     Ok(columns)
 }
 
-/// What a run has to go by.
+/// Data of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Case {
     /// Logs with an empty hand, and with the roller, 10 s each.
@@ -73,8 +73,8 @@ impl std::fmt::Display for Case {
 pub const SCALE: f64 = 0.29e-3;
 
 /// One log of each kind; the logs from which the robot was identified beside it (the same robot
-/// with an empty hand); a scale; and more logs of both kinds: the paper's, twice, four times as
-/// many.
+/// with an empty hand); a scale; and more logs of both kinds. The paper's number of logs, twice and
+/// four times as many.
 pub const CASES: [Case; 6] = [
     Case { logs: [1, 1], scale: None },
     Case { logs: [4, 1], scale: None },
@@ -88,14 +88,14 @@ pub const CASES: [Case; 6] = [
 /// and the deviations honest.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Repeated {
-    /// What was recorded.
+    /// Recording.
     pub case: Case,
     /// Runs with the mass within [`ASKED`].
     pub mass_within: Share,
     /// Root mean square of the distance from the true centre, m.
     pub center_rms: f64,
-    /// Its own standard deviation as it was told, root of the sum of squares over the axes, mean
-    /// over the runs, m.
+    /// Its own reported standard deviation, root of the sum of squares over the axes, mean over the
+    /// runs, m.
     pub center_std: f64,
     /// Largest distance, m.
     pub center_worst: f64,
@@ -136,7 +136,7 @@ pub fn repeated(
     };
     let truth = entry.values;
     let most = CASES.iter().flat_map(|c| c.logs).max().unwrap_or(1);
-    // Mass off by, percent; centre off by, m^2; its variance as told; its error in its own
+    // Mass off by, percent; centre off by, m^2; its reported variance; its error in its own
     // deviations, squared.
     let one = |run: usize| -> Result<Vec<[f64; 4]>, ReproduceError> {
         let noisy = |which: usize, recording: &Recording| {

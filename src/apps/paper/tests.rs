@@ -1,4 +1,4 @@
-//! What the experiments rest on, by other routes; the whole in release, on request.
+//! Checks of the experiments' parts by other routes; the whole in release, on request.
 
 use super::chain::play;
 use super::honesty::{ASKED, honesty};
@@ -95,8 +95,8 @@ fn the_papers_identification() {
     assert!(honesty.within_three >= ASKED, "{}", honesty.within_three);
     assert!(honesty.held_out <= 1.0 + fig6::ABOVE_FLOOR, "{}", honesty.held_out);
     for row in &found.fig6 {
-        // What is above the floor is explained by the parameters' uncertainty, as well as one log
-        // tells it; the chain adds next to nothing.
+        // The parameters' uncertainty explains the error above the floor, as accurately as one log
+        // shows; the chain adds next to nothing.
         let [chain, uncertainty] = row.explained();
         let off = (row.above_floor() - chain - uncertainty).abs();
         assert!(off < 0.05_f64.max(0.3 * uncertainty), "{} {}", row.criterion, row.above_floor());
@@ -121,7 +121,7 @@ fn the_papers_identification() {
     let (one, two, four) = (of([1, 1], false), of([2, 2], false), of([4, 4], false));
     assert!(one.center_rms < table3::ASKED[1] && two.center_rms < one.center_rms, "{one:?} {two:?}");
     assert!(four.holds(), "{four:?}");
-    // What the robot's own logs and a scale add to one loaded log.
+    // Effect of the robot's own logs and of a scale beside one loaded log.
     assert!(of([4, 1], false).center_rms < one.center_rms && of([1, 1], true).center_rms < one.center_rms);
     let weighed = of([4, 1], true);
     assert!(weighed.center_within.value() >= 0.95 && weighed.center_rms < 1e-3, "{weighed:?}");

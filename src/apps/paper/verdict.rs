@@ -15,7 +15,8 @@ pub enum Verdict {
     Open,
 }
 
-/// Two figures within so much of each other are alike: what the paper's printed digits tell.
+/// Two figures within so much of each other are alike: the resolution of the paper's printed
+/// digits.
 const ALIKE: f64 = 0.05;
 
 impl Verdict {

@@ -11,7 +11,7 @@ const ROOT: &str = "src/lib.rs";
 /// Root of a crate that is being rewritten.
 const UNFINISHED: &str = "compile_error!(\"`denavit generate` was interrupted here; run it again\");\n";
 
-/// What stands where the crate is to go.
+/// Content of the destination of the crate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Folder {
     Absent,
@@ -51,7 +51,7 @@ pub(super) fn foreign(out: &Path) -> Failure {
     ))
 }
 
-/// What makes a folder another than the crate that is to be there.
+/// Reason why a folder is not the crate to be written.
 #[derive(Debug, Default)]
 pub(super) struct Stale {
     /// Files that are missing or differ.
@@ -99,9 +99,9 @@ pub(super) fn create(out: &Path, crate_files: &BTreeMap<String, String>) -> Resu
     })
 }
 
-/// Replaces and removes what is stale. Until all is done the root of the crate is an error that says
-/// so: files of two robots are never compiled together. The manifest of the run before stays until
-/// what it lists is removed.
+/// Replaces and removes what is stale. Until all is done the root of the crate is an error that
+/// says so: files of two robots are never compiled together. The manifest of the run before stays
+/// until what it lists is removed.
 pub(super) fn update(
     out: &Path,
     folder: Folder,

@@ -8,6 +8,7 @@ use dh_codegen::robot::{Robot, Tool};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::apps::painting::{Cover, Pattern, Roller, Strokes, Surface, Swivel, Task, Weights, plan};
+use crate::cli::delivery::deliver;
 use crate::cli::provenance::Provenance;
 use crate::cli::{Failure, files, motors, terminal};
 use crate::model::FrameKinematics;
@@ -18,9 +19,9 @@ use crate::report::Warnings;
 
 /// Plan the motion that paints a wall with a roller, inside every limit (the paper's section IV).
 ///
-/// The roller's axis lies along x of the tool frame and what touches the wall is the tool's
-/// `length` along z; it is held perpendicular to the wall, and strokes run across its axis. The
-/// defaults are the paper's wall.
+/// The roller's axis lies along x of the tool frame and its line of contact is the tool's `length`
+/// along z. It is held perpendicular to the wall, and strokes run across its axis. The defaults are
+/// the paper's wall.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit paint plan robots/kuka-lwr4.yaml --tool robots/tools/large-roller.yaml --out motion.csv --report paint.html"
@@ -95,7 +96,7 @@ pub(super) struct Where {
     /// Tool file with `geometry`, in place of the robot file's tool.
     #[arg(long, value_name = "FILE")]
     tool: Option<PathBuf>,
-    /// Where the tool's frame sits in the robot's last DH frame, m, in place of the `xyz` of the
+    /// Origin of the tool's frame in the robot's last DH frame, m, in place of the `xyz` of the
     /// tool's file.
     #[arg(long, value_delimiter = ',', num_args = 1, value_name = "X,Y,Z", allow_hyphen_values = true)]
     mount: Option<Vec<f64>>,
@@ -162,7 +163,7 @@ pub(super) struct Site {
     pub standoff: f64,
     /// The robot's file.
     pub file: files::RobotFile,
-    /// What was noted in the tool's file.
+    /// Notes on the tool's file.
     pub warnings: Warnings,
 }
 
@@ -314,28 +315,13 @@ impl Plan {
     }
 
     fn deliver(&self, planned: &report::Planned<'_>, provenance: &Provenance) -> Result<(), Failure> {
-        if let Some(path) = &self.out {
-            files::write(path, report::paint_csv(planned.plan, self.rate).as_bytes())?;
-        }
-        if let Some(path) = &self.path {
-            files::write(path, report::paint_path_csv(planned.plan, self.rate).as_bytes())?;
-        }
-        if let Some(path) = &self.plan {
-            files::write(path, format!("{}\n", planned.plan.to_json()).as_bytes())?;
-        }
-        if let Some(path) = &self.report {
-            files::write(path, report::paint_html(planned, &provenance.rows()).as_bytes())?;
-        }
-        if let Some(target) = &self.json {
-            files::json(target, report::paint_json(planned), provenance)?;
-        }
-        if !files::is_stdout(self.json.iter().chain(&self.out).chain(&self.path).chain(&self.plan)) {
-            files::print(&report::paint_text(planned))?;
-            for path in self.out.iter().chain(&self.path).chain(&self.plan).chain(&self.report) {
-                files::print(&format!("wrote {}\n", path.display()))?;
-            }
-        }
-        Ok(())
+        deliver(provenance)
+            .file(self.out.as_ref(), || report::paint_csv(planned.plan, self.rate))?
+            .file(self.path.as_ref(), || report::paint_path_csv(planned.plan, self.rate))?
+            .file(self.plan.as_ref(), || format!("{}\n", report::plan_json(planned.plan)))?
+            .file(self.report.as_ref(), || report::paint_html(planned, &provenance.rows()))?
+            .json(self.json.as_ref(), || report::paint_json(planned))?
+            .text(|| report::paint_text(planned))
     }
 
     fn validate(&self) -> Result<(), Failure> {

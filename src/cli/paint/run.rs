@@ -11,6 +11,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use crate::apps::painting::Plan;
 use crate::apps::painting::run::{Feedback, Known, Law, RunError, SETTLE, Task, in_contact, roller_moment, run};
 use crate::apps::painting::wall::RollerWall;
+use crate::cli::delivery::deliver;
 use crate::cli::paint::plan::tool;
 use crate::cli::provenance::Provenance;
 use crate::cli::simulate::{apply, effects};
@@ -22,8 +23,8 @@ use crate::simulate::{Request, Simulator};
 
 /// Run a plan against the simulated wall: position and force control of the paper's section V.
 ///
-/// The controller knows the robot file; the robot that is simulated has the file's effects and
-/// those of --effects. Gains are proposed from a linear model of arm, wall, filter and sampling
+/// The controller's model is the robot file; the simulated robot has the file's effects and those
+/// of --effects. Gains are proposed from a linear model of arm, wall, filter and sampling
 /// (docs/control.md). The force comes from the joint torques, or from a sensor in the wall.
 #[derive(Args)]
 #[command(
@@ -38,17 +39,17 @@ pub(super) struct Run {
     /// Tool file, in place of the robot file's tool.
     #[arg(long, value_name = "FILE")]
     tool: Option<PathBuf>,
-    /// Effects and sensors of the simulated robot that its controller does not know.
+    /// Effects and sensors of the simulated robot that its controller's model lacks.
     #[arg(long, value_name = "YAML")]
     effects: Option<PathBuf>,
-    /// Which force closes the loop.
+    /// Force in the feedback.
     #[arg(long, value_enum, default_value_t = Which::Estimated)]
     feedback: Which,
     /// Force to press with, N.
     #[arg(long, default_value_t = 30.0, value_name = "N")]
     force: f64,
-    /// Share of the desired force that is fed forward as joint torques; 0: equation (13) as it
-    /// stands.
+    /// Share of the desired force that is fed forward as joint torques; 0: equation (13) of the
+    /// paper.
     #[arg(long, default_value_t = 1.0, value_name = "0..1")]
     carry: f64,
     /// Share of the planned motion's torques (inertia, friction, known effects) that is fed
@@ -240,22 +241,11 @@ impl Run {
     }
 
     fn deliver(&self, found: &report::Painted<'_>, provenance: &Provenance) -> Result<(), Failure> {
-        if let Some(path) = &self.out {
-            files::write(path, report::paint_run_csv(found.run).as_bytes())?;
-        }
-        if let Some(path) = &self.report {
-            files::write(path, report::paint_run_html(found, &provenance.rows()).as_bytes())?;
-        }
-        if let Some(target) = &self.json {
-            files::json(target, report::paint_run_json(found), provenance)?;
-        }
-        if !files::is_stdout(self.json.iter().chain(&self.out)) {
-            files::print(&report::paint_run_text(found))?;
-            for path in self.out.iter().chain(&self.report) {
-                files::print(&format!("wrote {}\n", path.display()))?;
-            }
-        }
-        Ok(())
+        deliver(provenance)
+            .file(self.out.as_ref(), || report::paint_run_csv(found.run))?
+            .file(self.report.as_ref(), || report::paint_run_html(found, &provenance.rows()))?
+            .json(self.json.as_ref(), || report::paint_run_json(found))?
+            .text(|| report::paint_run_text(found))
     }
 
     fn plan(&self, path: &Path) -> Result<Plan, Failure> {
@@ -263,7 +253,7 @@ impl Run {
         let value = serde_json::from_str(&files::text(path)?).map_err(|e| {
             Failure::input(format!("{shown}: this is no JSON: {e}; write the plan with `denavit paint plan --plan`"))
         })?;
-        Plan::from_json(&value).map_err(|e| Failure::input(format!("{shown}: {e}")))
+        report::plan_of_json(&value).map_err(|e| Failure::input(format!("{shown}: {e}")))
     }
 
     fn validate(&self) -> Result<(), Failure> {

@@ -15,6 +15,8 @@ use statrs::distribution::{ContinuousCDF, Gamma};
 const MOST: usize = 128;
 /// A model that is right gives less than this in one run of a thousand.
 const IMPROBABLE: f64 = 1e-3;
+/// A model that is right gives less than this in one run of twenty: then its bands are in doubt.
+const UNCOMMON: f64 = 0.05;
 
 /// How errors compare with what was predicted.
 #[derive(Debug, Clone, PartialEq)]
@@ -34,6 +36,11 @@ impl Consistency {
     /// Whether the model is right enough for the band to hold.
     pub fn holds(&self) -> bool {
         self.probability >= IMPROBABLE
+    }
+
+    /// Whether errors as large are common for a model that errs as predicted.
+    pub fn is_common(&self) -> bool {
+        self.probability >= UNCOMMON
     }
 
     /// By how much the band would have to be wider.
@@ -94,7 +101,7 @@ impl Checker {
         }
     }
 
-    /// `None` for fewer than three instants, and where nothing can be told.
+    /// `None` for fewer than three instants, and without any information.
     pub fn finish(self) -> Option<Consistency> {
         let m = self.instants.len();
         let n = self.instants.first()?.error.len();

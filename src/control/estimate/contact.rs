@@ -24,13 +24,13 @@ impl Default for ContactDetector {
     }
 }
 
-/// What the detector says.
+/// State of the detector.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Contact {
     /// Whether something touches.
     pub touching: bool,
     /// Whether static friction or contact can't be told apart: a joint is at rest, and friction
-    /// within its breakaway level explains what the model leaves.
+    /// within its breakaway level explains the residual.
     pub undecided: bool,
     /// The surprise as a normal deviate: below about 3 it is nothing.
     pub deviate: f64,
@@ -53,7 +53,7 @@ impl ContactDetector {
         Contact { touching: self.touching, undecided: self.undecided && !self.touching, deviate }
     }
 
-    /// Forgets.
+    /// Resets the state.
     pub fn reset(&mut self) {
         (self.touching, self.undecided, self.since) = (false, false, 0.0);
     }

@@ -1,15 +1,15 @@
 //! A disturbance observer as a Kalman filter over momentum and wrench (after Wahrburg, Boes,
 //! Listmann, Dai, Matthias and Ding, IEEE T-ASE 15, 2018).
 //!
-//! State: momentum `p` (`N`) and the wrench `F` on the tool (6), which wanders at a stated pace
-//! and, so that it stays within the size of [`Scale`], fades slowly (a Gauss-Markov process). `p`
-//! grows by `tau - c - g - friction + J' F + M' dq` and is measured as `M dq`. The wrench is
-//! estimated directly, so a singular Jacobian is no special case: the direction's variance grows to
-//! that of the process, and shrinks again after.
+//! State: momentum `p` (`N`) and the wrench `F` on the tool (6). The wrench is a random walk at a
+//! stated rate and fades slowly, so that it stays within the size of [`Scale`] (a Gauss-Markov
+//! process). `p` grows by `tau - c - g - friction + J' F + M' dq` and is measured as `M dq`. The
+//! wrench is estimated directly, so a singular Jacobian is no special case: the direction's
+//! variance grows to that of the process, and shrinks again after.
 
 use super::sample::{Estimate, ForceEstimator, Sample, Scale};
 use super::stiction::least;
-use super::wrench::told;
+use super::wrench::observable;
 use crate::control::estimate::random_walk_rate::RandomWalkRate;
 use crate::control::estimate::small_matrix::{
     self, cholesky, dot, finite, forward, inverse, sandwich, times, transposed_times,
@@ -56,10 +56,9 @@ struct Steady<const N: usize> {
     covariance: [[f64; 6]; 6],
     /// Of each component's noise.
     density: [f64; 6],
-    /// By how long each component is late for the rate of each, s or by units: the error of a
-    /// filter of covariance `P` on torques of information `I` (per s) goes as `e' = v - P I e`, so
-    /// that rates `v` leave it `(P I)^-1 v` behind. What is late is late for the others' rates,
-    /// too.
+    /// Delay of each component for the rate of each, s or by units. The error of a filter of
+    /// covariance `P` on torques of information `I` (per s) goes as `e' = v - P I e`, so that rates
+    /// `v` leave it `(P I)^-1 v` behind. What is late is late for the others' rates, too.
     late: [[f64; 6]; 6],
     /// From torques to the wrench.
     map: [[f64; N]; 6],
@@ -184,15 +183,15 @@ impl<const N: usize> Kalman<N> {
             core::array::from_fn(|k| (0..N).map(|j| map[i][j] * map[k][j] * now.static_friction[j].powi(2)).sum())
         });
         (0..6).for_each(|i| (0..6).for_each(|k| covariance[i][k] += friction[i][k]));
-        let (told, misfit) = (told(&covariance, &self.scale), dot(&white, &white));
+        let (observable, misfit, freedom) = (observable(&covariance, &self.scale), dot(&white, &white), N.min(6));
         let estimate =
-            Estimate { wrench, covariance, surprise, without_friction, freedom: N.min(6), misfit, told, fresh: true };
+            Estimate { wrench, covariance, surprise, without_friction, freedom, misfit, observable, fresh: true };
         Some((State { before: *now, momentum, wrench, pp, pf, ff, paces: found, held }, estimate))
     }
 
-    /// The filter where nothing changes. The model's parameters stay the same from
-    /// sample to sample and so are no noise: their covariance is `A W C W' A'`, `A` the filter's
-    /// steady map from torque to wrench, least squares weighted by the torques' densities.
+    /// The filter where nothing changes. The model's parameters stay the same from sample to sample
+    /// and so are no noise. Their covariance is `A W C W' A'`, `A` the filter's steady map from
+    /// torque to wrench, least squares weighted by the torques' densities.
     fn steady(&self, now: &Sample<N>, noise: &[[f64; 6]; 6]) -> Option<Steady<N>> {
         let variance: [f64; N] = core::array::from_fn(|j| self.density[j] + 1e-12);
         let sizes = self.scale.each();

@@ -6,7 +6,7 @@ use super::Residual;
 use super::Weights;
 use super::sample::{Estimate, ForceEstimator, Sample, Scale};
 
-/// Which estimator.
+/// The estimator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
     /// Equation (14), weighted by the uncertainty.

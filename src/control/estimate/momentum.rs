@@ -2,13 +2,13 @@
 //! Haddadin and Hirzinger, IROS 2006): no acceleration.
 //!
 //! `r' = K (J' F - r)`: the external torque through a low-pass of `K`. The momentum `p = M dq`
-//! grows by `tau - c - g - friction + J' F + M' dq`; from one sample to the next the last term is
+//! grows by `tau - c - g - friction + J' F + M' dq`. From one sample to the next the last term is
 //! `(M1 - M0) (dq0 + dq1) / 2`, so that neither `C'` nor an acceleration is needed: the mass matrix
-//! and the inverse dynamics at zero acceleration will do. `r` less `r` through the low-pass once
+//! and the inverse dynamics at zero acceleration suffice. `r` less `r` through the low-pass once
 //! more is what a ramp is late by, but for half a sample: torques between two samples are those of
-//! its middle. The wrench is that of the observed torques, this, and the half sample in proportion;
-//! noise and band are those of all three, and what is left of the lag (the same difference once
-//! more) is in the band.
+//! its middle. The wrench is that of the observed torques, this, and the half sample in proportion.
+//! Noise and band are those of all three, and the remaining lag (the same difference once more) is
+//! in the band.
 
 use super::sample::{Estimate, ForceEstimator, Sample, Scale};
 use super::stiction::{least, unit};
@@ -32,8 +32,8 @@ pub struct Momentum<const N: usize> {
     /// The observed torques through the same low-pass once more: what is between the two is about
     /// what the first is late by.
     again: [f64; N],
-    /// What the first is late by, through the same low-pass: what is between the two is what is
-    /// left of the lag.
+    /// Delay of the first, through the same low-pass: the difference of the two is the remaining
+    /// lag.
     lag: [f64; N],
     /// Breakaway levels of joints at rest, and of those that broke away as far as the low-pass
     /// still has it.
@@ -104,8 +104,8 @@ impl<const N: usize> Momentum<N> {
         let noise: [f64; N] = core::array::from_fn(|j| self.density[j] / now.dt);
         let mut covariance = total(&noise.map(|n| white * n), &now.covariance);
         (0..N).for_each(|j| (0..N).for_each(|i| covariance[j][i] += steps * inertial[j][i]));
-        // What is left of the lag, where noise is no explanation for it. A short pulse (friction
-        // that turns round before the model's does) leaves `k^2 / (1 + k)` of itself there.
+        // Remaining lag, where noise does not explain it. A short pulse (friction that turns round
+        // before the model's does) leaves `k^2 / (1 + k)` of its size there.
         let first = keep * keep / (1.0 + keep);
         for j in 0..N {
             let seen = left[j] * left[j];
@@ -129,8 +129,8 @@ impl<const N: usize> Momentum<N> {
         let [surprise, without_friction] = least(&cholesky(&covariance)?, &ahead, unit::<N>, &self.held);
         let covariance = total(&now.static_friction.map(|s| s * s), &covariance);
         let s = wrench(&now.jacobian, &ahead, &covariance, &self.scale, Weights::Uncertainty)?;
-        let (wrench, covariance, told, misfit) = (s.wrench, s.covariance, s.told, s.misfit);
-        Some(Estimate { wrench, covariance, surprise, without_friction, freedom: N, misfit, told, fresh: true })
+        let (wrench, covariance, observable, misfit) = (s.wrench, s.covariance, s.observable, s.misfit);
+        Some(Estimate { wrench, covariance, surprise, without_friction, freedom: N, misfit, observable, fresh: true })
     }
 }
 
@@ -138,23 +138,23 @@ impl<const N: usize> Momentum<N> {
 /// constants of some samples that are in use.
 const PULSE: f64 = 2.5;
 
-/// How many times what `1 - H` leaves of the observed torques is added to them so that a ramp is
-/// met: `H` is late by `k / (1 - k)` samples, the mean of two by half a one. At most 2, as it adds
+/// Factor by which the remainder `1 - H` of the observed torques is added to them so that a ramp is
+/// met. `H` is late by `k / (1 - k)` samples, the mean of two by half a one. At most 2, as it adds
 /// noise; and what is missing then.
 fn lead(k: f64) -> [f64; 2] {
     let exact = 0.5 * (1.0 + k) / k.max(1e-3);
     [exact.min(2.0), (exact - 2.0).max(0.0)]
 }
 
-/// Standard deviation of white velocity noise that leaves as much in the estimate as velocities
-/// whose response to an error of 1 in one recorded position is `speed` (sample by sample, `dt` s
-/// apart): velocities behind a low-pass are wrong by nearly the same at neighbours, and their
-/// differences hardly at all.
+/// Standard deviation of the white velocity noise with the same effect on the estimate as
+/// velocities whose response to an error of 1 in one recorded position is `speed` (sample by
+/// sample, `dt` s apart). Velocities behind a low-pass have nearly the same error at neighbours,
+/// and their differences hardly any.
 pub(super) fn white_speed(gain: f64, dt: f64, speed: &[f64]) -> f64 {
     let keep = libm::exp(-gain * dt);
     let [lead, _] = lead(keep);
     let (mut once, mut twice, mut before, mut energy) = (0.0, 0.0, 0.0, 0.0);
-    // Behind its end the observer forgets.
+    // Behind its end the observer's state decays.
     let settle = (20.0 / (1.0 - keep).max(1e-6)) as usize;
     for v in speed.iter().copied().chain(core::iter::repeat_n(0.0, settle)) {
         once += (1.0 - keep) * ((v - before) / dt - once);
@@ -167,10 +167,10 @@ pub(super) fn white_speed(gain: f64, dt: f64, speed: &[f64]) -> f64 {
     dt * libm::sqrt(energy / steps.max(1e-300))
 }
 
-/// What is left of white noise of variance 1 in each sample, with `H = (1 - k) / (1 - k / z)`, in
-/// what follows a ramp, `G = H (1 + l (1 - H))`, `l` the [`lead`]: of noise that comes as the mean
-/// of two samples; of noise that comes as their difference; and, of the former, in `H (1 - H)^2`,
-/// what is left of the lag (for small steps).
+/// Gain of white noise of variance 1 in each sample, with `H = (1 - k) / (1 - k / z)`, in the
+/// output that follows a ramp, `G = H (1 + l (1 - H))`, `l` the [`lead`]. The first is for noise
+/// that comes as the mean of two samples, the second for their difference. The third is the
+/// former's in `H (1 - H)^2`, the remaining lag (for small steps).
 ///
 /// `G` answers an impulse by `g_n = (1 - k) k^n (1 + l k - l (1 - k) n)`; sums of `g_n g_n` and
 /// `g_n g_{n+1}` are geometric series.

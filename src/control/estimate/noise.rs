@@ -1,4 +1,4 @@
-//! The torque noise where no identification tells it: from the log itself.
+//! The torque noise without an identification: from the log itself.
 
 use super::bias::{inside, within};
 use super::torques::Torques;
@@ -71,8 +71,8 @@ impl<'a> NoisePass<'a> {
         }
     }
 
-    /// Root mean square of what the model leaves where nothing touches, about its mean if that is
-    /// taken off as a bias, N m: the model's errors are counted as noise. `None` where that is
+    /// Root mean square of the model's residual where nothing touches, about its mean if that is
+    /// taken off as a bias, N m. The model's errors are counted as noise. `None` where that is
     /// nowhere known.
     pub fn left(&self, about_mean: bool) -> Option<Vec<f64>> {
         let n = self.count as f64;
@@ -83,8 +83,8 @@ impl<'a> NoisePass<'a> {
         (self.count > 0).then(|| (0..self.squares.len()).map(rms).collect())
     }
 
-    /// What the low-pass leaves of the noise from sample to sample, N m: white noise alone, and
-    /// nothing of the model's errors.
+    /// Sample-to-sample noise after the low-pass, N m: white noise alone, and nothing of the
+    /// model's errors.
     pub fn white(&self) -> Vec<f64> {
         let n = self.seen.max(1) as f64;
         self.squares.iter().map(|s| self.gain * (s / n).sqrt().max(1e-9)).collect()

@@ -1,19 +1,19 @@
 //! How fast a component of the wrench wanders, from its own estimate.
 //!
-//! In a steady state a Kalman filter for a random walk of pace `w` (standard deviation after a
+//! In a steady state a Kalman filter for a random walk of rate `w` (standard deviation after a
 //! second) in noise of density `R` is a low-pass of time constant `T = sqrt(R) / w`. Its error has
-//! two halves, `R / (2 T)` of noise and as much of lag. The lag is seen in the estimate: what it is
-//! ahead of its own low-pass of the same `T` is `v T` for a ramp of rate `v`, `w^2 T / 2` in the
-//! mean square for a random walk, and `R / (4 T)` for the noise that is left in it. The pace at
-//! which the lag is half of the error is `w^3 = 2 v^2 sqrt(R)`: for a random walk its own. Rates
-//! come and go: a sine's is twice its mean square at its height, and that is what is taken.
+//! two halves, `R / (2 T)` of noise and as much of lag. The lag is seen in the estimate, as the
+//! lead over its own low-pass of the same `T`. This is `v T` for a ramp of rate `v`, `w^2 T / 2` in
+//! the mean square for a random walk, and `R / (4 T)` for its remaining noise. The pace at which
+//! the lag is half of the error is `w^3 = 2 v^2 sqrt(R)`: for a random walk its own. Rates come and
+//! go: a sine's is twice its mean square at its height, and that is what is taken.
 
 use super::sample::NINETY_FIVE;
 
 /// Mean over so long, s.
 const MEMORY: f64 = 0.3;
-/// A time constant longer than this, at full pace, is that of a component which the joints hardly
-/// tell: nothing is found out of it then.
+/// A time constant longer than this, at full rate, belongs to a component that the joints hardly
+/// determine: nothing is estimated from it then.
 const SLOWEST: f64 = 0.03;
 /// The least pace, as a share of the largest.
 const LEAST: f64 = 0.01;
@@ -46,15 +46,15 @@ impl RandomWalkRate {
         2.0 * self.rate.max(0.0)
     }
 
-    /// What is missing in the filter's variance `variance` of this component, in noise of this
-    /// density, as the pace is only found from the estimate:
+    /// Term missing in the filter's variance `variance` of this component, in noise of this
+    /// density, because the rate is only found from the estimate:
     ///
     /// - found to wander faster than the filter took it to of late, it has the error of that pace,
     ///   in a steady state `sqrt(R) w`, already;
-    /// - lag, with the pace that is taken a quarter of the variance in the mean (half of it where a
-    ///   sine is steepest), is known as well as the mean square of the rate: from `nu = 2 M / T +
-    ///   1` independent looks (a memory of `M` at what is alike for `T / 2`), so that its 95 % are
-    ///   those of Student's distribution.
+    /// - lag, which at the chosen rate is a quarter of the variance in the mean (half of it where a
+    ///   sine is steepest). It is determined as well as the mean square of the rate: from `nu = 2 M
+    ///   / T + 1` independent looks (an averaging time `M` over values correlated for `T / 2`), so
+    ///   that its 95 % are those of Student's distribution.
     pub fn missing(&self, variance: f64, density: f64) -> f64 {
         if self.rate == 0.0 || !(density > 0.0 && variance > 0.0) {
             return 0.0;
@@ -83,7 +83,7 @@ impl RandomWalkRate {
         let ahead = (value - slow) * (value - slow);
         let noise = density / (4.0 * lag);
         let seen = (ahead - noise) / (lag * lag);
-        // What can't be noise counts at once: a blow does not wait for a mean.
+        // Values that can't be noise count at once: a blow does not wait for a mean.
         let share =
             if ahead > 25.0 * (noise + self.rate.max(0.0) * lag * lag) { 1.0 } else { 1.0 - libm::exp(-dt / MEMORY) };
         self.rate += share * (seen - self.rate);

@@ -8,12 +8,11 @@ use crate::control::estimate::small_matrix::{cholesky, finite};
 
 /// `J' F = M ddq + c + g + friction - tau`, each sample for itself. Needs the acceleration.
 ///
-/// The paper writes `tau = .. + tau_ext` with the wrench of the tool on its surroundings; here, as
-/// in a log's `fx .. mz`, it is that of the surroundings on the tool, and the sign is the other.
+/// The paper writes `tau = .. + tau_ext` with the wrench of the tool on its surroundings. Here, as
+/// in a log's `fx .. mz`, it is that of the surroundings on the tool, with the opposite sign.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Residual<const N: usize> {
-    /// Standard deviation of each joint's torque noise, N m, as it is in the samples: after their
-    /// filter.
+    /// Standard deviation of each joint's torque noise, N m, in the samples after their filter.
     pub noise: [f64; N],
     /// How large wrenches are.
     pub scale: Scale,
@@ -46,7 +45,7 @@ impl<const N: usize> ForceEstimator<N> for Residual<N> {
                 without_friction,
                 freedom: N,
                 misfit: s.misfit,
-                told: s.told,
+                observable: s.observable,
                 fresh: true,
             },
             None => Estimate { fresh: false, ..self.last },

@@ -1,4 +1,4 @@
-//! What the torques of a stretch of motion leave unexplained, at the samples that are used.
+//! Unexplained torques of a stretch of motion, at the samples that are used.
 
 use super::torques::Torques;
 use crate::data::signal::{Filter, Motion, MotionBlock, low_pass};
@@ -14,8 +14,8 @@ pub(super) struct ResidualTorque {
     pub time: Vec<f64>,
     /// Model less measured torque, low-passed, N m.
     pub external: Vec<f64>,
-    /// What the low-pass smears of that, N m: what it takes off when it is applied once more is
-    /// about what it took off before.
+    /// Smearing of that by the low-pass, N m: the part removed by a second pass is about the part
+    /// removed by the first.
     pub smear: Vec<f64>,
     /// The regressor's entries, entry-major.
     pub entries: Vec<f64>,
@@ -26,8 +26,8 @@ pub(super) struct ResidualTorque {
     /// Accelerations that are in `model`, at all samples of the motion: zero where a joint stands,
     /// rad/s^2.
     pub ddq: Vec<f64>,
-    /// Model torque and measured torque at *all* samples of the motion, joint-major, N m: as they
-    /// are, a sensor's gain taken out of both.
+    /// Model torque and measured torque at *all* samples of the motion, joint-major, N m:
+    /// unfiltered, a sensor's gain taken out of both.
     pub model: Vec<f64>,
     /// See `model`.
     pub tau: Vec<f64>,
@@ -113,14 +113,14 @@ pub(super) fn pick(
     picked
 }
 
-/// What the low-pass smears to each side, as a share of the period of its cutoff.
+/// Smearing of the low-pass to each side, as a share of the period of its cutoff.
 const SMEAR: f64 = 0.25;
 /// A joint that is within its dead zone for longer stands: it does not accelerate either, s.
 const STANDS: f64 = 0.3;
 
-/// Whether each joint's friction may be anything between its levels, joint-major: at rest, sticking
-/// where it turns round, and below half a percent of its largest speed in the motion, where the
-/// ringing of the low-pass after a stop has signs of its own.
+/// Whether each joint's friction may be anything between its levels, joint-major. This holds at
+/// rest, sticking at a reversal, and below half a percent of its largest speed in the motion, where
+/// the ringing of the low-pass after a stop has signs of its own.
 fn still(motion: &Motion, n: usize) -> Vec<bool> {
     let len = motion.states.len;
     let mut still = motion.resting.get(..n * len).map_or_else(|| vec![false; n * len], <[bool]>::to_vec);

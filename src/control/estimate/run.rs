@@ -36,7 +36,7 @@ pub struct Settings {
     pub free: Vec<[f64; 2]>,
     /// Nothing touches at all.
     pub nothing_touches: bool,
-    /// What is taken off.
+    /// Bias that is taken off.
     pub bias: Option<Bias>,
 }
 
@@ -55,13 +55,13 @@ impl Default for Settings {
     }
 }
 
-/// What is known of the arm.
+/// Model of the arm.
 pub struct Known<'a> {
     /// Its regressor and inertias.
     pub arm: &'a dyn Arm,
     /// Its standard parameters (`P`).
     pub standard: &'a [f64],
-    /// What the sensors say where nothing touches.
+    /// Sensor readings where nothing touches.
     pub torques: &'a dyn Torques,
     /// How wrong that may be.
     pub uncertainty: &'a Uncertainty,
@@ -134,7 +134,7 @@ impl<'a> Run<'a> {
         let breakaway: Vec<f64> = (0..n).map(|j| known.breakaway(j, coulomb[j].sqrt())).collect();
         let no_friction = |j: &usize| coulomb[*j] == 0.0 && breakaway[*j] > 0.0;
         let assumed = (0..n).filter(no_friction).map(|j| (j + 1, breakaway[j])).collect();
-        // Far apart against the filter, which remembers for about one over its cut-off.
+        // Far apart against the filter, whose memory is about one over its cut-off.
         let spacing = settings.filter.map_or(0.1, |f| 2.0 / f.cutoff);
         let series = Series {
             name: name.into(),
@@ -192,7 +192,7 @@ impl<'a> Run<'a> {
             row.static_friction = (0..n).map(|j| if still(j) { self.coulomb[j].sqrt() } else { 0.0 }).collect();
             row.breakaway =
                 (0..n).map(|j| if picked.near_rest[j * count + s] { self.breakaway[j] } else { 0.0 }).collect();
-            // Of noise the estimator knows the usual size.
+            // The usual size of noise is built into the estimator.
             let more =
                 |j: usize| variance[j] - self.known.uncertainty.noise[j].powi(2) - row.static_friction[j].powi(2);
             for i in 0..n {
@@ -232,7 +232,7 @@ impl<'a> Run<'a> {
             series.segment.push(motion.segment);
             series.wrench.push(estimate.wrench);
             series.half.push(std::array::from_fn(|i| estimate.half_width(i)));
-            series.told.push(estimate.told);
+            series.observable.push(estimate.observable);
             series.deviate.push(contact.deviate);
             series.touching.push(contact.touching);
             series.undecided.push(contact.undecided);
@@ -267,8 +267,8 @@ impl<'a> Run<'a> {
                 let unit = filter.velocity_noise(1.0, motion.period.recip());
                 let white = white_speed(gain, motion.period, &filter.velocity_response(motion.period));
                 let position = |j: usize| motion.position_noise.get(j).copied().unwrap_or(f64::INFINITY);
-                // What the low-pass took out of the positions is motion, too, where the arm starts
-                // and stops.
+                // The part of the positions that the low-pass removed is motion, too, where the arm
+                // starts and stops.
                 motion.velocity_noise.iter().enumerate().map(|(j, v)| position(j).min(v / unit) * white).collect()
             }
             // At least the rounding of an encoder, or the filter trusts velocities that are not

@@ -1,4 +1,4 @@
-//! What an estimator is given, and what it gives.
+//! Input and output of an estimator.
 
 /// Normal deviate of a two-sided 95 % interval.
 pub const NINETY_FIVE: f64 = 1.959_963_984_540_054;
@@ -50,13 +50,13 @@ impl<const N: usize> Default for Sample<N> {
     }
 }
 
-/// The wrench that the surroundings exert on the tool, as estimated: `fx fy fz mx my mz`, N and N
-/// m, about the origin of the tool's frame, in its axes.
+/// The wrench that the surroundings exert on the tool, as estimated. It is `fx fy fz mx my mz`, N
+/// and N m, about the origin of the tool's frame, in its axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Estimate {
     /// Mean.
     pub wrench: [f64; 6],
-    /// Its covariance; in a direction that the joints don't tell it is that of [`Scale`].
+    /// Its covariance; in an unobservable direction it is that of [`Scale`].
     pub covariance: [[f64; 6]; 6],
     /// How improbable the sample is where nothing touches: chi-square with `freedom` degrees of
     /// freedom, for the static friction that explains most of it.
@@ -66,13 +66,13 @@ pub struct Estimate {
     pub without_friction: f64,
     /// Degrees of freedom of the surprise.
     pub freedom: usize,
-    /// What no wrench on the tool explains: chi-square with `N - 6` degrees of freedom, touch or no
-    /// touch. Zero for six joints and fewer.
+    /// Part that no wrench on the tool explains: chi-square with `N - 6` degrees of freedom, touch
+    /// or no touch. Zero for six joints and fewer.
     pub misfit: f64,
-    /// Whether the joints tell each component. Near a singularity, and with fewer than six joints,
-    /// some directions push no joint: there the covariance is that of [`Scale`], a guess, and the
-    /// component is not told.
-    pub told: [bool; 6],
+    /// Whether each component is observable. Near a singularity, and with fewer than six joints,
+    /// some directions push no joint. There the covariance is that of [`Scale`], a prior, and the
+    /// component is unobservable.
+    pub observable: [bool; 6],
     /// Whether this sample was used. If not (a number that is not finite, a time that does not run,
     /// a mass matrix that is none) the wrench is that of the sample before.
     pub fresh: bool,
@@ -90,7 +90,7 @@ impl Estimate {
             without_friction: 0.0,
             freedom: 0,
             misfit: 0.0,
-            told: [false; 6],
+            observable: [false; 6],
             fresh: false,
         }
     }
@@ -107,9 +107,9 @@ impl Estimate {
     }
 }
 
-/// How large wrenches are at all, standard deviations: what stands where the joints don't tell a
-/// direction, and the damping of the pseudo-inverse near singularities. Large against the band
-/// elsewhere, so that it does nothing there.
+/// Prior size of wrenches, standard deviations: the covariance of unobservable directions, and the
+/// damping of the pseudo-inverse near singularities. Large against the band elsewhere, so that it
+/// does nothing there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Scale {
     /// N
@@ -138,6 +138,6 @@ pub trait ForceEstimator<const N: usize> {
     /// Takes in a sample.
     fn step(&mut self, sample: &Sample<N>) -> Estimate;
 
-    /// Forgets all samples.
+    /// Discards all samples.
     fn reset(&mut self);
 }

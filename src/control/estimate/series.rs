@@ -22,13 +22,14 @@ pub struct Series {
     pub wrench: Vec<[f64; 6]>,
     /// Half-widths of the 95 % band.
     pub half: Vec<[f64; 6]>,
-    /// Whether the joints tell each component: where not, its band is a guess.
-    pub told: Vec<[bool; 6]>,
+    /// Whether each component is observable: if not, its band is the prior.
+    pub observable: Vec<[bool; 6]>,
     /// The surprise as a normal deviate, see [`Contact`](super::Contact).
     pub deviate: Vec<f64>,
     /// Whether something touches.
     pub touching: Vec<bool>,
-    /// Whether static friction or contact can't be told apart, see [`Contact`](super::Contact).
+    /// Whether static friction or contact can't be observable apart, see
+    /// [`Contact`](super::Contact).
     pub undecided: Vec<bool>,
     /// Whether it is known that nothing does.
     pub free: Vec<bool>,
@@ -52,13 +53,13 @@ pub struct Series {
     pub stale: usize,
 }
 
-/// How one component compares with what it should be, where it is told.
+/// Comparison of one component with its reference, where it is observable.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Comparison {
-    /// Samples in which the component is told; all figures are of these.
+    /// Samples in which the component is observable; all figures are of these.
     pub samples: usize,
     /// Their share of all.
-    pub told: f64,
+    pub observable: f64,
     /// Mean error.
     pub mean: f64,
     /// Root mean square error.
@@ -72,12 +73,12 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Of errors with their half-widths, and whether the component is told.
+    /// Of errors with their half-widths, and whether the component is observable.
     pub fn of(errors: impl Iterator<Item = (f64, f64, bool)>) -> Self {
         let (mut c, mut all) = (Self::default(), 0_u32);
-        for (error, half, told) in errors {
+        for (error, half, observable) in errors {
             all += 1;
-            if !told {
+            if !observable {
                 continue;
             }
             c.samples += 1;
@@ -88,8 +89,8 @@ impl Comparison {
             c.inside += f64::from(u8::from(error.abs() <= half));
         }
         let n = c.samples.max(1) as f64;
-        let told = c.samples as f64 / f64::from(all.max(1));
-        Self { told, mean: c.mean / n, rms: (c.rms / n).sqrt(), half: c.half / n, inside: c.inside / n, ..c }
+        let observable = c.samples as f64 / f64::from(all.max(1));
+        Self { observable, mean: c.mean / n, rms: (c.rms / n).sqrt(), half: c.half / n, inside: c.inside / n, ..c }
     }
 }
 
@@ -98,7 +99,8 @@ impl Series {
     pub fn against_measured(&self) -> Option<[Comparison; 6]> {
         (self.measured.len() == self.wrench.len() && !self.wrench.is_empty()).then(|| {
             std::array::from_fn(|i| {
-                let error = |s: usize| (self.wrench[s][i] - self.measured[s][i], self.half[s][i], self.told[s][i]);
+                let error =
+                    |s: usize| (self.wrench[s][i] - self.measured[s][i], self.half[s][i], self.observable[s][i]);
                 Comparison::of((0..self.wrench.len()).map(error))
             })
         })
@@ -108,7 +110,7 @@ impl Series {
     pub fn phantom(&self) -> Option<[Comparison; 6]> {
         let free: Vec<usize> = (0..self.free.len()).filter(|&s| self.free[s]).collect();
         (!free.is_empty()).then(|| {
-            let error = |s: usize, i: usize| (self.wrench[s][i], self.half[s][i], self.told[s][i]);
+            let error = |s: usize, i: usize| (self.wrench[s][i], self.half[s][i], self.observable[s][i]);
             std::array::from_fn(|i| Comparison::of(free.iter().map(|&s| error(s, i))))
         })
     }

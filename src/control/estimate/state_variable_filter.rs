@@ -7,8 +7,8 @@ use crate::control::estimate::small_matrix::times;
 /// by the same: `2 / (2 pi cutoff)` for slow signals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StateVariableFilter<const N: usize> {
-    /// Exact transition over one period, and what a rise of the input by 1, on a straight line,
-    /// adds: a staircase would leave ripples on the acceleration of a fast motion.
+    /// Exact transition over one period, and the addition of a rise of the input by 1, on a
+    /// straight line. A staircase would leave ripples on the acceleration of a fast motion.
     step: [[f64; 3]; 3],
     rise: [f64; 3],
     motion: [Channel; N],
@@ -55,7 +55,7 @@ impl<const N: usize> StateVariableFilter<N> {
                 if !self.begun {
                     *channel = Channel { state: [input, 0.0, 0.0], input };
                 }
-                // About the input before, so that what stands still is exact.
+                // Taken about the input before, so that standing still is exact.
                 let Channel { state: [x, dx, ddx], input: before } = *channel;
                 let next = times(&self.step, &[x - before, dx, ddx]);
                 let climbed: [f64; 3] = core::array::from_fn(|i| next[i] + self.rise[i] * (input - before));

@@ -1,4 +1,4 @@
-//! What the model says that the torque sensors say.
+//! Model of the readings of the torque sensors.
 
 use crate::identify::regression::rows::Rows;
 use crate::model::{Arm, States, TorqueModel};
@@ -22,8 +22,8 @@ pub trait Torques: Sync {
     }
 }
 
-/// A model with effects: drives that remember, sensors that err, torques that are late. What
-/// touches is then estimated as late as the torques are.
+/// A model with effects: drives with memory, sensors that err, torques that are late. What touches
+/// is then estimated as late as the torques are.
 pub struct Effected<'a>(pub &'a dyn TorqueModel);
 
 impl Torques for Effected<'_> {

@@ -1,23 +1,22 @@
-//! What is known of the errors of a model: the covariance of its parameters, and the noise of the
-//! torques.
+//! Uncertainty of a model: the covariance of its parameters, and the noise of the torques.
 
 use nalgebra::DMatrix;
 
 use crate::identify::{Identification, Standing};
 
-/// Where the torque noise is known from.
+/// Source of the torque noise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NoiseSource {
     /// The residual of an identification.
     Identification,
-    /// What the model leaves where nothing touches, all of it counted as noise.
+    /// Residual of the model where nothing touches, all of it counted as noise.
     Free,
     /// The torque's own noise from sample to sample: the model's errors are in no band.
     Log,
 }
 
 /// Errors of the model's torque come from the parameters (constant over a run, drawn again by each
-/// identification) and from noise (drawn again at each sample, alike among neighbours after a
+/// identification) and from noise (drawn again at each sample, correlated among neighbours after a
 /// low-pass).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Uncertainty {
@@ -25,9 +24,9 @@ pub struct Uncertainty {
     pub covariance: Vec<f64>,
     /// Standard deviation of each joint's torque noise after the low-pass, N m.
     pub noise: Vec<f64>,
-    /// Where that is known from.
+    /// Source of that.
     pub source: NoiseSource,
-    /// Base parameters that the identification did not tell: their errors are in no band.
+    /// Base parameters that the identification did not determine: their errors are in no band.
     pub open: Vec<String>,
 }
 
@@ -67,7 +66,8 @@ impl Uncertainty {
     }
 }
 
-/// From standard deviations and correlations (`B * B`); what is not finite is taken to be zero.
+/// From standard deviations and correlations (`B * B`); entries that are not finite are set to
+/// zero.
 pub fn covariance(std: &[f64], correlation: &[f64]) -> Vec<f64> {
     let b = std.len();
     let value = |i: usize, j: usize| {

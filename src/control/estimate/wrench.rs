@@ -2,7 +2,7 @@
 //! and damped.
 //!
 //! `J' F = e` with an error of covariance `S` (torque noise and the model's), and `F` itself of the
-//! size `D` ([`Scale`]), independent: `F = (J S^-1 J' + D^-1)^-1 J S^-1 e` is the mean of `F` given
+//! size `D` ([`Scale`]), independent. `F = (J S^-1 J' + D^-1)^-1 J S^-1 e` is the mean of `F` given
 //! `e`, and the bracket's inverse its covariance. For `S = s^2 I` it is the damped least squares of
 //! Nakamura and Hanafusa (J. Dyn. Sys. Meas. Control 108, 1986) and Wampler (IEEE SMC 16, 1986),
 //! with damping `s / D`.
@@ -28,8 +28,9 @@ pub(super) struct Solved {
     pub wrench: [f64; 6],
     pub covariance: [[f64; 6]; 6],
     pub misfit: f64,
-    /// Whether the joints tell each component: see [`Estimate::told`](super::Estimate::told).
-    pub told: [bool; 6],
+    /// Whether each component is observable: see
+    /// [`Estimate::observable`](super::Estimate::observable).
+    pub observable: [bool; 6],
 }
 
 /// `torque = J' F + error`; `None` where `covariance` is none.
@@ -61,14 +62,13 @@ pub(super) fn wrench<const N: usize>(
     let misfit = if N > 6 { (dot(&white, &white) - dot(&right, &right)).max(0.0) } else { 0.0 };
     backward(&factor, &mut right);
     let (likely, spread) = (right, inverse(&factor));
-    let told = told(&spread, scale);
+    let observable = observable(&spread, scale);
     let (wrench, covariance) = match weights {
         Weights::Uncertainty => (likely, spread),
         Weights::Equal { damping } => {
             let map = equal(jacobian, damping)?;
-            // What the damping takes away of the wrench, `(1 - A J') F`, a bias: `F` is not known,
-            // but as well as the same torques tell it with the best weights. The damped estimate's
-            // own variance is small.
+            // Bias of the damping, `(1 - A J') F`: `F` is unknown, and its best weighted estimate
+            // from the same torques takes its place. The damped estimate's own variance is small.
             let lost: [[f64; 6]; 6] = core::array::from_fn(|i| {
                 core::array::from_fn(|j| f64::from(u8::from(i == j)) - dot(&map[i], &jacobian[j]))
             });
@@ -83,12 +83,12 @@ pub(super) fn wrench<const N: usize>(
             (times(&map, torque), all)
         }
     };
-    Some(Solved { wrench, covariance, misfit, told })
+    Some(Solved { wrench, covariance, misfit, observable })
 }
 
-/// Where a standard deviation is above a tenth of how large wrenches are at all, it is that guess
-/// which makes it, and not the joints.
-pub(super) fn told(covariance: &[[f64; 6]; 6], scale: &Scale) -> [bool; 6] {
+/// A standard deviation above a tenth of the prior size of wrenches comes from that prior, and not
+/// from the joints.
+pub(super) fn observable(covariance: &[[f64; 6]; 6], scale: &Scale) -> [bool; 6] {
     let sizes = scale.each();
     core::array::from_fn(|i| covariance[i][i] <= 0.01 * sizes[i] * sizes[i])
 }

@@ -34,7 +34,7 @@ pub struct ForcePlant {
     pub corner: f64,
 }
 
-/// What becomes of a step of the desired force by 1 N.
+/// Response to a step of the desired force by 1 N.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Step {
     /// Force at each period, N.
@@ -66,7 +66,7 @@ struct Inner {
     c: DVector<f64>,
     /// Force itself.
     force: DVector<f64>,
-    /// Where each joint's motor stands among the states.
+    /// Index of each joint's motor among the states.
     motor: Vec<usize>,
 }
 
@@ -180,11 +180,10 @@ impl ForcePlant {
         }))
     }
 
-    /// What becomes of a displacement that is added to the force loop's own, at these frequencies,
-    /// rad/s: filtered force per displacement, N/m, with the loop closed by these gains on the
-    /// force that is estimated from the motors: links that swing behind them have inertial forces
-    /// of their own, which the estimate takes for the motors'. `None` where the mass matrix is
-    /// none.
+    /// Response to a displacement that is added to the force loop's own, at these frequencies,
+    /// rad/s: filtered force per displacement, N/m. The loop is closed by these gains on the force
+    /// that is estimated from the motors. Links that swing behind them have inertial forces of
+    /// their own, which the estimate takes for the motors'. `None` where the mass matrix is none.
     pub fn response_to_displacement(&self, kp: f64, ki: f64, frequencies: &[f64]) -> Option<Vec<Complex<f64>>> {
         let inner = self.inner()?;
         // Torques to the force along the normal: `n J^+'`, all joints alike, as far as that
@@ -222,8 +221,8 @@ impl ForcePlant {
     }
 }
 
-/// The fastest gains that keep the margins in all postures: for several ratios of proportional to
-/// integral gain the largest integral gain, and of these the one whose step settles first.
+/// The fastest gains that keep the margins in all postures. For several ratios of proportional to
+/// integral gain the largest integral gain is taken, and of these the one whose step settles first.
 pub fn propose_force(postures: &[ForcePlant]) -> Option<ForceProposal> {
     let worst = |kp: f64, ki: f64| {
         let mut all = postures.iter().map(|p| p.margins(kp, ki));

@@ -5,7 +5,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::sampled::{Margins, held, radius, response};
 
-/// What a joint's loop moves.
+/// Load of a joint's loop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JointPlant {
     /// Time between samples, s.
@@ -125,7 +125,7 @@ impl JointPlant {
     }
 }
 
-/// What a joint's loop must keep: 30 degrees, a factor of two (6 dB), and a sensitivity of at most
+/// Margins of a joint's loop: 30 degrees, a factor of two (6 dB), and a sensitivity of at most
 /// 2.2. Less than [`wanted`](super::wanted), as stiffness is what the joints are there for.
 pub fn wanted_joint(m: &Margins) -> bool {
     m.radius < 1.0 && m.phase >= 30.0 && m.gain >= 6.0 && m.modulus >= 0.45

@@ -7,7 +7,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 /// How far a loop is from ringing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margins {
-    /// Where the loop gain falls below 1 for the last time, rad/s.
+    /// Last frequency at which the loop gain falls below 1, rad/s.
     pub crossover: f64,
     /// Least phase margin at any crossover, degrees.
     pub phase: f64,
@@ -19,7 +19,7 @@ pub struct Margins {
     pub radius: f64,
 }
 
-/// What a proposal must keep: 45 degrees, a factor of two (6 dB), and a sensitivity of at most 1.8.
+/// Margins of a proposal: 45 degrees, a factor of two (6 dB), and a sensitivity of at most 1.8.
 pub fn wanted(m: &Margins) -> bool {
     m.radius < 1.0 && m.phase >= 45.0 && m.gain >= 6.0 && m.modulus >= 0.55
 }

@@ -2,7 +2,8 @@
 //!
 //! | what happens | what is done |
 //! |---|---|
-//! | a sample is missing, late, stale, not a number, or a leap | torques and displacement stay as they are ([`Status::Holding`]) |
+//! | a sample is missing, late, stale, not a number, or a leap | torques and displacement are held
+//! ([`Status::Holding`]) |
 //! | more than `patience` in a row | [`Fault::Position`]: gravity at the last known place; with samples again, damping to rest; until [`Controller::reset`] |
 //! | the force is missing | the displacement stands still; longer than `patience`: [`Fault::Force`], the tool leaves the wall |
 //! | contact is lost | the displacement may follow by `regain`; after `give_up` seconds [`Fault::Contact`], the tool leaves the wall |
@@ -30,7 +31,7 @@ pub struct Settings<const N: usize> {
     /// Torque limits, N m, both ways.
     pub torque: [f64; N],
     /// Speed limits, rad/s: desired positions move no faster, and measured ones that move three
-    /// times as fast are not believed.
+    /// times as fast are rejected.
     pub velocity: [f64; N],
     /// Samples in a row that may fail.
     pub patience: u32,
@@ -44,30 +45,30 @@ pub struct Settings<const N: usize> {
     pub give_up: f64,
     /// Force above which the tool leaves the wall, N.
     pub most: f64,
-    /// Share of the desired force that is fed forward as torques while the tool presses: 0,
-    /// equation (13) as it stands, where the springs of the joint loop carry the force and give way
-    /// aside too; 1, where they carry none of it.
+    /// Share of the desired force that is fed forward as torques while the tool presses. At 0
+    /// (equation 13) the springs of the joint loop carry the force and give way aside too; at 1
+    /// they carry none of it.
     pub carry: f64,
-    /// Share of the planned motion's torques ([`Model::moving`]) that is fed forward: 0, equation
-    /// (13) as it stands.
+    /// Share of the planned motion's torques ([`Model::moving`]) that is fed forward; 0 is equation
+    /// (13).
     pub feed: f64,
     /// Share of the estimated force aside of the normal (a roller that is dragged) that is fed
     /// forward while the tool presses, so that the springs of the joint loop need not give way to
-    /// it: 0, equation (13) as it stands; below 1, or friction is overcome for good and the tool
+    /// it. 0 is equation (13). It must stay below 1, or friction is overcome for good and the tool
     /// creeps.
     pub aside: f64,
     /// Pole of the low-pass of that force, rad/s.
     pub aside_pole: f64,
     /// Share of the drag that is fed forward before the estimate shows it: friction along the
-    /// tool's axes as learned so far ([`Drag`]), where and when the plan slides. 0: all that is
-    /// known of it comes late, from the estimate.
+    /// tool's axes as learned so far ([`Drag`]), where and when the plan slides. With 0 all
+    /// information about it comes late, from the estimate.
     pub drag: f64,
     /// Corner of the low-pass of the estimate (three equal poles), Hz: how late it is.
     pub corner: f64,
 }
 
 impl<const N: usize> Settings<N> {
-    /// What is wrong with them, if anything.
+    /// Their mistake, if there is one.
     pub fn problem(&self) -> Option<&'static str> {
         let positive = |x: f64| x > 0.0 && x.is_finite();
         let not_negative = |x: f64| x >= 0.0 && x.is_finite();
@@ -101,7 +102,7 @@ impl<const N: usize> Settings<N> {
     }
 }
 
-/// What is wanted at one instant.
+/// Reference values at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Target<const N: usize> {
     /// The planned posture, whose tool touches the wall.
@@ -110,7 +111,7 @@ pub struct Target<const N: usize> {
     pub dq: [f64; N],
     /// Its planned acceleration, rad/s^2 or m/s^2; read there too.
     pub ddq: [f64; N],
-    /// Unit vector in base axes along which the tool presses, into the wall.
+    /// Unit vector in world axes along which the tool presses, into the wall.
     pub normal: [f64; 3],
     /// Force to press with, N, not negative; `None` away from the wall.
     pub force: Option<f64>,
@@ -140,7 +141,7 @@ pub enum Fault {
     Excess,
 }
 
-/// What it is doing.
+/// State of the controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
     /// Follows the plan; no force was asked for.
@@ -159,7 +160,7 @@ pub enum Status {
     Stopped(Fault),
 }
 
-/// What it answers.
+/// Output of the controller.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Command<const N: usize> {
     /// Torques of the actuators, N m.
@@ -168,7 +169,7 @@ pub struct Command<const N: usize> {
     pub desired: [f64; N],
     /// Along the normal, m.
     pub displacement: f64,
-    /// What it is doing.
+    /// State of the controller.
     pub status: Status,
 }
 
@@ -226,12 +227,12 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         &mut self.model
     }
 
-    /// What it has learned of the friction at the contact.
+    /// Learned friction at the contact.
     pub fn drag(&self) -> &Drag {
         &self.drag
     }
 
-    /// Forgets faults and begins anew from where the arm is.
+    /// Clears faults and restarts from the present posture.
     pub fn reset(&mut self) {
         self.watch.reset();
         self.force.reset();
@@ -382,8 +383,8 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         status == Status::Pressing && self.touched && self.away == 0.0
     }
 
-    /// The push that drag will take (N, base axes): where the plan slides now, and as late as the
-    /// estimate shows it. Learns from the estimate.
+    /// The push that drag will take (N, world axes): where the plan slides now, with the delay of
+    /// the estimate. Learns from the estimate.
     fn slide(&mut self, q: &[f64; N], target: &Target<N>, push: &[f64; 3], status: Status, dt: f64) -> [[f64; 3]; 2] {
         let Settings { drag, corner, contact, period, .. } = self.settings;
         let (true, Some(most), true) = (drag > 0.0, target.force, self.presses(status)) else { return [[0.0; 3]; 2] };
@@ -398,11 +399,10 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         self.drag.predicted().map(|by| by.map(|x| drag * most * x))
     }
 
-    /// What the estimate says aside of the normal, low-passed, at most as large as the force that
-    /// is wanted along it. Friction goes with the normal force: its ratio to the force along the
-    /// normal is taken, times the force that is wanted, or each swing of the one would come back by
-    /// the other. What of it was fed forward already (`known`, as late as the estimate) is taken
-    /// off.
+    /// Estimated force aside of the normal, low-passed, at most as large as the desired force along
+    /// it. Friction goes with the normal force. Its ratio to the force along the normal is taken,
+    /// times the desired force; otherwise each swing of the one would come back by the other. What
+    /// of it was fed forward already (`known`, as late as the estimate) is taken off.
     fn yield_aside(&mut self, target: &Target<N>, push: &[f64; 3], known: &[f64; 3], status: Status, dt: f64) {
         let (n, most) = (target.normal, target.force.unwrap_or(0.0));
         let presses = self.presses(status);
@@ -412,7 +412,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         for k in 0..3 {
             let left = share * (push[k] - out * n[k]) - known[k];
             let to = if presses { self.settings.aside * left } else { 0.0 };
-            // Without an estimate it stays as it is.
+            // Without an estimate it is held.
             if to.is_finite() {
                 self.aside[k] = (to + keep * (self.aside[k] - to)).clamp(-most, most);
             }

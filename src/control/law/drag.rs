@@ -1,12 +1,12 @@
 //! Drag on what touches: friction aside of the normal, learned from the estimate, and known before
 //! the estimate shows it.
 //!
-//! A roller that is dragged along its axis holds back with half of what presses it, within a tenth
-//! of a second; the estimate tells it one low-pass later, and the springs of the joint loop have
-//! given way by then, aside and along the normal. But when it slides, and which way, is planned:
-//! with `v_k` the planned velocity along each axis of the tool, drag is `-mu_k s(v_k) F`, and the
-//! three `mu_k` are learned from the estimate in the motion so far (a gradient step each period, on
-//! what the prediction, as late as the estimate, leaves of it).
+//! A roller that is dragged along its axis holds back with half of the pressing force, within a
+//! tenth of a second. The estimate shows it one low-pass later, and the springs of the joint loop
+//! have given way by then, aside and along the normal. But the time and direction of sliding are
+//! planned. With `v_k` the planned velocity along each axis of the tool, drag is `-mu_k s(v_k) F`.
+//! The three `mu_k` are learned from the estimate in the motion so far (a gradient step each
+//! period, on its difference to the prediction with the same delay).
 
 use super::model::Tool;
 
@@ -25,13 +25,13 @@ pub struct Drag {
 /// Planned speed at which friction has two thirds of its level, m/s: some multiples of what a
 /// joint's smallest step moves the tool by in a period.
 const CREEP: f64 = 5e-3;
-/// How fast is learned, 1/s: a wipe of half a second tells most.
+/// Learning rate, 1/s: a wipe of half a second is the most informative part.
 const PACE: f64 = 5.0;
-/// What slides harder than this is no friction.
+/// A force of sliding above this is no friction.
 const MOST: f64 = 1.5;
 
 impl Drag {
-    /// Forgets what was learned.
+    /// Clears the learned values.
     pub fn reset(&mut self) {
         *self = Self::default();
     }
@@ -41,7 +41,7 @@ impl Drag {
         &self.coefficients
     }
 
-    /// Where the plan slides, with `share` the part of its way that each pole of the estimate's
+    /// Sliding of the plan, with `share` the part of its way that each pole of the estimate's
     /// low-pass goes in a period.
     pub(super) fn slide<const N: usize>(&mut self, tool: &Tool<N>, dq: &[f64; N], normal: &[f64; 3], share: f64) {
         let velocity: [f64; 3] = core::array::from_fn(|i| (0..N).map(|j| tool.jacobian[i][j] * dq[j]).sum());

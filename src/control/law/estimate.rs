@@ -25,32 +25,31 @@ pub struct EstimatorSettings<const N: usize> {
     /// singular postures.
     pub damping: f64,
     /// How large a moment the contact may carry, N m, as a standard deviation. Infinite: any at
-    /// all, equation (14) as it stands; 0: none, and three components are found in place of six.
-    /// What is known of the moment makes the force better known: seven torques tell six components
-    /// hardly better than they are themselves.
+    /// all, equation (14) of the paper; 0: none, and three components are found in place of six. A
+    /// prior on the moment improves the force: seven torques determine six components hardly better
+    /// than they are measured.
     pub moment: f64,
-    /// By how much the friction of each joint may be off at most where it has just turned round
-    /// ([`Body::turning`] says where and by how much it could be), N m. There the wrench is only
-    /// known to lie in an interval, and of that the value next to the last one is taken, so that
-    /// what may be friction does not count as force. Where no joint has just turned round nearly
-    /// nothing is changed, and nothing comes later. What stands in doubt is not believed for ever:
-    /// it goes over into what the torques tell within half a second. 0: equation (14) as it stands.
+    /// Largest error of the friction of each joint just after a reversal ([`Body::turning`] gives
+    /// place and size), N m. There the wrench is only known to lie in an interval. The value next
+    /// to the last one is taken, so that possible friction does not count as force. Where no joint
+    /// has just turned round nearly nothing is changed, and nothing comes later. The held value
+    /// decays to the estimate within half a second. 0: equation (14) of the paper.
     pub turning: [f64; N],
     /// Travel within which a joint stands, rad or m: more than the noise of its position behind the
     /// low-pass. 0: it never does.
     pub rest: [f64; N],
 }
 
-/// Time in which what is held in doubt goes over into what the torques tell, s: some times as long
-/// as friction takes to turn round in a motion (0.1 s), so that a contact that is lost meanwhile,
-/// or a glitch, is not held by a joint that stops there.
+/// Time constant with which a held value decays to the estimate, s. It is some times as long as
+/// friction takes to turn round in a motion (0.1 s), so that a joint that stops does not hold a
+/// lost contact, or a glitch.
 const HELD: f64 = 0.5;
 
 /// Squared standard deviations of a joint's torque ([`EstimatorSettings::weights`]) within which
 /// friction explains it: to begin with, and as long as it did.
 const EXPLAINED: [f64; 2] = [9.0, 25.0];
 
-/// What runs along with the arm.
+/// State that runs along with the arm.
 #[derive(Debug, Clone)]
 pub struct Estimator<B, const N: usize> {
     body: B,
@@ -135,8 +134,8 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         (self.seen > 3).then(|| core::array::from_fn(|j| torque[j] - model[j] - self.bias[j]))
     }
 
-    /// Wrench of the tool on what it touches, base axes, about the point of contact: force (N) and
-    /// moment (N m).
+    /// Wrench of the tool on its surroundings, world axes, about the point of contact: force (N)
+    /// and moment (N m).
     pub fn step(&mut self, q: &[f64; N], tau: &[f64; N]) -> Option<[f64; 6]> {
         let external = self.external(q, tau)?;
         let stands = self.rest.step(&self.before, self.settings.period);
@@ -154,9 +153,9 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
             return self.wrench;
         }
         let found = if self.settings.moment > 0.0 {
-            self.told::<6>(&tool, &external, &turning)?
+            self.estimated::<6>(&tool, &external, &turning)?
         } else {
-            let [force, less, more] = self.told::<3>(&tool, &external, &turning)?;
+            let [force, less, more] = self.estimated::<3>(&tool, &external, &turning)?;
             [force, less, more].map(|w| [w[0], w[1], w[2], 0.0, 0.0, 0.0])
         };
         // Within the bounds of all wrenches that it may be, the one that changes least.
@@ -187,9 +186,14 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         stands.contains(&true) && (0..N).all(within)
     }
 
-    /// The first `M` components: as the torques tell them, and by how much they may be less (not
-    /// above 0) and more, where friction is in doubt.
-    fn told<const M: usize>(&self, tool: &Tool<N>, external: &[f64; N], turning: &[f64; N]) -> Option<[[f64; M]; 3]> {
+    /// The first `M` components as estimated from the torques, and by how much they may be less
+    /// (not above 0) and more, where friction is in doubt.
+    fn estimated<const M: usize>(
+        &self,
+        tool: &Tool<N>,
+        external: &[f64; N],
+        turning: &[f64; N],
+    ) -> Option<[[f64; M]; 3]> {
         let EstimatorSettings { weights, damping, moment, .. } = &self.settings;
         let mut a = [[0.0; M]; M];
         for i in 0..M {
@@ -214,7 +218,7 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
                 more[i] += by[i].max(0.0);
             }
         }
-        // What is no number is lost in a minimum: the doubt itself is looked at.
+        // A minimum drops NaN, so the doubt itself is examined.
         let sound = wrench.iter().chain(&less).chain(&more).chain(turning).all(|x| x.is_finite());
         sound.then_some([wrench, less, more])
     }

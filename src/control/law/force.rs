@@ -28,20 +28,20 @@ impl ForceLoop {
         Self { settings, integral: 0.0, displacement: 0.0 }
     }
 
-    /// What was commanded last, m.
+    /// Last command, m.
     pub fn displacement(&self) -> f64 {
         self.displacement
     }
 
-    /// Begins anew.
+    /// Restarts.
     pub fn reset(&mut self) {
         (self.integral, self.displacement) = (0.0, 0.0);
     }
 
-    /// Presses: error of the force (desired less actual, N), time since the step before (s), a
-    /// limit of the displacement besides its range, and what is added to the loop's own
-    /// displacement (m; all limits hold for the sum). The integral stands still while the
-    /// displacement is held by a limit and the error pushes against it.
+    /// Presses. Arguments are the error of the force (desired less actual, N), the time since the
+    /// step before (s), a limit of the displacement besides its range, and the addition to the
+    /// loop's own displacement (m; all limits hold for the sum). The integral stands still while
+    /// the displacement is held by a limit and the error pushes against it.
     pub fn press(&mut self, error: f64, dt: f64, ceiling: f64, ahead: f64) -> f64 {
         let ForceSettings { kp, ki, range, rate } = self.settings;
         // So large that it is a limit anyway, and small enough never to overflow.

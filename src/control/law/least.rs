@@ -3,7 +3,7 @@
 /// Solves `(J W J' + d tr(J W J') / 6) y = r` for `W` diagonal, by `L D L'`; `None` where it is
 /// singular or not finite.
 ///
-/// `J' y` is the least joint motion for a twist `r` (`W = 1`); with `r = J W tau`, `y` is the
+/// `J' y` is the least joint motion for a twist `r` (`W = 1`). With `r = J W tau`, `y` is the
 /// wrench whose torques `J' y` come closest to `tau` in the metric `W`: `(J')^+ tau`.
 pub fn damped<const N: usize>(
     jacobian: &[[f64; N]; 6],

@@ -1,31 +1,31 @@
-//! What the law must be told about the robot.
+//! The law's view of the robot.
 
 use super::least::damped;
 
 /// The tool frame at one position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tool<const N: usize> {
-    /// Origin, m, base axes.
+    /// Origin, m, world axes.
     pub origin: [f64; 3],
-    /// Rotation from tool to base axes, rows.
+    /// Rotation from tool to world axes, rows.
     pub rotation: [[f64; 3]; 3],
-    /// Jacobian of the origin in base axes, linear part first.
+    /// Jacobian of the origin in world axes, linear part first.
     pub jacobian: [[f64; N]; 6],
 }
 
-/// What the two loops need of a robot with `N` joints.
+/// Functions that the two loops need of a robot with `N` joints.
 pub trait Model<const N: usize> {
     /// Torques that hold the arm still, N m: the identified `G(q)`, the tool included.
     fn gravity(&mut self, q: &[f64; N]) -> [f64; N];
 
-    /// Torques of a planned motion beyond gravity, N m: inertia, Coriolis, friction and what else
-    /// is known of the drives, where the arm is and with the velocity and acceleration that are
-    /// planned. None by default: equation (13) as it stands.
+    /// Torques of a planned motion beyond gravity, N m: inertia, Coriolis, friction and other known
+    /// torques of the drives, at the present posture with the planned velocity and acceleration.
+    /// None by default: equation (13) of the paper.
     fn moving(&mut self, _q: &[f64; N], _dq: &[f64; N], _ddq: &[f64; N]) -> [f64; N] {
         [0.0; N]
     }
 
-    /// Torques with which the tool presses by a force (base axes, N): `J'` times it.
+    /// Torques with which the tool presses by a force (world axes, N): `J'` times it.
     fn pressing(&mut self, q: &[f64; N], along: &[f64; 3]) -> [f64; N];
 
     /// Frame and Jacobian of the point that touches; read where
@@ -34,28 +34,26 @@ pub trait Model<const N: usize> {
         None
     }
 
-    /// A posture whose tool stands as that of `q` does, but moved by `by` (m, base axes), with the
-    /// arm's redundancy as it is in `q`; `near` is where the arm was sent last. `None` where there
-    /// is none.
+    /// A posture whose tool has the orientation of `q`, moved by `by` (m, world axes), with the
+    /// arm's redundancy of `q`; `near` is the last command. `None` where there is none.
     fn displaced(&mut self, q: &[f64; N], by: &[f64; 3], near: &[f64; N]) -> Option<[f64; N]>;
 }
 
-/// What the force estimate needs of it.
+/// Functions that the force estimate needs of it.
 pub trait Body<const N: usize> {
     /// Torques of the motion without contact, N m: bodies, tool and friction; `dt` (s) since the
     /// call before, for friction with memory.
     fn torques(&mut self, q: &[f64; N], dq: &[f64; N], ddq: &[f64; N], dt: f64) -> [f64; N];
 
-    /// By how much more the friction of each joint may be than the last [`Body::torques`] had it, N
-    /// m, or less where negative: friction takes some way to turn round with its joint, and how far
-    /// is not known. None by default.
+    /// Possible deviation of the friction of each joint from the last [`Body::torques`], N m, less
+    /// where negative. Friction takes an unknown way to turn round with its joint. None by default.
     fn turning(&self) -> [f64; N] {
         [0.0; N]
     }
 
-    /// By how much less and by how much more the friction of each joint may be than the last
-    /// [`Body::torques`] had it, N m, if the joint stands: static friction is anything within its
-    /// breakaway level. None by default.
+    /// Interval of the friction of each joint about the last [`Body::torques`], less and more, N m,
+    /// if the joint stands: static friction is anything within its breakaway level. None by
+    /// default.
     fn static_friction(&self) -> [[f64; 2]; N] {
         [[0.0; 2]; N]
     }

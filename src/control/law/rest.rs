@@ -1,4 +1,5 @@
-//! Which joints stand, so that their friction is an interval and not a function of the motion.
+//! Finds the joints that stand, so that their friction is an interval and not a function of the
+//! motion.
 
 /// Time within the travel after which a joint stands, s: longer than friction takes to turn round
 /// in a motion (0.1 s).

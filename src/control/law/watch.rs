@@ -1,6 +1,6 @@
 //! Judges what arrives: is there a sample, is it new, can it be true?
 
-/// What the robot says at one instant.
+/// Measurements of the robot at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample<const N: usize> {
     /// Time stamp, s. One that is not later than the one before marks a sample that did not arrive.
@@ -10,13 +10,13 @@ pub struct Sample<const N: usize> {
     /// Force of the tool on what it presses, along the target's normal, N: estimated or measured;
     /// not a number where it is missing.
     pub force: f64,
-    /// Force of the tool on what it touches, base axes, N: estimated. Its part aside of the normal
-    /// is read where [`Settings::aside`](super::Settings::aside) is not 0; not a number where it is
-    /// missing.
+    /// Force of the tool on its surroundings, world axes, N: estimated. Its part aside of the
+    /// normal is read where [`Settings::aside`](super::Settings::aside) is not 0; not a number
+    /// where it is missing.
     pub push: [f64; 3],
 }
 
-/// What became of a sample.
+/// Outcome of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Judged {
     /// Can be used; seconds since the one before.
@@ -50,7 +50,7 @@ impl<const N: usize> Watch<N> {
         self.last.map(|(_, q)| q)
     }
 
-    /// Forgets all: the next sample is the first.
+    /// Resets the state: the next sample is the first.
     pub fn reset(&mut self) {
         (self.last, self.missed) = (None, 0);
     }

@@ -1,6 +1,6 @@
-//! What may be kept of a log that is not in order: only what the user names.
+//! Findings of a log that the user accepts by name.
 
-/// What the user allows. By default nothing: each finding of that kind then stops the reading, and
+/// Accepted findings. By default nothing: each finding of that kind then stops the reading, and
 /// says so.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Acceptance {
@@ -16,18 +16,17 @@ pub struct Acceptance {
     /// A clock with more than 5 % of its steps off by more than half a period: evened by cubic
     /// interpolation to the median rate.
     pub irregular_clock: bool,
-    /// A channel that stands still while it should move: used as it is.
+    /// A channel that stands still while it should move: used unchanged.
     pub stuck: bool,
-    /// A torque that is cut off at a level: used as it is.
+    /// A torque that is cut off at a level: used unchanged.
     pub clipped: bool,
     /// A torque that is zero throughout: the joint then takes no part in the fit.
     pub dead_torque: bool,
-    /// Positions beyond two turns, which look like degrees: used as they are.
+    /// Positions beyond two turns, which look like degrees: used unchanged.
     pub large_angles: bool,
-    /// Torques far beyond the limits of most joints, as those in another unit are: used as they
-    /// are.
+    /// Torques far beyond the limits of most joints, like those in another unit: used unchanged.
     pub torque_unit: bool,
-    /// Torque columns in another order, unit or place than their names say: used as they are.
+    /// Torque columns in another order, unit or place than their names say: used unchanged.
     pub misread: bool,
 }
 

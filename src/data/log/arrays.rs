@@ -2,8 +2,8 @@
 
 use super::{Block, LogError, Table};
 
-/// Numbers that are taken into memory at most: 200 MB.
-pub(super) const MOST_NUMBERS: usize = 25_000_000;
+/// Numbers that are taken into memory at most: 64 MB.
+pub(super) const MOST_NUMBERS: usize = 8_000_000;
 
 /// An array of one or two dimensions.
 pub(super) struct Array {

@@ -22,7 +22,7 @@ pub struct BadCell {
     pub row: usize,
     /// Index into the block's columns; `None`: the row has not as many cells as the header.
     pub column: Option<usize>,
-    /// What stands there (cut to 40 characters), or how many cells there are.
+    /// Text of the cell (cut to 40 characters), or the number of cells.
     pub text: String,
 }
 
@@ -37,7 +37,7 @@ impl Block {
         self.lines.is_empty()
     }
 
-    /// Forgets the rows, keeps the memory.
+    /// Removes the rows, keeps the memory.
     pub fn clear(&mut self, columns: usize) {
         self.lines.clear();
         self.bad.clear();

@@ -1,4 +1,4 @@
-//! What a column of a log is: read from its name in the header.
+//! Role of a column of a log, read from its name in the header.
 
 use super::LogError;
 
@@ -45,7 +45,7 @@ impl Quantity {
     }
 }
 
-/// What a column holds. Joints and wrench components count from 0 here, from 1 in names.
+/// Content of a column. Joints and wrench components count from 0 here, from 1 in names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Role {
     /// `t`, s.
@@ -59,7 +59,7 @@ pub enum Role {
 }
 
 impl Role {
-    /// The role that a column name stands for; `None` for a name that the contract does not know.
+    /// The role of a column name; `None` for a name outside the log format.
     pub fn of(name: &str) -> Option<Self> {
         match name {
             "t" => return Some(Self::Time),
@@ -87,7 +87,7 @@ impl Role {
     }
 }
 
-/// Which columns of a file are used, and as what.
+/// Columns of a file in use, with their roles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layout {
     /// Name of the file, for messages.
@@ -96,9 +96,9 @@ pub struct Layout {
     pub dof: usize,
     /// The columns that are read, in the file's order.
     pub roles: Vec<Role>,
-    /// Where each of them stands in a row of the file.
+    /// Position of each of them in a row of the file.
     pub positions: Vec<usize>,
-    /// Columns of the file with a name that the contract does not know.
+    /// Columns of the file with a name outside the log format.
     pub ignored: Vec<String>,
     /// Cells in a full row of the file.
     pub width: usize,
@@ -208,7 +208,7 @@ impl Layout {
     }
 }
 
-/// What a first line is that has no column's name in it, where that can be told.
+/// Description of a first line without any column's name, if it can be recognised.
 fn no_header(names: &[&str]) -> Option<String> {
     let odd = |c: char| c == char::REPLACEMENT_CHARACTER || (c.is_control() && c != '\t');
     if names.iter().any(|name| name.chars().any(odd)) {

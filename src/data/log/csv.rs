@@ -1,9 +1,12 @@
 //! CSV with a header, plain or gzipped, in the dialect that its first lines show; and the way back.
 
+use std::cell::Cell;
 use std::io::{Cursor, Read, Write};
+use std::rc::Rc;
 
 use super::BadCell;
 use super::Block;
+use super::Layout;
 use super::Log;
 use super::LogError;
 use super::Role;
@@ -12,6 +15,14 @@ use super::unit;
 
 /// Bytes in which the dialect shows.
 const PREVIEW: u64 = 1 << 16;
+/// Longest line, with the lines of comment before it, bytes.
+const LONGEST_LINE: usize = 4 << 20;
+/// Most columns.
+const MOST_COLUMNS: usize = 1 << 14;
+/// Cells of a block.
+const CELLS: usize = 1 << 17;
+/// Bytes that the reader takes at once.
+const BUFFER: usize = 1 << 17;
 
 /// How the cells of a file are separated and written.
 #[derive(Debug, Clone, PartialEq)]
@@ -20,7 +31,7 @@ struct Dialect {
     separator: u8,
     /// Whether numbers have a comma for the point.
     decimal_comma: bool,
-    /// What lines of comment begin with.
+    /// Starts of comment lines.
     comment: Option<u8>,
     /// The header, where it stands in a comment: `# t q1 tau1`.
     header: Option<Vec<String>>,
@@ -116,6 +127,26 @@ impl<R: Read> Read for Blanks<R> {
     }
 }
 
+/// Bytes of which so many may be read before the limit is set again: a line without an end must
+/// not fill the memory.
+struct Limited<R> {
+    inner: R,
+    left: Rc<Cell<usize>>,
+}
+
+impl<R: Read> Read for Limited<R> {
+    fn read(&mut self, out: &mut [u8]) -> std::io::Result<usize> {
+        let most = out.len().min(self.left.get());
+        if most == 0 && !out.is_empty() {
+            let what = format!("a line is longer than {} MiB, so this is no table of samples", LONGEST_LINE >> 20);
+            return Err(std::io::Error::other(what));
+        }
+        let n = self.inner.read(&mut out[..most])?;
+        self.left.set(self.left.get() - n);
+        Ok(n)
+    }
+}
+
 /// A CSV that is read row by row.
 pub struct CsvTable<'a> {
     file: String,
@@ -124,6 +155,8 @@ pub struct CsvTable<'a> {
     reader: ::csv::Reader<Box<dyn Read + 'a>>,
     record: ::csv::ByteRecord,
     decimal_comma: bool,
+    /// Bytes that may be read for the current line.
+    left: Rc<Cell<usize>>,
 }
 
 impl<'a> CsvTable<'a> {
@@ -139,6 +172,8 @@ impl<'a> CsvTable<'a> {
         let dialect = Dialect::of(&String::from_utf8_lossy(&start));
         let whole = Cursor::new(start).chain(input);
         let blanks = dialect.separator == b' ';
+        let left = Rc::new(Cell::new(LONGEST_LINE + BUFFER));
+        let whole = Limited { inner: whole, left: Rc::clone(&left) };
         let whole: Box<dyn Read + 'a> =
             if blanks { Box::new(Blanks { inner: whole, line_start: true, pending: false }) } else { Box::new(whole) };
         let mut reader = ::csv::ReaderBuilder::new()
@@ -147,12 +182,16 @@ impl<'a> CsvTable<'a> {
             .comment(dialect.comment)
             .delimiter(if blanks { b',' } else { dialect.separator })
             .has_headers(dialect.header.is_none())
-            .buffer_capacity(1 << 17)
+            .buffer_capacity(BUFFER)
             .from_reader(whole);
         let names = match dialect.header {
             Some(names) => names,
             None => {
                 let header = reader.byte_headers().map_err(|e| read_error(file, 1, e))?;
+                if header.len() > MOST_COLUMNS {
+                    let what = format!("it has {} cells; {MOST_COLUMNS} columns are read at most", header.len());
+                    return Err(LogError::Header { file: file.into(), what });
+                }
                 header.iter().map(|n| String::from_utf8_lossy(n).trim_start_matches('\u{feff}').trim().into()).collect()
             }
         };
@@ -161,7 +200,7 @@ impl<'a> CsvTable<'a> {
         }
         let decimal_comma = dialect.decimal_comma;
         let record = ::csv::ByteRecord::new();
-        Ok(Self { file: file.into(), names, positions: Vec::new(), reader, record, decimal_comma })
+        Ok(Self { file: file.into(), names, positions: Vec::new(), reader, record, decimal_comma, left })
     }
 }
 
@@ -176,8 +215,10 @@ impl Table for CsvTable<'_> {
     }
 
     fn next_rows(&mut self, rows: usize, block: &mut Block) -> Result<(), LogError> {
+        let rows = rows.min(CELLS / self.positions.len().max(1)).max(1);
         while block.len() < rows {
             let line = self.reader.position().line();
+            self.left.set(LONGEST_LINE + BUFFER);
             match self.reader.read_byte_record(&mut self.record) {
                 Ok(true) => {}
                 Ok(false) => break,
@@ -218,19 +259,50 @@ fn read_error(file: &str, line: u64, error: ::csv::Error) -> LogError {
 
 /// Writes a log as CSV, every number with as many digits as it takes to read the same number back.
 pub fn write<W: Write>(log: &Log, out: W) -> std::io::Result<()> {
-    let mut out = std::io::BufWriter::new(out);
-    let names: Vec<String> = log.layout.roles.iter().map(|r| r.name()).collect();
-    writeln!(out, "{}", names.join(","))?;
-    for row in 0..log.len() {
-        for (i, column) in log.columns.iter().enumerate() {
-            if i > 0 {
-                out.write_all(b",")?;
-            }
-            write!(out, "{}", column[row])?;
-        }
-        out.write_all(b"\n")?;
+    let mut writer = CsvWriter::new(&log.layout, out)?;
+    writer.rows(&log.columns)?;
+    writer.finish()
+}
+
+/// Writes rows as CSV as they come.
+pub struct CsvWriter<W: Write>(std::io::BufWriter<W>);
+
+impl<W: Write> CsvWriter<W> {
+    /// Writes the header.
+    ///
+    /// # Errors
+    /// What the target says.
+    pub fn new(layout: &Layout, out: W) -> std::io::Result<Self> {
+        let mut out = std::io::BufWriter::new(out);
+        let names: Vec<String> = layout.roles.iter().map(|r| r.name()).collect();
+        writeln!(out, "{}", names.join(","))?;
+        Ok(Self(out))
     }
-    out.flush()
+
+    /// Writes rows: one vector per column.
+    ///
+    /// # Errors
+    /// What the target says.
+    pub fn rows(&mut self, columns: &[Vec<f64>]) -> std::io::Result<()> {
+        for row in 0..columns.first().map_or(0, Vec::len) {
+            for (i, column) in columns.iter().enumerate() {
+                if i > 0 {
+                    self.0.write_all(b",")?;
+                }
+                write!(self.0, "{}", column[row])?;
+            }
+            self.0.write_all(b"\n")?;
+        }
+        Ok(())
+    }
+
+    /// Writes what is still held.
+    ///
+    /// # Errors
+    /// What the target says.
+    pub fn finish(mut self) -> std::io::Result<()> {
+        self.0.flush()
+    }
 }
 
 #[cfg(test)]
@@ -266,6 +338,24 @@ mod tests {
             assert_eq!(names, ["t", "q1", "tau1"], "{text}");
             assert_eq!(columns, [vec![0.0, 0.1], vec![1.5, 2.5], vec![-2.0, -30.0]], "{text}");
         }
+    }
+
+    #[test]
+    fn a_line_without_an_end_is_refused() {
+        let text = || std::io::repeat(b'1').take(1 << 30);
+        let error = CsvTable::new("log.csv", text()).err().unwrap().to_string();
+        assert!(error.contains("a line is longer than 4 MiB"), "{error}");
+        // Neither an end of the line nor one of the file ends what a quote began.
+        let quoted = (&b"t,q1,tau1\n0,0,\"0\n"[..]).chain(std::io::repeat(b'\n').take(1 << 30));
+        let mut table = CsvTable::new("log.csv", quoted).unwrap();
+        table.select(&[0, 1, 2], 0).unwrap();
+        let mut block = Block::default();
+        block.clear(3);
+        let error = table.next_rows(100, &mut block).unwrap_err().to_string();
+        assert!(error.contains("a line is longer than 4 MiB"), "{error}");
+        let header = format!("t{}\n0\n", ",x".repeat(MOST_COLUMNS));
+        let error = CsvTable::new("log.csv", header.as_bytes()).err().unwrap().to_string();
+        assert!(error.contains("16385 cells"), "{error}");
     }
 
     #[test]

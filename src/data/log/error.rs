@@ -13,7 +13,7 @@ pub enum LogError {
         file: String,
         /// Line, from 1.
         line: u64,
-        /// What the system said.
+        /// Message of the system.
         source: std::io::Error,
     },
     /// The file has no header.
@@ -27,7 +27,7 @@ pub enum LogError {
     Header {
         /// File.
         file: String,
-        /// What it looks like instead.
+        /// Format that it looks like instead.
         what: String,
     },
     /// A column that must be there is not.
@@ -85,7 +85,7 @@ pub enum LogError {
     Mapping {
         /// File.
         file: String,
-        /// What is missing or ambiguous.
+        /// Missing or ambiguous entry.
         what: String,
     },
     /// A format that is known and not read.
@@ -93,7 +93,7 @@ pub enum LogError {
     Foreign {
         /// File.
         file: String,
-        /// What it is, and what to do about it.
+        /// Description of the mistake, and how to mend it.
         what: String,
     },
     /// A file of another kind can't be read.
@@ -103,7 +103,7 @@ pub enum LogError {
         file: String,
         /// Kind of file.
         format: &'static str,
-        /// What is wrong with it.
+        /// Description of the mistake.
         what: String,
     },
     /// Two columns have one name.
@@ -116,7 +116,7 @@ pub enum LogError {
     },
     /// Number of joints differs from the robot's.
     #[error(
-        "{file}: the log has {found} joints (q1..q{found}), the robot has {expected}; take the log or the robot file that belongs to it"
+        "{file}: the number of joints is {found} in the log (counted by its columns q1 ..) and {expected} in the robot file; take the log or the robot file that belongs to it"
     )]
     Joints {
         /// File.
@@ -131,10 +131,10 @@ pub enum LogError {
     Parquet {
         /// File.
         file: String,
-        /// What the reader said.
+        /// Message of the reader.
         what: String,
     },
-    /// The doctor found what must not be passed over silently.
+    /// The quality check found something that must not pass silently.
     #[error("{file}: {}", list(.findings))]
     Rejected {
         /// File.

@@ -1,4 +1,4 @@
-//! What the doctor found in a log: a value with figures, which can say what to do about it.
+//! Finding of the quality check in a log: a value with figures and advice.
 
 use std::fmt;
 
@@ -13,7 +13,7 @@ pub enum Severity {
     Fatal,
 }
 
-/// What was done with times that are not evenly spaced.
+/// Treatment of times that are not evenly spaced.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Clock {
     /// Samples were taken as evenly spaced: the stamps jitter, the sampling does not.
@@ -50,7 +50,7 @@ pub enum Explanation {
 }
 
 impl Explanation {
-    /// What is the matter, as a sentence without its end.
+    /// Description, as a sentence without its end.
     fn what(&self) -> String {
         match self {
             Self::Order { columns, negated } => {
@@ -127,11 +127,11 @@ impl Clock {
     }
 }
 
-/// What was found. Times in s, levels in the column's unit.
+/// The finding. Times in s, levels in the column's unit.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Kind {
-    /// Columns whose names the contract does not know.
+    /// Columns with names outside the log format.
     UnknownColumns {
         /// Their names.
         names: Vec<String>,
@@ -187,7 +187,7 @@ pub enum Kind {
     },
     /// How an uneven clock was dealt with.
     Evened {
-        /// What was done.
+        /// The treatment.
         clock: Clock,
     },
     /// A value that stood still and then jumped.
@@ -222,8 +222,8 @@ pub enum Kind {
         explanation: Explanation,
         /// The log, where several were read.
         log: Option<String>,
-        /// What the model leaves of the torques (root mean square, joints weighing alike) as
-        /// recorded and so read, percent.
+        /// Residual torques (root mean square, joints weighing alike) as recorded and with this
+        /// reading, percent.
         percent: [f64; 2],
     },
     /// A segment shorter than what the filter needs; left out.
@@ -254,10 +254,9 @@ pub enum Kind {
     },
     /// Logs that contradict each other.
     Disagree {
-        /// What they leave when fitted together, in what they leave when each is fitted alone (root
-        /// mean square).
+        /// Residual of a common fit, relative to that of separate fits (root mean square).
         times: f64,
-        /// The log that is most at odds with the others, where that can be told.
+        /// The log that disagrees most with the others, if it can be identified.
         worst: Option<String>,
     },
     /// Torques that are motor currents times gains.
@@ -287,7 +286,7 @@ pub enum Kind {
 /// Something about a log, with its place.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
-    /// What.
+    /// The finding.
     pub kind: Kind,
     /// How much it weighs, given what the user allowed.
     pub severity: Severity,
@@ -323,7 +322,7 @@ impl Finding {
         })
     }
 
-    /// What was found, without the place.
+    /// The finding, without the place.
     pub fn what(&self) -> String {
         let times = if self.count > 1 { format!(", {} times", self.count) } else { String::new() };
         match &self.kind {
@@ -376,13 +375,13 @@ impl Finding {
             Kind::FittedBefore { path } => format!(
                 "this log was fitted when the robot file was made (as {path}): the file's figures on it are no validation"
             ),
-            Kind::Standstill => "no joint moves: nothing but gravity in this posture can be told".into(),
+            Kind::Standstill => "no joint moves: only gravity in this posture can be determined".into(),
             Kind::TooFew { samples } => format!("only {samples} samples"),
             Kind::VeryLong { samples } => format!("{samples} samples"),
         }
     }
 
-    /// What to do about it; empty where nothing is to be done.
+    /// Advice; empty where nothing is to be done.
     pub fn advice(&self) -> String {
         let mend = match &self.kind {
             Kind::UnknownColumns { .. } => "rename them if they are meant",

@@ -1,7 +1,7 @@
 //! Recognises the samples of a log in another one, whatever the files look like.
 //!
-//! A row is hashed as it was measured: positions and torques, not time. Of each log the rows with
-//! the smallest hashes are kept (Broder 1997, min-wise sampling), so that two logs choose the same
+//! A row is hashed by its measurements: positions and torques, not time. Of each log the rows with
+//! the smallest hashes are kept (Broder 1997, min-wise sampling). Two logs thus choose the same
 //! rows wherever they share some, and memory is bounded. Order of columns, format, compression,
 //! shifted time stamps and rows left out between make no difference. A copy with fewer digits is
 //! recognised by [`super::rounded`].
@@ -53,7 +53,7 @@ pub struct Fingerprint {
     rounded: Rounded,
 }
 
-/// What two logs have in common.
+/// Common rows of two logs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Common {
     /// The same samples, all of them, in the same order.
@@ -71,8 +71,14 @@ impl Fingerprint {
         (self.span[1] - self.span[0]).max(0.0)
     }
 
-    /// What this log and another one have in common; `None` where nothing is, or nothing worth a
-    /// word.
+    /// Keeps so many rows at most, in so much memory; stretches that are shorter are then overlooked.
+    pub fn shrink(&mut self, rows: usize) {
+        self.thin(rows.min(MOST_ROWS));
+        self.kept.shrink_to_fit();
+        self.rounded.shrink(rows / (MOST_ROWS / super::rounded::MOST_ROWS));
+    }
+
+    /// Common rows of this log and another one; `None` if there are none, or too few to mention.
     ///
     /// A stretch counts where at least 20 kept rows, one after the other, stand in the other log in
     /// the same order. Rows at rest that are equal count as one: an arm that stands still resembles
@@ -163,20 +169,19 @@ impl<'a> Fingerprinted<'a> {
     /// Of all that was read.
     pub fn finish(mut self) -> Fingerprint {
         self.print.digest = self.all.finish();
-        self.print.thin();
-        self.print.rounded.finish();
+        self.print.shrink(MOST_ROWS);
         self.print
     }
 }
 
 impl Fingerprint {
     /// Keeps the rows with the smallest hashes, each once.
-    fn thin(&mut self) {
+    fn thin(&mut self, most: usize) {
         self.kept.sort_unstable_by_key(|row| (row.hash, row.index));
         self.kept.dedup_by_key(|row| row.hash);
-        if self.kept.len() > MOST_ROWS {
-            self.kept.truncate(MOST_ROWS);
-            self.limit = self.kept[MOST_ROWS - 1].hash;
+        if self.kept.len() > most {
+            self.kept.truncate(most);
+            self.limit = self.kept.last().map_or(0, |row| row.hash);
         }
     }
 }
@@ -206,7 +211,7 @@ impl Source for Fingerprinted<'_> {
             if hash <= print.limit {
                 print.kept.push(Row { hash, index: print.rows, time });
                 if print.kept.len() >= 2 * MOST_ROWS {
-                    print.thin();
+                    print.thin(MOST_ROWS);
                 }
             }
             print.rounded.push(print.rows, time, &positions, &torques);

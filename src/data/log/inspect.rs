@@ -1,4 +1,4 @@
-//! What a file holds, channel by channel, and which mapping that suggests.
+//! Lists a file channel by channel, and proposes a mapping.
 
 use super::{Block, Channel, LogError, Mapping, Quantity, Role, SourceJoint, Table, unit};
 
@@ -123,7 +123,7 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
-/// What the words of a channel's name say that it is.
+/// Role suggested by the words of a channel's name.
 fn quantity(words: &[String]) -> Option<Quantity> {
     let has = |list: &[&str]| words.iter().any(|w| list.contains(&w.as_str()));
     if has(&["temp", "temperature"]) {
@@ -171,7 +171,7 @@ pub struct Proposal {
     pub mapping: Mapping,
     /// For each of its columns, why, and what else it may be.
     pub reasons: Vec<String>,
-    /// What was not found.
+    /// Missing channels.
     pub missing: Vec<String>,
 }
 

@@ -1,11 +1,11 @@
-//! What a log says against what the robot file says the robot can do.
+//! Compares a log with the limits of the robot file.
 
 use super::Finding;
 use super::Kind;
 use super::Reached;
 use super::Severity;
 
-/// What a joint can do; infinite where the file does not say.
+/// Limits of a joint; infinite where the file has none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
     /// Least and largest position, rad or m.

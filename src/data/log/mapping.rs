@@ -1,4 +1,6 @@
-//! Which channel of a file is which column of the contract, and in what unit.
+//! Maps channels of a file to the columns of the log format, with their units.
+
+pub use dh_codegen::robot::{LogChannel as Channel, LogMapping as Mapping};
 
 use super::{Layout, LogError, Role, unit};
 
@@ -13,34 +15,10 @@ pub struct SourceJoint {
     pub offset: f64,
 }
 
-/// A channel: its name in the file, and its way to SI: `value * scale + offset`.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Channel {
-    /// Name in the file. `{joint}`, `{number}` and `{index}` stand for the joint's name, its number
-    /// from 1 and its number from 0.
-    pub name: String,
-    /// Unit of the file; `None`: SI.
-    pub unit: Option<String>,
-    /// Factor after the unit: one number, or one for each joint. Empty: 1.
-    pub gain: Vec<f64>,
-    /// Offset after the factor, in SI. Empty: 0.
-    pub offset: Vec<f64>,
-}
-
-/// A mapping of channels to columns of the contract.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Mapping {
-    /// Column (`t`, `q1`, or `q*` for all joints), and its channel.
-    pub columns: Vec<(String, Channel)>,
-    /// Rows are stamped with the time at which a recorder received them, not with the stamp that
-    /// a message carries.
-    pub arrival: bool,
-}
-
 /// How the columns of a log are read.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Reading {
-    /// Channels to columns; `None`: columns have the contract's names, or the joints'.
+    /// Channels to columns; `None`: columns have the format's names, or the joints'.
     pub mapping: Option<Mapping>,
     /// The moving joints of the robot, base to tip; empty: not known.
     pub joints: Vec<SourceJoint>,
@@ -79,7 +57,7 @@ impl Reading {
         Ok((layout, conversions))
     }
 
-    /// Columns by the contract's names, with a unit in brackets or without; by the joints' names
+    /// Columns by the format's names, with a unit in brackets or without; by the joints' names
     /// (`q_elbow`), and by the channels of a bag (`/joint_states/position/elbow`).
     fn named(&self, file: &str, names: &[&str]) -> Result<Vec<Used>, LogError> {
         let mut used = Vec::new();

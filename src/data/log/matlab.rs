@@ -45,7 +45,7 @@ struct MatReader {
     left: usize,
 }
 
-/// A data element: its type, its bytes, and what stands behind it.
+/// A data element: its type, its bytes, and the bytes after it.
 type Element<'a> = (u32, &'a [u8], &'a [u8]);
 
 impl MatReader {
@@ -175,4 +175,4 @@ impl MatReader {
 }
 
 const TOO_LARGE: &str =
-    "there are more numbers than are taken into memory (25 million in all); write Parquet in place of it";
+    "there are more numbers than are taken into memory (8 million in all); write Parquet in place of it";

@@ -76,13 +76,14 @@ fn read(mut input: impl Read, name: &str, most: usize) -> Result<Option<Array>, 
     let count = rows
         .checked_mul(columns)
         .filter(|n| *n <= most)
-        .ok_or("there are more numbers than are taken into memory (25 million in all); write Parquet in place of it")?;
-    let mut bytes = Vec::new();
-    input.take((count * number.size) as u64).read_to_end(&mut bytes).map_err(|e| e.to_string())?;
-    if bytes.len() != count * number.size {
-        return Err("it ends before its last number".into());
+        .ok_or("there are more numbers than are taken into memory (8 million in all); write Parquet in place of it")?;
+    let mut input = std::io::BufReader::new(input);
+    let (mut plain, mut bytes) = (Vec::new(), [0; 8]);
+    for _ in 0..count {
+        let bytes = &mut bytes[..number.size];
+        input.read_exact(bytes).map_err(|_| "it ends before its last number")?;
+        plain.push(number.read(bytes));
     }
-    let plain: Vec<f64> = bytes.chunks_exact(number.size).map(|c| number.read(c)).collect();
     let values = if fortran && columns > 1 {
         (0..count).map(|i| plain[(i % columns) * rows + i / columns]).collect()
     } else {

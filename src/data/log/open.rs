@@ -1,6 +1,8 @@
-//! Which reader a log needs, seen from its first bytes.
+//! Chooses the reader of a log by its first bytes.
 
 use std::io::{Cursor, Read};
+
+use ::parquet::file::reader::ChunkReader;
 
 use super::LogError;
 use super::Reading;
@@ -28,6 +30,8 @@ pub enum Format {
     Npz,
     /// Variables of MATLAB, version 5 to 7.
     Mat,
+    /// Recording of ROS 2 in SQLite.
+    Sqlite,
     /// Something that is known and not read, with what to do about it.
     Foreign(&'static str),
 }
@@ -47,9 +51,10 @@ impl Format {
             _ if magic.starts_with(b"\x93NUMPY") => Self::Foreign(
                 "this is one NumPy array without names; save the columns by name with `np.savez('x.npz', t=t, q=q, tau=tau)`",
             ),
-            _ if magic.starts_with(b"SQLite format 3") => Self::Foreign(
-                "this is an SQLite recording of ROS 2, which is not read; turn it into MCAP with `ros2 bag convert`",
-            ),
+            _ if magic.starts_with(b"SQLite format 3") => Self::Sqlite,
+            _ if magic.starts_with(b"\x28\xb5\x2f\xfd") => {
+                Self::Foreign("this is packed with zstd; unpack it with `zstd -d`")
+            }
             _ if magic.starts_with(b"#ROSBAG") => Self::Foreign(
                 "this is a recording of ROS 1, which is not read; turn it into MCAP with `rosbags-convert`",
             ),
@@ -61,8 +66,20 @@ impl Format {
     }
 }
 
+/// What to do with an SQLite recording.
+const SQLITE: &str = if cfg!(feature = "rosbag2") {
+    "an SQLite recording of ROS 2 is read from its file, not through a pipe; name the file"
+} else {
+    "this is an SQLite recording of ROS 2, which this build does not read; build it with `cargo install --path . --features rosbag2`, \
+     or turn the recording into MCAP with `ros2 bag convert`"
+};
+
+/// Bytes of a file that is taken into memory at most.
+const MOST_BYTES: u64 = 64 << 20;
+
 /// A log as a table: its columns by the names that the file gives them. `file` is its name for
-/// messages. CSV and MCAP are read as streams; the others are taken into memory compressed.
+/// messages. CSV and MCAP are read as streams; the others are taken into memory, up to 64 MiB.
+/// [`open_parquet`] reads Parquet of any length.
 ///
 /// # Errors
 /// Where the bytes can't be read, or are of a format that is not read.
@@ -76,14 +93,25 @@ pub fn open_table<'a, R: Read + 'a>(
     input.by_ref().take(16).read_to_end(&mut magic).map_err(failed)?;
     let format = Format::of(&magic);
     let mut whole = Cursor::new(magic).chain(input);
-    let mut bytes = || {
+    let mut read = || {
         let mut bytes = Vec::new();
-        whole.read_to_end(&mut bytes).map_err(failed).map(|_| bytes)
+        whole.by_ref().take(MOST_BYTES + 1).read_to_end(&mut bytes).map_err(failed)?;
+        if bytes.len() as u64 > MOST_BYTES {
+            let what = match format {
+                Format::Parquet => {
+                    "Parquet that comes through a pipe is taken into memory, up to 64 MiB; name its file"
+                }
+                _ => "a file of this kind is taken into memory, up to 64 MiB; write CSV or Parquet in its place",
+            };
+            return Err(LogError::Foreign { file: file.into(), what: what.into() });
+        }
+        Ok(bytes)
     };
     Ok(match format {
-        Format::Parquet => Box::new(ParquetTable::new(file, bytes()?.into())?),
-        Format::Npz => Box::new(NpzTable::new(file, bytes()?)?),
-        Format::Mat => Box::new(MatTable::new(file, &bytes()?)?),
+        Format::Parquet => Box::new(ParquetTable::new(file, bytes::Bytes::from(read()?))?),
+        Format::Npz => Box::new(NpzTable::new(file, read()?)?),
+        Format::Mat => Box::new(MatTable::new(file, &read()?)?),
+        Format::Sqlite => return Err(LogError::Foreign { file: file.into(), what: SQLITE.into() }),
         Format::Foreign(what) => return Err(LogError::Foreign { file: file.into(), what: what.into() }),
         Format::Csv => Box::new(CsvTable::new(file, whole)?),
         Format::CsvGz => Box::new(CsvTable::new(file, flate2::read::MultiGzDecoder::new(whole))?),
@@ -94,7 +122,42 @@ pub fn open_table<'a, R: Read + 'a>(
     })
 }
 
-/// A reader for a log in any of the formats, whose columns have the contract's names.
+/// A Parquet log as a table, read by seeking.
+///
+/// # Errors
+/// Where the bytes can't be read.
+pub fn open_parquet<C: ChunkReader + 'static>(file: &str, chunks: C) -> Result<Box<dyn Table>, LogError> {
+    Ok(Box::new(ParquetTable::new(file, chunks)?))
+}
+
+/// A recording of ROS 2 in SQLite as a table.
+///
+/// # Errors
+/// Where the tables are not those of rosbag2, or have no message with numbers.
+#[cfg(feature = "rosbag2")]
+pub fn open_sqlite(
+    file: &str,
+    connection: rusqlite::Connection,
+    reading: &Reading,
+) -> Result<Box<dyn Table>, LogError> {
+    let failed = |e: rusqlite::Error| {
+        let what = format!("its tables are not those of rosbag2: {e}");
+        LogError::Format { file: file.into(), format: "SQLite", what }
+    };
+    let messages = super::ros::SqliteMessages::new(connection).map_err(failed)?;
+    let arrival = reading.mapping.as_ref().is_some_and(|m| m.arrival);
+    Ok(Box::new(Recording::new(file, "SQLite", messages, arrival)?))
+}
+
+/// The rows of a table in the roles that joints' names and mapping give them.
+///
+/// # Errors
+/// Where a column that must be there is not.
+pub fn source<'a>(file: &str, table: Box<dyn Table + 'a>, reading: &Reading) -> Result<Box<dyn Source + 'a>, LogError> {
+    Ok(Box::new(MappedTable::new(file, table, reading)?))
+}
+
+/// A reader for a log in any of the formats, whose columns have the log format's names.
 ///
 /// # Errors
 /// As [`open_with`].
@@ -107,6 +170,5 @@ pub fn open<'a, R: Read + 'a>(file: &str, input: R) -> Result<Box<dyn Source + '
 /// # Errors
 /// Where the bytes can't be read, or a column that must be there is not.
 pub fn open_with<'a, R: Read + 'a>(file: &str, input: R, reading: &Reading) -> Result<Box<dyn Source + 'a>, LogError> {
-    let table = open_table(file, input, reading)?;
-    Ok(Box::new(MappedTable::new(file, table, reading)?))
+    source(file, open_table(file, input, reading)?, reading)
 }

@@ -2,24 +2,23 @@
 
 use std::sync::Arc;
 
+use super::BadCell;
+use super::Block;
+use super::Layout;
+use super::Log;
+use super::LogError;
+use super::Table;
 use ::parquet::{
     column::reader::{ColumnReader, ColumnReaderImpl},
     data_type::{DataType, DoubleType, FloatType, Int32Type, Int64Type},
     errors::ParquetError,
     file::{
         properties::WriterProperties,
-        reader::{FileReader, SerializedFileReader},
+        reader::{ChunkReader, FileReader, SerializedFileReader},
         writer::SerializedFileWriter,
     },
     schema::parser::parse_message_type,
 };
-use bytes::Bytes;
-
-use super::BadCell;
-use super::Block;
-use super::Log;
-use super::LogError;
-use super::Table;
 
 /// A column of the file: numbers, or lists of numbers that are as long in every row.
 struct Leaf {
@@ -32,9 +31,9 @@ struct Leaf {
 
 /// A Parquet file that is read row group by row group, a block of rows at a time. A column of lists
 /// is as many columns as its first list is long: `state[0]`, `state[1]`, ..
-pub struct ParquetTable {
+pub struct ParquetTable<C: ChunkReader + 'static> {
     file: String,
-    reader: SerializedFileReader<Bytes>,
+    reader: SerializedFileReader<C>,
     leaves: Vec<Leaf>,
     names: Vec<String>,
     /// Leaf and element of each name.
@@ -48,13 +47,20 @@ pub struct ParquetTable {
     row: u64,
 }
 
-impl ParquetTable {
+impl<C: ChunkReader + 'static> ParquetTable<C> {
     /// Reads the schema.
     ///
     /// # Errors
-    /// Where it is no Parquet file, or has no columns.
-    pub fn new(file: &str, bytes: Bytes) -> Result<Self, LogError> {
-        let reader = SerializedFileReader::new(bytes).map_err(|e| failed(file, e))?;
+    /// Where it is no Parquet file, has no columns, or claims more rows than it can hold.
+    pub fn new(file: &str, chunks: C) -> Result<Self, LogError> {
+        let bytes = chunks.len();
+        let reader = SerializedFileReader::new(chunks).map_err(|e| failed(file, e))?;
+        let rows = reader.metadata().file_metadata().num_rows();
+        // A column that changes takes more than a sixteenth of a byte for a row.
+        if u64::try_from(rows).map_or(true, |rows| rows > LEAST_ROWS + 16 * bytes) {
+            let what = format!("it claims {rows} rows in {bytes} bytes, and no recording packs that well");
+            return Err(LogError::Parquet { file: file.into(), what });
+        }
         let schema = reader.metadata().file_metadata().schema_descr_ptr();
         let mut table = Self {
             file: file.into(),
@@ -163,7 +169,7 @@ impl ParquetTable {
     }
 }
 
-impl Table for ParquetTable {
+impl<C: ChunkReader + 'static> Table for ParquetTable<C> {
     fn names(&self) -> &[String] {
         &self.names
     }
@@ -206,6 +212,9 @@ impl Table for ParquetTable {
         Ok(())
     }
 }
+
+/// Rows that a file of any size may have.
+const LEAST_ROWS: u64 = 1 << 20;
 
 /// Longest list whose elements are columns.
 const LONGEST_LIST: usize = 128;
@@ -317,24 +326,81 @@ fn failed(file: &str, error: ParquetError) -> LogError {
     LogError::Parquet { file: file.into(), what: error.to_string() }
 }
 
-/// Writes a log as a Parquet file of doubles, one row group.
+/// Writes a log as a Parquet file of doubles.
+///
+/// # Errors
+/// What the target says.
 pub fn write<W: std::io::Write + Send>(log: &Log, out: W) -> Result<(), LogError> {
-    let file = log.layout.file.as_str();
-    let fields: String = log.layout.roles.iter().map(|r| format!("REQUIRED DOUBLE {};", r.name())).collect();
-    let schema = Arc::new(parse_message_type(&format!("message log {{ {fields} }}")).map_err(|e| failed(file, e))?);
-    let properties = WriterProperties::builder().set_compression(::parquet::basic::Compression::SNAPPY).build();
-    let put = || -> Result<(), ParquetError> {
-        let mut writer = SerializedFileWriter::new(out, schema, Arc::new(properties))?;
-        let mut group = writer.next_row_group()?;
-        for column in &log.columns {
-            if let Some(mut target) = group.next_column()? {
-                target.typed::<DoubleType>().write_batch(column, None, None)?;
-                target.close()?;
-            }
+    let mut writer = ParquetWriter::new(&log.layout, out)?;
+    writer.rows(&log.columns)?;
+    writer.finish()
+}
+
+/// Rows of a row group: some MB.
+const GROUP: usize = 1 << 15;
+
+/// Writes rows as a Parquet file of doubles as they come.
+pub struct ParquetWriter<W: std::io::Write + Send> {
+    file: String,
+    writer: SerializedFileWriter<W>,
+    /// Rows of the next group.
+    group: Vec<Vec<f64>>,
+}
+
+impl<W: std::io::Write + Send> ParquetWriter<W> {
+    /// Begins the file.
+    ///
+    /// # Errors
+    /// What the target says.
+    pub fn new(layout: &Layout, out: W) -> Result<Self, LogError> {
+        let file = layout.file.clone();
+        let fields: String = layout.roles.iter().map(|r| format!("REQUIRED DOUBLE {};", r.name())).collect();
+        let schema =
+            Arc::new(parse_message_type(&format!("message log {{ {fields} }}")).map_err(|e| failed(&file, e))?);
+        let properties = WriterProperties::builder().set_compression(::parquet::basic::Compression::SNAPPY).build();
+        let writer = SerializedFileWriter::new(out, schema, Arc::new(properties)).map_err(|e| failed(&file, e))?;
+        Ok(Self { file, writer, group: vec![Vec::new(); layout.roles.len()] })
+    }
+
+    /// Writes rows: one vector per column.
+    ///
+    /// # Errors
+    /// What the target says.
+    pub fn rows(&mut self, columns: &[Vec<f64>]) -> Result<(), LogError> {
+        for (to, from) in self.group.iter_mut().zip(columns) {
+            to.extend_from_slice(from);
         }
-        group.close()?;
-        writer.close()?;
+        while self.group.first().is_some_and(|column| column.len() >= GROUP) {
+            self.write_group(GROUP)?;
+        }
         Ok(())
-    };
-    put().map_err(|e| failed(file, e))
+    }
+
+    /// Writes what is still held, and the end of the file.
+    ///
+    /// # Errors
+    /// What the target says.
+    pub fn finish(mut self) -> Result<(), LogError> {
+        let left = self.group.first().map_or(0, Vec::len);
+        if left > 0 {
+            self.write_group(left)?;
+        }
+        let Self { file, writer, .. } = self;
+        writer.close().map(|_| ()).map_err(|e| failed(&file, e))
+    }
+
+    fn write_group(&mut self, rows: usize) -> Result<(), LogError> {
+        let mut put = || -> Result<(), ParquetError> {
+            let mut group = self.writer.next_row_group()?;
+            for column in &mut self.group {
+                if let Some(mut target) = group.next_column()? {
+                    target.typed::<DoubleType>().write_batch(&column[..rows], None, None)?;
+                    target.close()?;
+                }
+                column.drain(..rows);
+            }
+            group.close().map(|_| ())
+        };
+        put().map_err(|e| failed(&self.file, e))
+    }
 }

@@ -19,7 +19,7 @@ pub struct Reached {
     pub range: [f64; 2],
 }
 
-/// What becomes of a row.
+/// Outcome for a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     /// Used; continues the segment.
@@ -383,9 +383,9 @@ impl Channel {
             return;
         } else {
             let change = value - self.last;
-            // Frozen: it was moving, stood for 10 samples or more, and made up for it with one jump
-            // in the same direction. A torque is frozen only while its joint moves: that of a joint
-            // at rest may be one number, and changes with the first motion.
+            // Stuck: it was moving, stood for 10 samples or more, and caught up with one jump in
+            // the same direction. A torque counts as stuck only while its joint moves: that of a
+            // joint at rest may be constant, and changes with the first motion.
             let usual = self.moved / self.moves.max(1) as f64;
             let jumps = change.abs() > 5.0 * self.before_stay.abs().max(usual);
             let moving = self.before_stay.abs() > 0.2 * usual && change * self.before_stay > 0.0;

@@ -15,8 +15,8 @@ const PLACES: [usize; 7] = [1, 2, 3, 4, 5, 6, 7];
 const CELL: usize = 2;
 /// Significant digits that are tried.
 const DIGITS: [usize; 6] = [3, 4, 5, 6, 7, 8];
-/// Most rows that are kept at each precision: 3 MB in all.
-const MOST_ROWS: usize = 1 << 12;
+/// Most rows that are kept at each precision: 5 MB in all.
+pub(super) const MOST_ROWS: usize = 1 << 12;
 /// Rows of one log that must be found in the other, in order, with at most [`MISSES`] between.
 const SHORTEST_RUN: usize = 20;
 /// Ties are rounded this way by one program and that way by another.
@@ -50,17 +50,17 @@ impl Rows {
         if row.hash <= self.limit {
             self.kept.push(row);
             if self.kept.len() >= 2 * MOST_ROWS {
-                self.thin();
+                self.thin(MOST_ROWS);
             }
         }
     }
 
-    fn thin(&mut self) {
+    fn thin(&mut self, most: usize) {
         self.kept.sort_unstable_by_key(|row| (row.hash, row.index));
         self.kept.dedup_by_key(|row| row.hash);
-        if self.kept.len() > MOST_ROWS {
-            self.kept.truncate(MOST_ROWS);
-            self.limit = self.kept[MOST_ROWS - 1].hash;
+        if self.kept.len() > most {
+            self.kept.truncate(most);
+            self.limit = self.kept.last().map_or(0, |row| row.hash);
         }
     }
 
@@ -163,8 +163,12 @@ impl Rounded {
         self.own[2] = (self.own[2]..DIGITS.len()).find(exact).unwrap_or(DIGITS.len());
     }
 
-    pub(super) fn finish(&mut self) {
-        self.places.iter_mut().chain(&mut self.digits).for_each(Rows::thin);
+    /// Keeps so many rows of each precision at most.
+    pub(super) fn shrink(&mut self, most: usize) {
+        for rows in self.places.iter_mut().chain(&mut self.digits) {
+            rows.thin(most.min(MOST_ROWS));
+            rows.kept.shrink_to_fit();
+        }
     }
 
     /// Seconds that both logs share where the one with more digits is rounded as the other is.
@@ -190,7 +194,7 @@ fn hashed(values: &[f64], round: impl Fn(f64) -> f64) -> u64 {
     hasher.finish()
 }
 
-/// Whether rounding leaves the value as it is, up to single precision.
+/// Whether rounding does not change the value, up to single precision.
 fn is_rounded(x: f64, round: impl Fn(f64) -> f64) -> bool {
     x.is_nan() || (round(x) as f32) == (x as f32)
 }
@@ -202,7 +206,7 @@ fn to_places(x: f64, places: usize) -> f64 {
     if !scaled.is_finite() || scaled.abs() > 1e15 {
         return x;
     }
-    // Beside a tie only the exact decimals of the number tell.
+    // Beside a tie only the exact decimals of the number decide.
     let tie = ((scaled.abs().fract()) - 0.5).abs() < 1e-6;
     let rounded = match tie.then(|| format!("{x:.places$}").parse::<f64>()) {
         Some(Ok(printed)) => (printed * scale).round(),

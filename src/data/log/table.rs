@@ -65,7 +65,7 @@ impl<T: Table + ?Sized> Table for Box<T> {
     }
 }
 
-/// A table whose columns have roles, in the units of the contract.
+/// A table whose columns have roles, in SI units.
 pub struct MappedTable<T> {
     layout: Layout,
     table: T,

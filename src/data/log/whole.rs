@@ -11,7 +11,7 @@ use super::Role;
 use super::Source;
 use super::Verdict;
 
-/// Rows that passed the doctor, in segments.
+/// Rows that passed the quality check, in segments.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Log {
     /// The columns.
@@ -20,7 +20,7 @@ pub struct Log {
     pub columns: Vec<Vec<f64>>,
     /// First row of each segment.
     pub starts: Vec<usize>,
-    /// What the doctor found.
+    /// Findings of the quality check.
     pub findings: Vec<Finding>,
 }
 
@@ -28,29 +28,14 @@ impl Log {
     /// Reads all of it.
     pub fn read(source: &mut dyn Source, torque: Quantity, keep: Acceptance) -> Result<Self, LogError> {
         let layout = source.layout().clone();
-        let mut doctor = QualityCheck::new(&layout, torque, keep);
-        let mut columns: Vec<Vec<f64>> = vec![Vec::new(); layout.roles.len()];
-        let (mut block, mut verdicts, mut starts) = (Block::default(), Vec::new(), Vec::new());
-        loop {
-            source.next_block(8192, &mut block)?;
-            if block.is_empty() {
-                break;
-            }
-            doctor.admit(&block, &mut verdicts);
-            for (row, verdict) in verdicts.iter().enumerate().filter(|(_, v)| **v != Verdict::Drop) {
-                if *verdict == Verdict::Start {
-                    starts.push(columns.first().map_or(0, Vec::len));
-                }
-                for (to, from) in columns.iter_mut().zip(&block.columns) {
-                    to.push(from[row]);
-                }
-            }
-        }
-        let findings = doctor.finish();
-        if findings.iter().any(Finding::is_fatal) {
-            return Err(LogError::Rejected { file: layout.file, findings });
-        }
-        Ok(Self { layout, columns, starts, findings })
+        let (mut columns, mut starts) = (vec![Vec::new(); layout.roles.len()], Vec::new());
+        let passed = each_block(source, torque, keep, |rows, starting| {
+            let before = columns.first().map_or(0, Vec::len);
+            starts.extend(starting.iter().map(|row| before + row));
+            columns.iter_mut().zip(rows).for_each(|(to, from)| to.extend_from_slice(from));
+            Ok::<(), LogError>(())
+        })?;
+        Ok(Self { layout, columns, starts, findings: passed.findings })
     }
 
     /// Number of rows.
@@ -72,4 +57,57 @@ impl Log {
     pub fn joint(&self, quantity: Quantity, joint: usize) -> Option<&[f64]> {
         self.column(Role::Joint(quantity, joint))
     }
+}
+
+/// A log that went by.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Passed {
+    /// The columns.
+    pub layout: Layout,
+    /// Rows that passed.
+    pub rows: usize,
+    /// Segments.
+    pub segments: usize,
+    /// What the doctor found.
+    pub findings: Vec<Finding>,
+}
+
+/// Hands on the rows that pass the doctor, a block at a time: one vector per column, and the rows
+/// of the block that begin a segment. A log that is refused is so after its last row.
+///
+/// # Errors
+/// Where the log can't be used, and those of `sink`.
+pub fn each_block<E: From<LogError>>(
+    source: &mut dyn Source,
+    torque: Quantity,
+    keep: Acceptance,
+    mut sink: impl FnMut(&[Vec<f64>], &[usize]) -> Result<(), E>,
+) -> Result<Passed, E> {
+    let layout = source.layout().clone();
+    let mut doctor = QualityCheck::new(&layout, torque, keep);
+    let (mut block, mut verdicts) = (Block::default(), Vec::new());
+    let (mut rows, mut segments) = (0, 0);
+    loop {
+        source.next_block(8192, &mut block)?;
+        if block.is_empty() {
+            break;
+        }
+        doctor.admit(&block, &mut verdicts);
+        let mut starts = Vec::new();
+        let mut columns: Vec<Vec<f64>> = vec![Vec::new(); layout.roles.len()];
+        for (row, verdict) in verdicts.iter().enumerate().filter(|(_, v)| **v != Verdict::Drop) {
+            if *verdict == Verdict::Start {
+                starts.push(columns.first().map_or(0, Vec::len));
+            }
+            columns.iter_mut().zip(&block.columns).for_each(|(to, from)| to.push(from[row]));
+        }
+        rows += columns.first().map_or(0, Vec::len);
+        segments += starts.len();
+        sink(&columns, &starts)?;
+    }
+    let findings = doctor.finish();
+    if findings.iter().any(Finding::is_fatal) {
+        return Err(LogError::Rejected { file: layout.file, findings }.into());
+    }
+    Ok(Passed { layout, rows, segments, findings })
 }

@@ -1,5 +1,5 @@
-//! What a low-pass, and the bursts that it let through, made of recorded positions: for treating
-//! what is computed in the same way.
+//! Effect of a low-pass, and of the bursts that it let through, on recorded positions: for treating
+//! computed series in the same way.
 
 use super::Filter;
 use super::low_pass;
@@ -28,12 +28,12 @@ impl Band {
         Self { narrow: self.narrow.get(joint).copied().into_iter().collect(), wide: self.wide, share }
     }
 
-    /// What it makes of a series of joint `joint` at even samples: the series, its derivative (1/s)
-    /// and its second (1/s^2).
+    /// Effect on a series of joint `joint` at even samples: the series, its derivative (1/s) and
+    /// its second (1/s^2).
     pub fn seen(&self, joint: usize, x: &[f64], period: f64) -> [Vec<f64>; 3] {
         let through = |filter: Filter| {
             let mut y = x.to_vec();
-            // A series that is shorter than the filter remembers is as well left alone.
+            // A series that is shorter than the filter's memory is left alone.
             if let Ok(sos) = low_pass(filter.order, filter.cutoff, period.recip()) {
                 let pad = (1.0 / (period * filter.cutoff)).ceil() as usize;
                 sos.forward_backward(&mut y, pad.max(sos.scipy_padding()));

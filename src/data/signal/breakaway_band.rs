@@ -2,13 +2,14 @@
 //!
 //! A joint that stops at a reversal and breaks away moves, for some hundredths of a second, far
 //! above the band of the motion that was asked for. A low-pass takes that out of the acceleration
-//! while the torque keeps it, and the difference is nobody's error. All of the higher band all the
-//! time would be mostly noise. So a burst is what noise would do once in twenty logs: the power of
-//! the acceleration in the band between, averaged over its neighbours, is then like chi-squared in
-//! twice as many degrees of freedom as bandwidth times averaging time (R. B. Blackman and J. W.
-//! Tukey 1958), about a median that bursts do not move. Around such a peak, as far as it rises out
-//! of the noise, each sample takes of the band the share `1 - N / P` (J. S. Lee, *Digital image
-//! enhancement and noise filtering by use of local statistics*, IEEE PAMI 2, 1980).
+//! while the torque keeps it, and the difference looks like an error. All of the higher band all
+//! the time would be mostly noise. So a burst exceeds the level that noise reaches once in twenty
+//! logs. The power of the acceleration in the band between, averaged over its neighbours, is then
+//! like chi-squared in twice as many degrees of freedom as bandwidth times averaging time (R. B.
+//! Blackman and J. W. Tukey 1958), about a median that bursts do not move. Around such a peak, as
+//! far as it rises out of the noise, each sample takes of the band the share `1 - N / P` (J. S.
+//! Lee, *Digital image enhancement and noise filtering by use of local statistics*, IEEE PAMI 2,
+//! 1980).
 
 use super::central;
 use super::central_second;
@@ -93,9 +94,9 @@ fn bandwidth([low, high]: [f64; 2]) -> f64 {
     whole * whole / ((high.powi(9) - low.powi(9)) / 9.0)
 }
 
-/// What chi-squared in `freedom` degrees exceeds with this probability (at most a half): by the
-/// normal distribution (E. B. Wilson and M. M. Hilferty 1931), whose own quantile is that of
-/// Abramowitz and Stegun, 26.2.23.
+/// Quantile of chi-squared in `freedom` degrees that is exceeded with this probability (at most a
+/// half): by the normal distribution (E. B. Wilson and M. M. Hilferty 1931), whose own quantile is
+/// that of Abramowitz and Stegun, 26.2.23.
 fn chi_squared(freedom: f64, probability: f64) -> f64 {
     let t = (-2.0 * probability.clamp(1e-300, 0.5).ln()).sqrt();
     let z =
@@ -129,9 +130,8 @@ mod tests {
     use super::*;
     use crate::numerics::prng::Random;
 
-    /// A joint that swings slowly, stands still for 40 ms and catches up: its acceleration comes
-    /// back where it breaks away, and the noise elsewhere stays as low as the lower cutoff leaves
-    /// it.
+    /// A joint swings slowly, stands still for 40 ms and catches up. Its acceleration comes back
+    /// where it breaks away, and the noise elsewhere stays at the level of the lower cutoff.
     #[test]
     fn a_break_away_is_seen_and_noise_is_not() {
         let (rate, n) = (500.0, 6000);
@@ -187,7 +187,7 @@ mod tests {
             };
             let (plain, mut both) = (filtered(15.0), filtered(15.0));
             both.let_through(&filtered(40.0), [15.0, 40.0], 1.0 / rate);
-            // Ends, which a filter knows from one side, are cut off later.
+            // Ends, where the filter has one side only, are cut off later.
             touched += usize::from(plain.ddq[100..n - 100] != both.ddq[100..n - 100]);
         }
         assert!(touched <= 4, "{touched} of 20");

@@ -4,13 +4,13 @@
 //! message's age. Every joint then shows `q_j(t_k + d_k) = q_j(t_k) + dq_j d_k`: an error along its
 //! own velocity, with one `d_k` for all. Encoders do not err alike, and nothing mechanical moves a
 //! whole arm to and fro along its path at a quarter of the sampling rate and above. So the clock is
-//! tried there: `d_k` by least squares over the joints, each weighted by what is left of it, and
-//! taken only where it explains several times what any common unknown would. Then the band is
-//! opened downwards as long as nothing is left but noise: where motion begins, joints differ.
+//! tried there: `d_k` by least squares over the joints, each weighted by its residual. It is taken
+//! only where it explains several times the variance of any common unknown. Then the band is opened
+//! downwards as long as nothing is left but noise: where motion begins, joints differ.
 //!
-//! Joints that keep step all the way, as in a synchronised move from one pose to another, move along
-//! one line: `q = q_0 + s(t) c`. There an error of the time and a motion along the line are the same
-//! numbers, and stamps stay as they are.
+//! Joints that keep step all the way, as in a synchronised move from one pose to another, move
+//! along one line: `q = q_0 + s(t) c`. There an error of the time and a motion along the line are
+//! indistinguishable, and stamps are not changed.
 
 use nalgebra::DMatrix;
 
@@ -28,11 +28,11 @@ const STEPS: usize = 4;
 /// By how much the density of what is left may grow above that of the highest band, until it is
 /// taken for motion.
 const NOISE: f64 = 2.0;
-/// By how much the mean square of the shifts may grow above that of the highest band: where all
+/// Factor by which the mean square of the shifts may grow above that of the highest band. Where all
 /// joints keep step, their motion too looks like a shift in time, and a large one.
 const SPREAD: f64 = 6.0;
-/// Share of the velocities' mean square, each joint's in units of its noise, that must lie off their
-/// main direction.
+/// Share of the velocities' mean square, each joint's in units of its noise, that must lie off
+/// their main direction.
 const OFF_LINE: f64 = 0.1;
 /// Cutoffs, as shares of the sampling rate, from which on the clock is looked at.
 const BANDS: [f64; 6] = [0.25, 0.18, 0.13, 0.09, 0.065, 0.045];
@@ -40,19 +40,19 @@ const BANDS: [f64; 6] = [0.25, 0.18, 0.13, 0.09, 0.065, 0.045];
 const ORDER: usize = 4;
 /// Fewest rows that say anything of a clock.
 const FEWEST: usize = 128;
-/// Speeds below this share of a joint's largest do not tell a joint that moves.
+/// Speeds below this share of a joint's largest do not count as motion.
 const MOVES: f64 = 1e-3;
 /// Least step of a corrected clock, in periods: rows do not change their order.
 const ORDERED: f64 = 0.02;
 
-/// What was found of a clock.
+/// Findings about a clock.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Times {
     /// Time of each row, s.
     pub at: Vec<f64>,
     /// Root mean square of the correction, s.
     pub rms: f64,
-    /// Standard deviation of what is not known of the times, s.
+    /// Standard deviation of the remaining error of the times, s.
     pub left: f64,
     /// Standard deviation of the white noise that is left of each joint's positions, rad.
     pub noise: Vec<f64>,
@@ -116,7 +116,7 @@ pub(super) fn times(stamps: &[f64], q: &[&[f64]], period: f64) -> Option<Times> 
     (rms > LEAST * period).then_some(Times { at: kept, rms, left: open.sqrt(), noise })
 }
 
-/// What positions have above a cutoff, `band` of the sampling rate.
+/// Part of the positions above a cutoff, `band` of the sampling rate.
 fn above(at: &[f64], q: &[&[f64]], period: f64, band: f64) -> Option<Above> {
     let (start, end) = (*at.first()?, *at.last()?);
     let count = ((end - start) / period).ceil() as usize + 4;
@@ -169,32 +169,32 @@ fn shift(above: &Above) -> Option<Shift> {
         }
     }
     let evidence = taken / n as f64;
-    // A row in which nothing moves tells nothing: its shift is as large as shifts are, at most.
+    // A row without motion has no information: its shift is as large as shifts are, at most.
     let spread = usual(&by, &above.velocity, &weights, &moves);
     let mut open = 0.0;
     for (k, d) in by.iter_mut().enumerate() {
-        let told: f64 = moves.iter().map(|&j| weights[j] * above.velocity[j][k].powi(2)).sum();
-        *d *= told / (told + spread.recip());
-        open += (told + spread.recip()).recip() / n as f64;
+        let information: f64 = moves.iter().map(|&j| weights[j] * above.velocity[j][k].powi(2)).sum();
+        *d *= information / (information + spread.recip());
+        open += (information + spread.recip()).recip() / n as f64;
     }
     Some(Shift { by, left, open, evidence })
 }
 
-/// Variance of the shifts, s^2, what noise gives them taken off: by moments, each row weighted by
-/// what it tells.
+/// Variance of the shifts, s^2, without the contribution of noise: by moments, each row weighted by
+/// its information.
 fn usual(by: &[f64], velocity: &[Vec<f64>], weights: &[f64], moves: &[usize]) -> f64 {
     let (mut squares, mut noise, mut all) = (0.0, 0.0, 0.0);
     for (k, d) in by.iter().enumerate() {
-        let told: f64 = moves.iter().map(|&j| weights[j] * velocity[j][k].powi(2)).sum();
-        squares += told * told * d * d;
-        noise += told;
-        all += told * told;
+        let information: f64 = moves.iter().map(|&j| weights[j] * velocity[j][k].powi(2)).sum();
+        squares += information * information * d * d;
+        noise += information;
+        all += information * information;
     }
     ((squares - noise) / all.max(f64::MIN_POSITIVE)).max(f64::MIN_POSITIVE.sqrt())
 }
 
-/// Share of the velocities' mean square that lies off their main direction; `left`: variance of each
-/// joint's noise.
+/// Share of the velocities' mean square that lies off their main direction; `left`: variance of
+/// each joint's noise.
 fn off_line(velocity: &[Vec<f64>], left: &[f64]) -> f64 {
     let weighed: Vec<(&[f64], f64)> =
         velocity.iter().zip(left).filter(|(_, s)| **s > 0.0).map(|(v, s)| (v.as_slice(), s.sqrt())).collect();
@@ -256,7 +256,7 @@ mod tests {
             let squares: f64 = at.iter().zip(&truth).skip(50).take(1400).map(|(a, b)| (a - b).powi(2)).sum();
             (squares / 1400.0).sqrt()
         };
-        // What jitters as slowly as the joints move is not to be seen.
+        // Jitter as slow as the joints' motion is invisible.
         assert!(error(&times.at) < 0.6 * error(&stamps), "{} of {}", error(&times.at), error(&stamps));
         assert!((times.rms - error(&stamps)).abs() < 0.2 * error(&stamps), "{}", times.rms);
         assert!(times.noise.iter().all(|s| *s < 2e-3), "{:?}", times.noise);
@@ -275,7 +275,7 @@ mod tests {
         assert_eq!(times(&stamps, &q, PERIOD), None);
     }
 
-    /// A right clock stays as it is, whatever the encoders' noise.
+    /// A right clock is not changed, whatever the encoders' noise.
     #[test]
     fn a_right_clock_is_left_alone() {
         let stamps: Vec<f64> = (0..1500).map(|k| f64::from(k) * PERIOD).collect();

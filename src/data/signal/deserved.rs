@@ -1,20 +1,20 @@
 //! The band that a joint's positions deserve: the cutoff of the low-pass at which the error that is
 //! expected of its acceleration is least.
 //!
-//! What a low-pass of gain `H` makes of a position `x + n` errs by the noise that it lets through
-//! and by the motion that it takes: `e^2 = sum_w w^4 [ (1 - H)^2 S + H^2 N ]`, `S` the spectrum of
-//! the motion, `N` that of the encoder's noise. Only `P = S + N` is seen, and `N`, which is flat,
-//! where there is no motion; so `e^2 = sum_w w^4 [ (1 - H)^2 P + (2 H - 1) N ]` is estimated without
-//! bias (C. L. Mallows, *Some comments on C_p*, Technometrics 15, 1973; it is Wiener's criterion
-//! with the filter kept to Butterworth's). The cutoff is the best of a grid.
+//! A low-pass of gain `H` on a position `x + n` errs by the noise that it passes and by the motion
+//! that it removes. The error is `e^2 = sum_w w^4 [ (1 - H)^2 S + H^2 N ]`, `S` the spectrum of the
+//! motion, `N` that of the encoder's noise. Only `P = S + N` is seen, and `N`, which is flat, where
+//! there is no motion. So `e^2 = sum_w w^4 [ (1 - H)^2 P + (2 H - 1) N ]` is estimated without bias
+//! (C. L. Mallows, *Some comments on C_p*, Technometrics 15, 1973; it is Wiener's criterion with
+//! the filter kept to Butterworth's). The cutoff is the best of a grid.
 //!
-//! Why each joint may have its own. To first order the torque of joint `i` errs by `sum_j M_ij e_j`,
-//! `e_j` the error of joint `j`'s acceleration, and the encoders err independently: its variance is
-//! `sum_j M_ij^2 E[e_j^2]`. Every term is least for itself, so one choice per joint is the best for
-//! every row at once, whatever the mass matrix. Rows stay comparable if the torque's band is not
-//! below that of any joint: what a joint's own low-pass takes of the motion is then a residual that
-//! is orthogonal to what it leaves (an error of Berkson's kind), which widens deviations and biases
-//! nothing, while noise in a column would bias its parameter towards zero.
+//! Why each joint may have its own. To first order the torque of joint `i` errs by `sum_j M_ij
+//! e_j`, `e_j` the error of joint `j`'s acceleration, and the encoders err independently. Its
+//! variance is `sum_j M_ij^2 E[e_j^2]`. Every term is least for itself, so one choice per joint is
+//! the best for every row at once, whatever the mass matrix. Rows stay comparable if the torque's
+//! band is not below that of any joint. The part of the motion that a joint's own low-pass removes
+//! is then a residual orthogonal to the rest (an error of Berkson's kind). It widens deviations and
+//! biases nothing, while noise in a column would bias its parameter towards zero.
 
 use std::f64::consts::{PI, TAU};
 
@@ -35,18 +35,18 @@ const FLAT_BINS: usize = 24;
 const FLAT: f64 = 1.5;
 /// Fewest samples of which a spectrum says something.
 const FEWEST: usize = 64;
-/// Motion above this many times the highest cutoff is nobody's.
+/// No joint moves above this many times the highest cutoff.
 const BEYOND: f64 = 1.5;
-/// Standard deviations of a spectrum's chance that are no motion; how much Hann's window adds to its
-/// variance; and the share by which noise may be more than its flat part.
+/// Standard deviations of a spectrum's chance that are no motion; variance added by Hann's window;
+/// and the share by which noise may exceed its flat part.
 const DEVIATIONS: f64 = 3.0;
 const LEAKS: f64 = 1.94;
 const FLATNESS: f64 = 0.25;
-/// Errors that differ by less than this share of the noise that is let through are alike; the widest
-/// band of these is taken.
+/// Errors that differ by less than this share of the noise that is let through are alike; the
+/// widest band of these is taken.
 const ALIKE: f64 = 0.02;
 
-/// What a joint's positions deserve, and what is left of their noise.
+/// Best cutoff for a joint's positions, and their remaining noise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Deserved {
     /// The cutoff, Hz.
@@ -72,8 +72,8 @@ struct Spectrum {
 }
 
 /// The best cutoff at most that of `highest` for these positions (even samples, `period` apart),
-/// whose noise is at least `floor`, rad; that of `highest` itself where it is not `free`. `None`:
-/// too few samples.
+/// whose noise is at least `floor`, rad. It is that of `highest` itself if not `free`. `None`: too
+/// few samples.
 pub(super) fn deserved(q: &[f64], period: f64, highest: Filter, floor: f64, free: bool) -> Option<Deserved> {
     let spectrum = Spectrum::of(q, period)?;
     let noise = spectrum.flat().max(floor * floor);
@@ -85,7 +85,7 @@ pub(super) fn deserved(q: &[f64], period: f64, highest: Filter, floor: f64, free
     let best = tried.iter().min_by(|a, b| a.1.all[2].total_cmp(&b.1.all[2]))?;
     let most = best.1.all[2] + ALIKE * best.1.noise[2];
     let (cutoff, errors) = tried.iter().find(|t| t.1.all[2] <= most)?;
-    // What the widest low-pass takes, torque and model are without.
+    // The part that the widest low-pass removes is missing in torque and model alike.
     let lost = |k: usize| if *cutoff < highest.cutoff { errors.lost[k] } else { 0.0 };
     let error = std::array::from_fn(|k| (errors.noise[k] + lost(k)).sqrt());
     Some(Deserved { cutoff: *cutoff, noise: noise.sqrt(), error })
@@ -95,9 +95,9 @@ pub(super) fn deserved(q: &[f64], period: f64, highest: Filter, floor: f64, free
 struct Errors {
     /// Without bias, so that it may be below zero.
     all: [f64; 3],
-    /// What of them is noise that was let through.
+    /// Noise among them that was passed.
     noise: [f64; 3],
-    /// What is motion that was taken, as far as it is more than the noise may seem to be.
+    /// Removed motion among them, as far as it exceeds possible noise.
     lost: [f64; 3],
 }
 
@@ -217,7 +217,7 @@ mod tests {
                 let best =
                     (0..CUTOFFS).map(|k| error(highest.cutoff * STEP.powi(k as i32))).fold(f64::INFINITY, f64::min);
                 let own = error(found.cutoff);
-                // Where the error is small, its least is hard to find and does not matter.
+                // Where the error is small, its minimum is hard to find and does not matter.
                 let motion = (truth.iter().map(|a| a * a).sum::<f64>() / truth.len() as f64).sqrt();
                 assert!(own < (1.6 * best).max(0.02 * motion), "{rate} {step}: {own} at {}, {best}", found.cutoff);
                 assert!(

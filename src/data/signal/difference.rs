@@ -2,7 +2,7 @@
 //! three samples to each side.
 //!
 //! The paper takes one sample to each side (section III.E). That makes `sin(w T) / (w T)` of each
-//! velocity, which at 1 kHz is nothing and at 100 Hz and 3 Hz half a percent, more than the
+//! velocity. At 1 kHz the difference is nothing, at 100 Hz and 3 Hz half a percent, more than the
 //! standard deviation of a good parameter. What six samples amplify beyond is gone already:
 //! positions are low-passed first.
 

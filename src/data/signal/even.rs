@@ -1,10 +1,10 @@
 //! Samples at uneven times -> values on an even grid, by penalised least squares.
 //!
-//! Between its grid points a signal is the cubic through four of them (Lagrange); the grid values
+//! Between its grid points a signal is the cubic through four of them (Lagrange). The grid values
 //! are those that miss the samples least, with a small penalty on third differences (E. T.
 //! Whittaker, *On a new method of graduation*, Proc. Edinburgh Math. Soc. 41, 1923). Interpolation
-//! through every sample would make large numbers of the noise of two that stand close together.
-//! The operation is linear and the same for every channel.
+//! through every sample would make large numbers of the noise of two that stand close together. The
+//! operation is linear and the same for every channel.
 
 /// Weight of the penalty: a third difference's gain is `(2 sin(w / 2))^6`, so that half is left at
 /// 0.26 of the sampling rate, half of what even samples could show.

@@ -37,15 +37,15 @@ pub struct Motion {
     /// ([`white_noise`](crate::data::signal::white_noise)): unlike `velocity_noise` free of motion
     /// beyond the cutoff. Empty where velocities do not come from positions.
     pub position_noise: Vec<f64>,
-    /// Standard deviations of the errors of position, velocity and acceleration behind the low-pass,
-    /// rad, rad/s, rad/s^2, per joint: of noise that it lets through and of motion that it takes, up
-    /// to twice its cutoff. Empty where derivatives do not come from positions, or a segment is too
-    /// short to tell.
+    /// Standard deviations of the errors of position, velocity and acceleration behind the
+    /// low-pass, rad, rad/s, rad/s^2, per joint. They are due to passed noise and removed motion,
+    /// up to twice its cutoff. Empty where derivatives do not come from positions, or a segment is
+    /// too short.
     pub error: Vec<[f64; 3]>,
     /// Standard deviation of the sensors' white noise that is left in `tau`, N m, per joint.
     pub torque_noise: Vec<f64>,
-    /// Standard deviation of what is not known of the samples' times where they were found from the
-    /// motion, s; 0 where the clock was taken as it is.
+    /// Standard deviation of the remaining error of the samples' times where they were found from
+    /// the motion, s; 0 where the clock was not corrected.
     pub clock_error: f64,
     /// Whether each joint is at rest
     /// ([`Prepare::dead_zone`](crate::data::signal::Prepare::dead_zone)): dry friction is then
@@ -58,11 +58,14 @@ pub struct Motion {
     /// Highest frequency that the low-pass left in the torque, Hz; `None` where the torque was not
     /// filtered.
     pub bandwidth: Option<f64>,
-    /// What the low-pass made of the positions, for all samples.
+    /// Effect of the low-pass on the positions, for all samples.
     pub band: Band,
     /// Temperatures as recorded, joint-major, deg C; empty where they were not asked for or not
     /// recorded.
     pub temperature: Vec<f64>,
+    /// Positions of the motors as recorded, on the joints' side of the gears, joint-major, rad; empty
+    /// where they were not asked for or not recorded.
+    pub motor: Vec<f64>,
     /// External wrench as recorded, `fx .. mz` one after the other, `6 * len`, treated like the
     /// torque; empty where it was not asked for or not recorded.
     pub wrench: Vec<f64>,

@@ -2,7 +2,7 @@
 //! memory.
 //!
 //! A segment that is longer than a chunk is filtered in overlapping chunks. The overlap is as long
-//! as the filter remembers (to 1e-12), so the result is that of filtering the segment at once.
+//! as the filter's memory (to 1e-12), so the result is that of filtering the segment at once.
 
 use super::Band;
 use super::Motion;
@@ -42,9 +42,9 @@ impl Default for Filter {
 }
 
 impl Filter {
-    /// What it leaves, forward and backward, of white noise at `rate`, Hz: the root of the energy
-    /// of its impulse response, as a share. 1 where the cutoff is beyond half the rate, and nothing
-    /// is filtered.
+    /// Gain, forward and backward, of white noise at `rate`, Hz: the root of the energy of its
+    /// impulse response, as a share. It is 1 if the cutoff is beyond half the rate, and nothing is
+    /// filtered.
     pub fn noise_gain(self, rate: f64) -> f64 {
         let Ok(sos) = low_pass(self.order, self.cutoff, rate) else { return 1.0 };
         let half = 2 * sos.settling();
@@ -69,14 +69,14 @@ impl Filter {
     }
 
     /// Standard deviation of a velocity, 1/s, whose positions have white noise of standard
-    /// deviation `position`: of density `s^2 / (rate / 2)` per Hz, differentiated up to the cutoff,
-    /// `s_v = 2 pi s sqrt(2 fc^3 / (3 rate))`.
+    /// deviation `position`. The noise has density `s^2 / (rate / 2)` per Hz and is differentiated
+    /// up to the cutoff, `s_v = 2 pi s sqrt(2 fc^3 / (3 rate))`.
     pub fn velocity_noise(self, position: f64, rate: f64) -> f64 {
         std::f64::consts::TAU * position * (2.0 * self.cutoff.powi(3) / (3.0 * rate)).sqrt()
     }
 }
 
-/// Where velocities and accelerations come from.
+/// Source of velocities and accelerations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Derivatives {
     /// Central differences of the filtered positions. Recorded velocities are often filtered, and
@@ -95,8 +95,8 @@ pub struct Prepare {
     /// Low-pass for positions and torques alike; `None`: none.
     pub filter: Option<Filter>,
     /// Whether the positions of each joint get the cutoff, at most that of [`Prepare::filter`], at
-    /// which the error expected of their acceleration is least; the torques that of the joint with
-    /// the highest. Default false: the filter as it is.
+    /// which the expected error of their acceleration is least. The torques get that of the joint
+    /// with the highest. Default false: the filter's own cutoff.
     pub adaptive: bool,
     /// A second, higher cutoff, Hz: what positions have between the two is let through where it is
     /// more than noise, as where a joint breaks away after a reversal. Not used where the log is
@@ -105,9 +105,9 @@ pub struct Prepare {
     pub bursts: Option<f64>,
     /// Source of velocities and accelerations.
     pub derivatives: Derivatives,
-    /// What counts as rest. Default: what the noise of the log makes it.
+    /// Definition of rest. Default: what the noise of the log makes it.
     pub dead_zone: DeadZone,
-    /// What is cut off at both ends of each segment, s: where filter and differences know only one
+    /// Length cut off at both ends of each segment, s, where filter and differences have only one
     /// side. Default two periods of the default cutoff.
     pub trim: f64,
     /// By how much the torque was recorded later than the motion, s: it is moved back by this.
@@ -117,8 +117,8 @@ pub struct Prepare {
     pub stride: usize,
     /// The torque columns. Default `tau`.
     pub torque: Quantity,
-    /// What each joint's torque column is multiplied by: N m per A where the columns are currents.
-    /// Default empty: 1 for all.
+    /// Factor of each joint's torque column: N m per A where the columns are currents. Default
+    /// empty: 1 for all.
     pub torque_gains: Vec<f64>,
     /// Torque constant of each joint, N m at the joint per A of the motor, where it is known.
     /// Currents are used where `torque` asks for them and [`Prepare::torque_gains`] is empty, or
@@ -126,20 +126,21 @@ pub struct Prepare {
     pub torque_constants: Vec<Option<f64>>,
     /// How the columns of the log are read.
     pub reading: Reading,
-    /// What the user allows.
+    /// Accepted findings.
     pub keep: Acceptance,
     /// Samples that are filtered at once. Default 65,536; bounds the memory; a chunk also is
     /// the stretch over which the noise of `q` is found.
     pub chunk: usize,
     /// Whether motions carry samples around their core, for filtering what is computed from them.
     pub margins: bool,
-    /// Whether the torque is handed on as it was recorded, without the low-pass; [`Motion::sign`]
-    /// is then not low-passed either.
+    /// Whether the torque is passed on unfiltered; [`Motion::sign`] is then not low-passed either.
     pub raw_torque: bool,
     /// Sums of velocities whose signs motions carry behind those of the joints.
     pub sums: Vec<VelocitySum>,
     /// Whether motions carry the temperatures, `temp1..`, where the log has them.
     pub temperature: bool,
+    /// Whether motions carry the motors' positions, `qm1..`, where the log has them.
+    pub motor_positions: bool,
     /// Whether motions carry the external wrench, `fx .. mz`, where the log has it.
     pub wrench: bool,
 }
@@ -165,6 +166,7 @@ impl Default for Prepare {
             raw_torque: false,
             sums: Vec::new(),
             temperature: false,
+            motor_positions: false,
             wrench: false,
         }
     }
@@ -217,7 +219,7 @@ pub enum PrepareError {
     Cutoff {
         /// File.
         file: String,
-        /// What does not fit.
+        /// The mismatch.
         source: super::CutoffError,
     },
     /// Decimation would fold frequencies that the low-pass lets through.
@@ -250,12 +252,12 @@ pub enum PrepareError {
     },
 }
 
-/// What preparing a log showed.
+/// Findings of preparing a log.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prepared {
     /// File.
     pub file: String,
-    /// Findings of the doctor and of the clock.
+    /// Findings of the quality check and of the clock.
     pub findings: Vec<Finding>,
     /// Rows of the log that were usable.
     pub rows: usize,
@@ -292,8 +294,8 @@ pub fn each_motion(
             sink(&motion);
         }
     };
-    // Time that runs back or stands still makes a rate that no filter goes with: what the doctor
-    // says of the clock comes first.
+    // Time that runs back or stands still makes a rate that no filter fits: the quality check's
+    // finding on the clock comes first.
     let explained = |error: PrepareError, doctor: &QualityCheck, file: &str| -> PrepareError {
         let findings = doctor.clone().finish();
         let clock = |f: &Finding| f.is_fatal() && f.column.as_deref() == Some("t");
@@ -350,9 +352,11 @@ pub struct Preparer {
     /// Indices of the channels among a block's columns: `q`, `tau`, then `dq`, `ddq`, `temp` if
     /// they are used.
     sources: Vec<usize>,
-    /// Where the temperatures stand among the channels.
+    /// Positions of the temperatures among the channels.
     temperature: Option<usize>,
-    /// Where the external wrench stands among the channels.
+    /// Positions of the motors among the channels.
+    motor: Option<usize>,
+    /// Positions of the external wrench among the channels.
     wrench: Option<usize>,
     /// Whether accelerations are among the channels.
     recorded_ddq: bool,
@@ -364,7 +368,7 @@ pub struct Preparer {
     raw_time: Vec<f64>,
     raw: Vec<Vec<f64>>,
     clock: Option<SegmentClock>,
-    /// What rows whose times were found say of the noise.
+    /// Noise statistics of rows whose times were found.
     rows_noise: Option<RowsNoise>,
     /// Evened samples that are still needed, and the number of the first of them in the segment.
     evened: Vec<Vec<f64>>,
@@ -375,9 +379,9 @@ pub struct Preparer {
     filter: Option<Sos>,
     /// The low-pass of [`Prepare::bursts`].
     wide: Option<Sos>,
-    /// What each joint's positions go through; empty until the segment is long enough to choose.
+    /// Filter of each joint's positions; empty until the segment is long enough to choose.
     narrow: Vec<Narrow>,
-    /// What torques and signs go through.
+    /// Filter of torques and signs.
     torque_filter: Option<(Filter, Sos)>,
 }
 
@@ -385,7 +389,7 @@ pub struct Preparer {
 struct Narrow {
     filter: Filter,
     sos: Sos,
-    /// Standard deviations of the errors behind it; `None` where the segment is too short to tell.
+    /// Standard deviations of the errors behind it; `None` if the segment is too short.
     error: Option<[f64; 3]>,
 }
 
@@ -414,7 +418,7 @@ struct SegmentClock {
 
 /// Rows by which the clock of a segment is judged.
 const JUDGE: usize = 1024;
-/// Rows whose times are found at once, and those at each end that know one side only.
+/// Rows whose times are found at once, and those at each end with one side only.
 const TIMED: usize = 16_384;
 const TIMED_EDGE: usize = 512;
 
@@ -438,6 +442,11 @@ impl Preparer {
             temperature = Some(sources.len());
             sources.extend(layout.require_all(Quantity::Temperature, dof)?);
         }
+        let mut motor = None;
+        if prepare.motor_positions && layout.has(Quantity::Qm) {
+            motor = Some(sources.len());
+            sources.extend(layout.require_all(Quantity::Qm, dof)?);
+        }
         let mut wrench = None;
         let components: Option<Vec<usize>> = (0..6).map(|i| layout.find(Role::Wrench(i))).collect();
         if let Some(components) = components.filter(|_| prepare.wrench) {
@@ -449,6 +458,7 @@ impl Preparer {
             file: layout.file.clone(),
             dof,
             temperature,
+            motor,
             wrench,
             recorded_ddq,
             time: layout.require(Role::Time)?,
@@ -715,7 +725,7 @@ impl Preparer {
             }
             motions.push(self.motion(clock, self.done..core_end, margin));
             self.done = core_end;
-            // What the next chunk does not need any more.
+            // Rows that the next chunk does not need any more.
             let obsolete = self.done.saturating_sub(settle + margin).saturating_sub(self.first);
             self.evened.iter_mut().for_each(|x| drop(x.drain(..obsolete.min(x.len()))));
             self.first += obsolete;
@@ -729,7 +739,11 @@ impl Preparer {
             return 0;
         }
         let differences = 3;
-        let filtered = if self.filter.is_some() { self.settings.trim } else { 0.0 };
+        // A low-pass of a low cutoff errs farther from the ends.
+        let lowest = self.narrow.iter().map(|n| n.filter.cutoff).fold(f64::INFINITY, f64::min);
+        let own =
+            if self.settings.adaptive && self.settings.trim > 0.0 { (SETTLED / lowest).min(MOST_TRIM) } else { 0.0 };
+        let filtered = if self.filter.is_some() { self.settings.trim.max(own) } else { 0.0 };
         let seconds = filtered.max(self.settings.torque_delay.abs());
         ((seconds / period).ceil() as usize).max(differences)
     }
@@ -751,7 +765,7 @@ impl Preparer {
         self.torque_filter = widest.map(|n| (n.filter, n.sos.clone()));
     }
 
-    /// What positions go through; no sample has a share of the wider band yet.
+    /// Filter of the positions; no sample has a share of the wider band yet.
     fn band(&self) -> Band {
         let from_position = self.settings.derivatives == Derivatives::FromPosition;
         let narrow: Vec<Filter> = self.narrow.iter().filter(|_| from_position).map(|n| n.filter).collect();
@@ -859,8 +873,8 @@ impl Preparer {
             }
             let tau = later(tau, self.settings.torque_delay / clock.period);
             motion.tau.extend_from_slice(&tau[from..to]);
-            if let Some(first) = self.temperature {
-                motion.temperature.extend_from_slice(&self.evened[first + joint][from..to]);
+            for (first, out) in [(self.temperature, &mut motion.temperature), (self.motor, &mut motion.motor)] {
+                out.extend(first.iter().flat_map(|first| &self.evened[first + joint][from..to]));
             }
         }
         for recorded in self.wrench.iter().flat_map(|&first| &self.evened[first..first + 6]) {
@@ -870,7 +884,7 @@ impl Preparer {
         motion
     }
 
-    /// Where joints, and the sums of velocities, rest, and the signs of their velocities: of the
+    /// Rest of joints, and of the sums of velocities, and the signs of their velocities: of the
     /// samples `span`.
     fn rests(&self, motion: &mut Motion, speeds: &[Vec<f64>], span: std::ops::Range<usize>) {
         if self.settings.derivatives == Derivatives::AtRest {
@@ -901,7 +915,7 @@ impl Preparer {
         }
     }
 
-    /// What torques and signs become behind their low-pass.
+    /// Torques and signs behind their low-pass.
     fn smooth(&self, x: &[f64], period: f64) -> Vec<f64> {
         through(x, self.torque_filter.as_ref().map(|(filter, sos)| (*filter, sos)), period)
     }
@@ -939,6 +953,11 @@ impl Preparer {
         }
     }
 }
+
+/// Periods of the cutoff after which what a low-pass makes of an end has faded, and the most that is
+/// cut off for it, s.
+const SETTLED: f64 = 2.0;
+const MOST_TRIM: f64 = 1.0;
 
 /// Forward and backward through a low-pass, where there is one.
 fn through(x: &[f64], filter: Option<(Filter, &Sos)>, period: f64) -> Vec<f64> {

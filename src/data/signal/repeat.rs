@@ -40,7 +40,7 @@ pub fn repeatability(q: &[f64], tau: &[f64], len: usize, period: f64) -> Option<
     };
     let coarse = ((COARSE / period) as usize).max(len / MOST).max(1);
     let judged = (len / JUDGED).max(1);
-    // The start of a motion is like itself for a while.
+    // The start of a motion resembles itself for a while.
     let mut left = false;
     let mut lag = coarse;
     while lag <= len / 2 {

@@ -1,6 +1,6 @@
 //! From time stamps to an even clock.
 
-/// The value at time `at` of the cubic through the four samples around it (Lagrange), given `t`
+/// The value at time `at` of the cubic through the four samples around it (Lagrange). `t` is
 /// ascending and `t[1] <= at <= t[2]` except at the ends of a record; fewer samples give a line or
 /// a constant.
 pub fn resample(t: &[f64], x: &[f64], at: f64) -> f64 {

@@ -1,11 +1,11 @@
 //! Stiction: at which samples the sign of a joint's velocity says nothing about its dry friction.
 //!
 //! A joint at rest is held by friction of any value within its breakaway level, and the sign of its
-//! recorded velocity is the encoder's noise. What counts as rest follows from the log: a speed
-//! within three standard deviations of the noise that the low-pass leaves on it, and any faster
-//! stretch that does not carry the joint beyond the noise of its position.
+//! recorded velocity is the encoder's noise. The definition of rest follows from the log. It is a
+//! speed within three standard deviations of its noise after the low-pass, and any faster stretch
+//! that does not carry the joint beyond the noise of its position.
 
-/// What counts as rest.
+/// Definition of rest.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum DeadZone {
     /// Three standard deviations of the speed's noise. Where that is much of the joint's motion it

@@ -1,23 +1,23 @@
-//! Where a joint sticks as it turns about: it does not move beyond the noise of its encoder, though
-//! the low-pass lets it creep.
+//! Detects a joint that sticks at a reversal: it does not move beyond the noise of its encoder,
+//! though the low-pass makes it creep.
 //!
 //! At a reversal dry friction holds a joint for some hundredths of a second. The low-pass spreads
-//! the motion before and after over that time, so that the velocity has a sign where the joint has
-//! none, while the friction torque is whatever balances the others: it passes from one level to the
-//! other. A law of the velocity says nothing there.
+//! the motion before and after over that time, so the velocity has a sign where the joint has none.
+//! The friction torque balances the other torques: it passes from one level to the other. A law of
+//! the velocity says nothing there.
 
 /// Half of the time over which a displacement is looked at, s.
 const NEAR: f64 = 0.01;
 /// A displacement of fewer standard deviations of the position's noise is none.
 const NOTHING: f64 = 4.0;
-/// What the low-pass smears to each side of a stick, as a share of the period of its cutoff.
+/// Smearing of the low-pass to each side of a stick, as a share of the period of its cutoff.
 const SMEAR: f64 = 0.25;
 /// A joint that sticks for longer rests, or creeps more slowly than its encoder shows in [`NEAR`],
 /// s.
 const LONGEST: f64 = 0.3;
 
-/// Whether the joint sticks where it turns about, at each sample. `raw`, `smooth`: position as it
-/// was recorded and behind a low-pass of `cutoff` Hz; `period`: spacing, s.
+/// Whether the joint sticks where it turns about, at each sample. `raw`, `smooth`: recorded
+/// position, unfiltered and behind a low-pass of `cutoff` Hz; `period`: spacing, s.
 pub(super) fn stiction(raw: &[f64], smooth: &[f64], cutoff: f64, period: f64) -> Vec<bool> {
     let n = raw.len();
     let mut stuck = vec![false; n];

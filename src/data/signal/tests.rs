@@ -50,7 +50,7 @@ fn error(motion: &Motion, joints: &Joints, joint: usize, derivative: i32) -> f64
     let len = motion.states.len;
     let series = [&motion.states.q, &motion.states.dq, &motion.states.ddq][derivative as usize];
     let square = |k: usize| (series[joint * len + k] - joints.at(joint, motion.time(k), derivative)).powi(2);
-    // A second at the ends, where the low-pass knows one side alone, is left out.
+    // A second at the ends, where the low-pass has one side only, is left out.
     let edge = (1.0 / motion.period) as usize;
     let inner = motion.core.start + edge..motion.core.end - edge;
     (inner.clone().map(square).sum::<f64>() / inner.len() as f64).sqrt()
@@ -128,7 +128,7 @@ fn rows_are_moved_to_the_times_at_which_they_were_sampled() {
         let is_found =
             |kind: &Kind| matches!(kind, Kind::Evened { clock: Clock::Found { rms } } if (0.002..0.008).contains(rms));
         assert!(prepared.findings.iter().any(|f| is_found(&f.kind)), "{:?}", prepared.findings);
-        // What a clock that errs makes of the acceleration at most, behind the same low-pass.
+        // Largest error of the acceleration due to a wrong clock, behind the same low-pass.
         let wrong = {
             let mut q: Vec<f64> = times.iter().map(|t| joints.at(0, *t, 0)).collect();
             low_pass(4, 10.0, 50.0).unwrap().forward_backward(&mut q, 20);

@@ -3,6 +3,8 @@
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
+use super::error::CoefficientError;
+
 /// `q = center + sum over l of sine_l sin(l w t) + cosine_l cos(l w t)`, `w = 2 pi / period`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fourier {
@@ -29,10 +31,10 @@ impl Fourier {
         center: Vec<f64>,
         sine: Vec<Vec<f64>>,
         cosine: Vec<Vec<f64>>,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, CoefficientError> {
         let harmonics = sine.first().map_or(0, Vec::len);
         if [&sine, &cosine].iter().any(|rows| rows.len() != center.len() || rows.iter().any(|r| r.len() != harmonics)) {
-            return Err("`sine` and `cosine` need one row per entry of `center`, all of the same length".into());
+            return Err(CoefficientError::Amplitudes);
         }
         Ok(Self { period, periods, center, sine, cosine })
     }

@@ -1,5 +1,7 @@
 //! Clamped B-splines (Piegl and Tiller, *The NURBS Book*, chapters 2 and 3).
 
+use super::error::CoefficientError;
+
 /// One B-spline per joint over common knots.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spline {
@@ -17,25 +19,20 @@ impl Spline {
     /// # Errors
     /// Where numbers of knots and coefficients do not fit, or knots do not ascend from 0 with
     /// clamped ends.
-    pub fn new(degree: usize, knots: Vec<f64>, coefficients: Vec<Vec<f64>>) -> Result<Self, String> {
+    pub fn new(degree: usize, knots: Vec<f64>, coefficients: Vec<Vec<f64>>) -> Result<Self, CoefficientError> {
         let count = knots.len().saturating_sub(degree + 1);
         if !(1..=15).contains(&degree) || count < degree + 1 {
-            return Err(format!("a spline of degree {degree} needs at least {} knots", 2 * (degree + 1)));
+            return Err(CoefficientError::Degree { degree });
         }
         let clamped = |at: usize| (at..=at + degree).all(|k| knots[k] == knots[at]);
         if knots[0] != 0.0 || !clamped(0) || !clamped(count) || knots.windows(2).any(|w| w[1] < w[0]) {
-            return Err(format!(
-                "`knots` must ascend from 0, with the first and the last {} of them equal",
-                degree + 1
-            ));
+            return Err(CoefficientError::Ends(degree + 1));
         }
         if knots[degree..=count].windows(2).any(|w| w[1] <= w[0]) {
-            return Err("inner `knots` must be different from each other".into());
+            return Err(CoefficientError::Inner);
         }
         match coefficients.iter().position(|row| row.len() != count) {
-            Some(j) => {
-                Err(format!("joint {} has {} `coefficients`; these knots need {count}", j + 1, coefficients[j].len()))
-            }
+            Some(j) => Err(CoefficientError::Count { joint: j + 1, has: coefficients[j].len(), needs: count }),
             None => Ok(Self { degree, knots, coefficients }),
         }
     }
@@ -49,7 +46,7 @@ impl Spline {
         duration: f64,
         intervals: usize,
         coefficients: Vec<Vec<f64>>,
-    ) -> Result<Self, String> {
+    ) -> Result<Self, CoefficientError> {
         Self::new(degree, clamped_knots(degree, duration, intervals), coefficients)
     }
 

@@ -3,9 +3,9 @@
 //!
 //! The motor passes the gap in hundredths of a second. What a log shows of that is what its
 //! low-pass left: a hump in the acceleration that the link never had. So the passage goes through
-//! the same low-pass before it is taken off the motion; and sides are decided by the slow part of
-//! the load, worked out again along the link's motion, for along the motor's the model's load has
-//! the hump in it.
+//! the same low-pass before it is taken off the motion. Sides are decided by the slow part of the
+//! load, recomputed along the link's motion, for along the motor's the model's load contains the
+//! hump.
 
 use dh_codegen::robot::EffectKind;
 
@@ -36,7 +36,8 @@ pub(super) fn both_ways(scene: &WindowedData<'_>, j: usize) -> bool {
     rms > 0.0 && torque.iter().any(|t| *t > 0.05 * rms) && torque.iter().any(|t| *t < -0.05 * rms)
 }
 
-/// What the gear of joint `j` transmits if its link moves as its motor, over the windows, N m.
+/// Torque that the gear of joint `j` transmits if its link moves as its motor, over the windows, N
+/// m.
 fn transmitted(scene: &WindowedData<'_>, j: usize) -> Vec<f64> {
     let states = &scene.states[scene.seen[j]];
     let acceleration = &states.ddq[j * scene.len..(j + 1) * scene.len];
@@ -89,7 +90,7 @@ impl Cause for Backlash {
             let small = (shape[1] * rms).max(1e-12);
             let behind = scene.seen_through(j, &load, |t| -0.5 * t / (t * t + small * small).sqrt());
             let mut rows = scene.moved(j, &behind, scale);
-            // The rotor moves as it is seen to.
+            // The rotor follows the measured motion.
             rows[j].iter_mut().zip(&behind[2]).for_each(|(t, a)| *t -= scene.rotors[j] * a);
             if round == ROUNDS || scale == FIRST {
                 return vec![Term::new("BL", scene.column(rows), Sign::Positive)];

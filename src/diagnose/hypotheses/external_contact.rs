@@ -15,8 +15,12 @@ use super::Term;
 use crate::diagnose::windowed_data::{Column, WindowedData};
 
 /// A constant wrench on the last frame between `start` and `end` (seconds of used data, over all
-/// logs), in the last frame's axes or, with `base` 1, in those of the base.
+/// logs). It is given in the last frame's axes or, with `base` 1, in those of the base.
 pub struct ExternalContact;
+
+/// Distance from an end of a recording, s, within which a push must be longer than [`SHORT`], s.
+const NEAR_END: f64 = 0.3;
+const SHORT: f64 = 1.0;
 
 const SYMBOLS: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
 
@@ -80,6 +84,16 @@ impl Cause for ExternalContact {
             .collect()
     }
 
+    /// What is short and at an end of a recording is a bristle that bends or a low-pass that settles.
+    fn shows(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> bool {
+        let [start, end] = [shape[0], shape[1]];
+        let at_an_end = |run: &std::ops::Range<usize>| {
+            let [first, last] = [run.start, run.end].map(|w| w as f64 * scene.step);
+            start < last && end > first && (start < first + NEAR_END || end > last - NEAR_END)
+        };
+        end - start > SHORT || !scene.runs.iter().any(at_an_end)
+    }
+
     fn terms(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> Vec<Term> {
         let window = |t: f64| ((t / scene.step).round() as usize).min(scene.len);
         let (start, end) = (window(shape[0]), window(shape[1]));
@@ -110,6 +124,11 @@ impl Cause for ExternalContact {
 
     fn local(&self) -> bool {
         true
+    }
+
+    /// Pushes one after the other, in any of the logs.
+    fn most(&self) -> usize {
+        4
     }
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {

@@ -72,6 +72,6 @@ impl Cause for GeometricError {
     }
 
     fn shown_by(&self) -> &'static str {
-        "a calibration of the kinematics; torques tell lengths only through gravity and inertia"
+        "a calibration of the kinematics; torques show lengths only through gravity and inertia"
     }
 }

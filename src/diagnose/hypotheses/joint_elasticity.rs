@@ -1,10 +1,10 @@
 //! `joint_elasticity`: the measured angle is the motor's, and a spring lies between it and the
 //! link.
 //!
-//! The link swings on that spring, kicked by whatever the motor does fast (it sticks and breaks
-//! away at each reversal), and it is this that tells a spring from anything else: so its column is
-//! the swing, from the link's own equation along the recorded motion
-//! (`src/numerics/elastic_joint.rs`), and not the static winding.
+//! The link swings on that spring, excited by the motor's fast motion (it sticks and breaks away at
+//! each reversal), and this swing distinguishes a spring from anything else. So its column is the
+//! swing, from the link's own equation along the recorded motion (`src/numerics/elastic_joint.rs`),
+//! and not the static deflection.
 
 use dh_codegen::robot::EffectKind;
 
@@ -23,15 +23,15 @@ use crate::numerics::elastic_joint::{Deflection, LinkLoad, Spring};
 /// `KE d + DE d'` is what the link at `q - d` takes.
 pub struct JointElasticity;
 
-/// What the diagnosis says of a link behind a spring, in the windows of a scene.
+/// Hypotheses on a link behind a spring, in the windows of the data.
 struct Link<'s, 'a> {
     scene: &'s WindowedData<'a>,
     joint: usize,
     slopes: std::sync::Arc<Slopes>,
     /// Torque on the link where it stands as its motor, N m.
     load: Vec<f64>,
-    /// What the load is less where the link stands as its motor, for the arm is not linear in the
-    /// winding, N m.
+    /// Difference of the load if the link moves as its motor, N m; the arm is not linear in the
+    /// deflection.
     bent: Vec<f64>,
     /// Its inertia, kg m^2.
     inertia: Vec<f64>,
@@ -76,7 +76,7 @@ impl<'s, 'a> Link<'s, 'a> {
         }
     }
 
-    /// What a winding adds to the torque of joint `of`.
+    /// Torque of joint `of` due to a deflection.
     fn adds(&self, of: usize, [d, v, a]: &Deflection, run: std::ops::Range<usize>) -> Vec<f64> {
         let Slopes { position, velocity, acceleration } = &*self.slopes;
         let inertia = if of == self.joint { &self.inertia } else { &acceleration[of] };
@@ -85,8 +85,9 @@ impl<'s, 'a> Link<'s, 'a> {
             .collect()
     }
 
-    /// The winding in each run, from rest in the spring; where a model is fitted, from the state
-    /// that says most about the torque: a log begins somewhere, and the link may swing then.
+    /// The deflection in each run, from rest in the spring. When a model is fitted, it starts from
+    /// the state that explains most of the torque: a log begins somewhere, and the link may swing
+    /// then.
     fn wound(&self, spring: Spring) -> Vec<Deflection> {
         let begins = |run: &std::ops::Range<usize>| {
             let asked = self.asked(run.clone());
@@ -167,8 +168,8 @@ impl Cause for JointElasticity {
         Link::new(scene, place[0]).is_some_and(resonance)
     }
 
-    /// Where the spring takes most of what the joint's torque has left: resonances from 0.4 Hz to
-    /// the highest that can be seen, then finer about the best of them.
+    /// Spring that explains most of the joint's residual torque: resonances from 0.4 Hz to the
+    /// highest visible one, then finer about the best of them.
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let Some(link) = Link::new(scene, place[0]) else { return Vec::new() };
         let residual = &residual[place[0]];
@@ -284,8 +285,8 @@ impl Cause for JointElasticity {
 
 /// Least damping ratio, as in the law of the file.
 const LEAST: f64 = dh_codegen::drive::LEAST_DAMPING;
-/// Share of the low-pass's cutoff above which a resonance is not looked for: what swings there is
-/// kicked by motion that the low-pass took away, and what the low-pass took away looks like it.
+/// Share of the low-pass's cutoff above which no resonance is searched. A swing there is excited by
+/// motion that the low-pass removed, and the removed motion looks like it.
 const SEEN: f64 = 0.7;
 /// The highest resonance that is looked for where there is no low-pass, Hz.
 const HIGHEST: f64 = 45.0;

@@ -17,6 +17,10 @@ use crate::diagnose::windowed_data::WindowedData;
 /// `FN |v|^EN sign(v)`, or `FN v / (|v| + VN)`, which saturates.
 pub struct NonlinearViscousFriction;
 
+/// Least speed of half of the friction, by the joint's fastest: below it the law is dry friction
+/// whose sign changes smoothly.
+const SLOWEST: f64 = 0.05;
+
 impl Cause for NonlinearViscousFriction {
     fn effect(&self) -> EffectKind {
         EffectKind::NonlinearViscousFriction
@@ -35,7 +39,7 @@ impl Cause for NonlinearViscousFriction {
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let fast = fastest(scene, place[0]);
-        let slow = (2.0 * scene.dead[place[0]]).clamp(0.02 * fast, 0.2 * fast);
+        let slow = (2.0 * scene.dead[place[0]]).clamp(1.5 * SLOWEST * fast, 0.2 * fast);
         let powers = [0.4, 0.6, 1.5, 2.0, 3.0].iter().map(|e| vec![*e, 0.0]);
         powers.chain(geometric(slow, fast, 4).into_iter().map(|v| vec![1.0, v])).collect()
     }
@@ -55,9 +59,14 @@ impl Cause for NonlinearViscousFriction {
         let fast = fastest(scene, place[0]);
         let differs = match shape[1] {
             0.0 => (shape[0] - 1.0).abs() >= 0.05,
-            half => (0.01 * fast..2.0 * fast).contains(&half),
+            half => (SLOWEST * fast..2.0 * fast).contains(&half),
         };
         moves(scene, place[0]) && differs
+    }
+
+    /// A speed that runs to the least that is looked for is no estimate.
+    fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], _: &[f64]) -> bool {
+        shape[1] == 0.0 || shape[1] > 1.1 * SLOWEST * fastest(scene, place[0])
     }
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
@@ -75,8 +84,8 @@ impl Cause for NonlinearViscousFriction {
     }
 
     /// Gears show a root and a cube at once.
-    fn repeats(&self) -> bool {
-        true
+    fn most(&self) -> usize {
+        2
     }
 
     fn says(&self) -> &'static str {

@@ -73,7 +73,7 @@ impl Cause for Payload {
     }
 
     fn says(&self) -> &'static str {
-        "a body that the file does not know is fixed to the flange"
+        "a body that the file lacks is fixed to the flange"
     }
 
     fn shown_by(&self) -> &'static str {

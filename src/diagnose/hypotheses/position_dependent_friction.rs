@@ -61,8 +61,8 @@ impl Cause for PositionDependentFriction {
         x.iter().map(|x| x * x).sum::<f64>().sqrt() <= 0.5 * scene.rated[place[0]]
     }
 
-    fn repeats(&self) -> bool {
-        true
+    fn most(&self) -> usize {
+        2
     }
 
     fn over(&self) -> Over {

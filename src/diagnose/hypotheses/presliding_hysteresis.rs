@@ -12,8 +12,8 @@ use super::moves;
 use super::travel;
 use crate::diagnose::windowed_data::{JointSeries, WindowedData};
 
-/// `HC z`, `dz/dt = (v / HX) (1 - z sign v)`, in place of as much Coulomb friction as the data
-/// want.
+/// `HC z`, `dz/dt = (v / HX) (1 - z sign v)`, in place of as much Coulomb friction as the fit
+/// gives.
 pub struct PreslidingHysteresis;
 
 /// Dahl's state, integrated in closed form over each sample: `z -> s + (z - s) exp(-|dq| / HX)`.
@@ -69,7 +69,7 @@ impl Cause for PreslidingHysteresis {
     }
 
     fn says(&self) -> &'static str {
-        "friction remembers the path: after a reversal it builds up over a distance"
+        "friction has memory: after a reversal it builds up over a distance"
     }
 
     fn shown_by(&self) -> &'static str {

@@ -45,7 +45,7 @@ impl Cause for StribeckFriction {
     }
 
     fn natural(&self) -> Option<usize> {
-        Some(1) // 1 (Tustin) or 2 (Gauss), unless the data know better
+        Some(1) // 1 (Tustin) or 2 (Gauss), unless the data contradict it
     }
 
     fn habit(&self) -> Option<f64> {

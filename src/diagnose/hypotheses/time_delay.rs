@@ -73,8 +73,7 @@ impl Cause for TimeDelay {
         own.iter().all(|&j| (scene.delays[j] + x[0]).abs() <= MOST_DELAY) && self.beyond(scene, place, x)[0] > 0.0
     }
 
-    /// Beyond half a sample, below which nobody can say when a sample was taken. Of one joint: from
-    /// the others.
+    /// Beyond half a sample, the resolution of sampling times. Of one joint: from the others.
     fn beyond(&self, scene: &WindowedData<'_>, place: &[usize], x: &[f64]) -> Vec<f64> {
         let own: Vec<usize> = if place.is_empty() { (0..scene.dof()).collect() } else { place.to_vec() };
         let mut others: Vec<f64> = (0..scene.dof()).filter(|j| !own.contains(j)).map(|j| scene.delays[j]).collect();

@@ -129,14 +129,14 @@ impl Cause for TorqueRipple {
         ]
     }
 
-    /// What gears and motors have beside what they can give: measured are 0.5 to 1.3 % of the
-    /// torque limit (see the table of effects).
+    /// Ripple that gears and motors have anyway: measured are 0.5 to 1.3 % of the torque limit (see
+    /// the table of effects).
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
         x.iter().map(|x| x * x).sum::<f64>().sqrt() <= LARGEST * scene.rated[place[0]]
     }
 
-    fn repeats(&self) -> bool {
-        true
+    fn most(&self) -> usize {
+        2
     }
 
     fn says(&self) -> &'static str {

@@ -79,8 +79,8 @@ fn case(seed: u64, which: Option<usize>, size: f64) -> (Hidden, usize, Diagnosis
     (hidden, j, found, name.into())
 }
 
-/// A robot file has no place for a coefficient of a spring's swing: what is measured and offered is
-/// the law with its stiffness and damping alone, whatever a free fit would multiply it with.
+/// A robot file has no place for a coefficient of a spring's swing. The measured and offered law
+/// has its stiffness and damping alone, whatever the factor of a free fit would be.
 #[test]
 fn a_law_whose_size_is_in_its_shape_is_not_scaled() {
     let robot = robot("ur10e");

@@ -11,26 +11,26 @@ use crate::model::perturbable_robot::PerturbableRobot;
 use crate::model::rigid_body::Numeric;
 use crate::numerics::prng::Random;
 
-const RATE: f64 = 200.0;
+pub(super) const RATE: f64 = 200.0;
 const NOISE: [f64; 2] = [0.02, 0.01];
 
-fn planar() -> Robot {
+pub(super) fn planar() -> Robot {
     let text = include_str!("../../../robots/planar2r.yaml");
     Robot::from_yaml(text, &|_| Err("none".into())).unwrap().robot
 }
 
 /// Torques of an arm at one state.
-struct Bodies {
+pub(super) struct Bodies {
     numeric: Numeric,
     phi: Vec<f64>,
 }
 
 impl Bodies {
-    fn of(robot: &Robot) -> Self {
+    pub(super) fn of(robot: &Robot) -> Self {
         Self { numeric: Numeric::new(robot), phi: param::standard_values(robot).unwrap() }
     }
 
-    fn torques(&self, [q, v, a]: &[[f64; 2]; 3]) -> [f64; 2] {
+    pub(super) fn torques(&self, [q, v, a]: &[[f64; 2]; 3]) -> [f64; 2] {
         let (mut work, mut tau) = (self.numeric.workspace(), [0.0; 2]);
         self.numeric.inverse_dynamics_into(&mut work, q, v, a, &self.phi, &mut tau);
         tau
@@ -38,7 +38,7 @@ impl Bodies {
 }
 
 /// The arm's links without what its drives have.
-fn bare(robot: &Robot) -> Robot {
+pub(super) fn bare(robot: &Robot) -> Robot {
     let mut robot = robot.clone();
     for joint in &mut robot.joints {
         let drive = &mut joint.drive;
@@ -48,7 +48,12 @@ fn bare(robot: &Robot) -> Robot {
 }
 
 /// A log of an arm that gives these torques at `[q, v, a]`.
-fn log(robot: &Robot, seconds: f64, random: &mut Random, tau: &dyn Fn(&[[f64; 2]; 3]) -> [f64; 2]) -> Vec<u8> {
+pub(super) fn log(
+    robot: &Robot,
+    seconds: f64,
+    random: &mut Random,
+    tau: &dyn Fn(&[[f64; 2]; 3]) -> [f64; 2],
+) -> Vec<u8> {
     let q = motion(robot, seconds, RATE, random);
     let gauss = |random: &mut Random| (0..12).map(|_| random.uniform(0.0, 1.0)).sum::<f64>() - 6.0;
     let mut text = String::from("t,q1,q2,tau1,tau2\n");
@@ -78,8 +83,8 @@ fn sign(v: f64) -> f64 {
     (v / 1e-3).tanh()
 }
 
-/// What the file's drives have.
-fn plain(robot: &Robot, v: &[f64; 2]) -> [f64; 2] {
+/// Drives of the file.
+pub(super) fn plain(robot: &Robot, v: &[f64; 2]) -> [f64; 2] {
     [0, 1].map(|j| {
         let drive = &robot.joints[j].drive;
         drive.viscous_friction.unwrap_or(0.0) * v[j] + drive.coulomb_friction.unwrap_or(0.0) * sign(v[j])
@@ -173,8 +178,8 @@ fn friction_that_saturates_is_nonlinear_viscous() {
     assert!(missed[0] < 2.0, "{missed:?}, {sizes:?}");
 }
 
-/// Parallel axes, links that nobody knows, and a rotor that the file does not have: in a refit
-/// without rotors it looks like a motor that two joints share, with an inertia below zero.
+/// Parallel axes, unknown links, and a rotor that the file lacks. In a refit without rotors it
+/// looks like a motor that two joints share, with an inertia below zero.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn a_refit_has_rotors() {
@@ -198,6 +203,6 @@ fn what_runs_to_the_end_of_what_is_looked_for_is_no_estimate() {
     let power = by_name("nonlinear_viscous_friction").unwrap();
     assert!(at_edge(power, &[0.201, 0.0]) && at_edge(power, &[4.99, 0.0]));
     assert!(!at_edge(power, &[0.4, 0.0]) && !at_edge(power, &[1.0, 0.3]));
-    // An exponent that is natural by habit only says little of a law.
+    // An exponent that is natural by preference only is weak evidence for a law.
     assert!(!at_edge(by_name("stribeck_friction").unwrap(), &[0.1, 0.5]));
 }

@@ -1,4 +1,4 @@
-//! A robot whose torques come from the numeric recursion and whose effects are written from the
+//! A robot whose torques come from the numeric recursion. Its effects are written from the
 //! literature, apart from the laws that look for them: a stiff spring-like bristle with a Stribeck
 //! curve of its own, springs solved for the link's angle, and so on.
 
@@ -14,7 +14,7 @@ use crate::model::States;
 use crate::model::rigid_body::Numeric;
 use crate::numerics::prng::Random;
 
-/// What is hidden.
+/// The hidden effect.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Hidden {
     Nothing,
@@ -139,7 +139,7 @@ fn rms(x: &[f64]) -> f64 {
     (x.iter().map(|x| x * x).sum::<f64>() / x.len() as f64).sqrt()
 }
 
-/// What a world is made of.
+/// Ingredients of a world.
 pub(super) struct World<'a> {
     pub robot: &'a Robot,
     pub hidden: Vec<(Hidden, usize, f64)>,
@@ -183,7 +183,7 @@ impl World<'_> {
         size
     }
 
-    /// What an effect adds, at unit size or at a physical one, before it is scaled to the wanted
+    /// Torque of an effect, at unit size or at a physical one, before it is scaled to the desired
     /// root mean square.
     fn effect(
         &self,
@@ -425,6 +425,7 @@ fn recordings_hold_what_was_written() {
         states,
         tau: vec![1.0, 2.0],
         temperature: Vec::new(),
+        motor: Vec::new(),
         velocity_noise: vec![0.0],
         error: Vec::new(),
         torque_noise: Vec::new(),

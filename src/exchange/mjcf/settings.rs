@@ -7,15 +7,15 @@ use super::super::xml::{Element, Mistakes, children};
 /// An attribute, from the element or from a default of its class.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Value<'a> {
-    /// Where it stands.
+    /// Its place.
     pub(super) at: Element<'a>,
     /// Its name.
     pub(super) name: &'static str,
-    /// What it says.
+    /// Its value.
     pub(super) text: &'a str,
 }
 
-/// What holds for the whole file.
+/// Settings of the whole file.
 pub(super) struct Settings<'a> {
     /// rad per unit of angle.
     pub(super) angle: f64,
@@ -25,7 +25,7 @@ pub(super) struct Settings<'a> {
     pub(super) inertia_from_geoms: bool,
     /// m/s^2
     pub(super) gravity: [f64; 3],
-    /// What is read over.
+    /// Skipped elements.
     pub(super) notes: Vec<String>,
     /// Of each class: its default elements, its own first, then those of the classes around it.
     classes: BTreeMap<&'a str, Vec<Element<'a>>>,

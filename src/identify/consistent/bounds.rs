@@ -1,4 +1,4 @@
-//! What the user knows of the bodies, and priors that respect it.
+//! User's bounds on the bodies, and priors that respect them.
 
 use super::ConsistentError;
 use crate::model::pseudo_inertia::is_body;

@@ -1,7 +1,7 @@
 //! The constrained least squares by another route, for the tests: clarabel on cones that close in
 //! on the true one from outside.
 //!
-//! `Z` is positive semidefinite if `V' Z V` is for every `V` of two columns, and a 2 x 2 matrix is
+//! `Z` is positive semidefinite if `V' Z V` is for every `V` of two columns. A 2 x 2 matrix is
 //! exactly if `(a + c, a - c, 2 b)` lies in the second-order cone. Start with the six pairs of
 //! axes, solve, add the pair of eigenvectors of the smallest eigenvalues where one is negative,
 //! again. Each round's optimum is below the true one; the last violates nothing by more than the

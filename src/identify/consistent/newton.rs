@@ -5,12 +5,12 @@
 //!        + sum_scalars w or mu [v - log v] + mu/2 sum_free (v - v0)^2 - mu sum_walls log(a'v - b),   subject to e'v = s
 //! ```
 //!
-//! The entropic distance to the prior is at the same time the barrier of the cone, so that `F` is
-//! smooth and strictly convex inside; divided by `w` it is self-concordant, and from a
-//! neighbourhood of its one minimum Newton's steps converge quadratically to all digits (Boyd and
-//! Vandenberghe, *Convex Optimization*, section 9.6). That neighbourhood is reached by
-//! [`path`](super::path). With `w -> 0` the minimum goes to the constrained least squares solution
-//! of least distance to the prior; what it still misses is about `w` per eigenvalue (section
+//! The entropic distance to the prior is at the same time the barrier of the cone, so `F` is smooth
+//! and strictly convex inside. Divided by `w` it is self-concordant. From a neighbourhood of its
+//! one minimum Newton's steps converge quadratically to all digits (Boyd and Vandenberghe, *Convex
+//! Optimization*, section 9.6). That neighbourhood is reached by [`path`](super::path). With `w ->
+//! 0` the minimum goes to the constrained least squares solution of least distance to the prior;
+//! what it still misses is about `w` per eigenvalue (section
 //! 11.2.2).
 
 use nalgebra::{DMatrix, DVector, Matrix4};
@@ -48,7 +48,7 @@ impl Wall {
     }
 }
 
-/// What is minimised.
+/// Function to minimise.
 #[derive(Debug, Clone)]
 pub(super) struct Problem {
     pub(super) j: DMatrix<f64>,
@@ -209,7 +209,7 @@ impl Problem {
             if decrement < 1e-7 || (decrement < 1e-3 && decrement > 0.5 * before) {
                 return Ok(steps); // or as small as rounding lets it be
             }
-            // Where the quadratic model holds, function values say less than rounding hides.
+            // Where the quadratic model holds, differences of function values drown in rounding.
             let trusted = decrement < 0.25;
             let here = if trusted { 0.0 } else { self.value(v.as_slice(), weights).unwrap_or(f64::INFINITY) };
             let mut length = 1.0;

@@ -193,6 +193,6 @@ pub(super) fn near(problem: &Problem, start: &[f64], weights: Weights) -> Result
             return Ok((v, steps + 1));
         }
     }
-    // Newton's method tells whether this is near enough.
+    // Newton's method checks whether this is near enough.
     Ok((v, MOST))
 }

@@ -26,9 +26,9 @@ pub struct Reproduced {
     pub exact: bool,
 }
 
-/// Of all possible bodies that have exactly these base parameters, those nearest to the prior;
-/// where there are none, bodies whose base parameters come nearest, each measured by what is usual
-/// in a robot: 1 kg, 0.2 kg m, 0.04 kg m^2, and 1 in the drives' units.
+/// Of all possible bodies that have exactly these base parameters, those nearest to the prior. If
+/// there are none, bodies whose base parameters come nearest, each in usual units of a robot: 1 kg,
+/// 0.2 kg m, 0.04 kg m^2, and 1 in the drives' units.
 ///
 /// Uses `margin`, `bounds` and `carried` of the settings.
 pub fn possible_bodies(
@@ -96,10 +96,11 @@ const MET: f64 = 1e-6;
 
 /// `standard` with links that can be built, its drives and base parameters kept.
 ///
-/// `standard` comes back as it is where its own links, without what is fixed to them, are possible.
+/// `standard` is returned unchanged if its own links, without the bodies fixed to them, are
+/// possible.
 ///
-/// # Errors
-/// The links of `standard` (from 1) that no body can have, where no others have its base parameters.
+/// # Errors The links of `standard` (from 1) that no body can have, where no others have its base
+/// parameters.
 pub fn buildable_links(
     arm: &dyn Arm,
     standard: &[f64],

@@ -9,7 +9,7 @@ use crate::model::Description;
 use crate::model::likely_bodies::PriorBody;
 use crate::model::pseudo_inertia::Yardstick;
 
-/// Where the parameters of the links and drives stand among the standard ones.
+/// Indices of the parameters of the links and drives among the standard ones.
 #[derive(Debug, Clone)]
 pub(super) struct Layout {
     /// Per link, its ten.
@@ -61,7 +61,7 @@ impl Layout {
     }
 }
 
-/// What the data say: `1/2 |r beta - z|^2`, in units of the noise.
+/// Data term: `1/2 |r beta - z|^2`, in units of the noise.
 pub(super) struct Data {
     pub(super) r: DMatrix<f64>,
     pub(super) z: DVector<f64>,

@@ -67,7 +67,7 @@ fn equations(arm: &Interpreted, truth: &[f64], states: usize, noise: f64, seed: 
     Data { r: r.columns(0, b).into_owned(), z: r.column(b).into_owned() }
 }
 
-/// What no base parameters remove.
+/// Part that no base parameters remove.
 fn floor(data: &Data) -> f64 {
     let svd = data.r.clone().svd(true, true);
     let beta = svd.solve(&data.z, 1e-10 * svd.singular_values.max()).unwrap();
@@ -167,8 +167,8 @@ fn random_arms_get_possible_bodies_and_the_plain_ones_where_these_are_possible()
                 let signed = ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind));
                 assert!(!signed || *value > 0.0, "{name} {value}");
             }
-            // Where possibility costs nothing, the parameters are the plain ones, but for what
-            // noise and prior share.
+            // If possibility costs nothing, the parameters are the plain ones, up to the shares of
+            // noise and prior.
             if result.possible.growth_percent < 1e-3 {
                 inside += 1;
                 for (p, q) in found.parameters.iter().zip(&result.base) {
@@ -312,8 +312,8 @@ fn the_published_lwr_is_possible() {
     }
 }
 
-/// What is said beforehand of the torques elsewhere is what comes: over runs with other noise, the
-/// errors over states all over the range are as large as the standard deviation that was announced.
+/// The announced uncertainty elsewhere is the actual one: over runs with other noise, the errors
+/// over states all over the range are as large as the announced standard deviation.
 #[test]
 fn the_announced_uncertainty_elsewhere_is_honest() {
     let (robot, arm) = file("kuka-lwr4");
@@ -381,7 +381,7 @@ fn left_out_parts_tell_which_predicts_better() {
     // Little data, and bodies that are known: better than the plain fit beyond doubt.
     let good = of(&prior_bodies(&bodies(&truth, links), &geometric_bodies(&arm.ends())), 1e3);
     assert!(good.better() == crate::identify::Better::Second && good.stretches >= 8, "{good:?}");
-    // Bodies of the wrong size that are believed to 3 %.
+    // Bodies of the wrong size with a prior of 3 %.
     let twice: Vec<Option<[f64; 10]>> =
         bodies(&truth, links).into_iter().map(|b| b.map(|b| b.map(|v| 2.0 * v))).collect();
     let bad = of(&prior_bodies(&twice, &geometric_bodies(&arm.ends())), 1e6);

@@ -24,7 +24,7 @@ impl Default for AccumulatorSettings {
     }
 }
 
-/// What is known of one joint's equations: `R_j' R_j = [W_j tau_j]' [W_j tau_j]`.
+/// Factor of one joint's equations: `R_j' R_j = [W_j tau_j]' [W_j tau_j]`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointFactor {
     /// Base parameters that the joint's torque can depend on; the factor's columns, before the
@@ -67,7 +67,7 @@ impl JointFactor {
     }
 }
 
-/// What is known of a log, whatever its length.
+/// Factors of a log, whatever its length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Factors {
     /// Name of the log.
@@ -82,11 +82,12 @@ pub struct Factors {
 
 /// Builds [`Factors`] from motions.
 ///
-/// Where a joint is at rest ([`Motion::resting`]), or sticks as it turns round ([`Motion::stuck`]),
-/// its Coulomb column and its true friction disagree by up to twice the friction, so the joint's own
-/// row is left out. What the low-pass carries of that to later rows stays in: on short recordings of
-/// real arms those rows are worth more than they err. A joint that rests for more than half of a
-/// stretch is taken to stand on purpose: its rows stay, with zero in the Coulomb column.
+/// Where a joint is at rest ([`Motion::resting`]), or sticks at a reversal ([`Motion::stuck`]), its
+/// Coulomb column and its true friction disagree by up to twice the friction. The joint's own row
+/// is therefore left out. What the low-pass carries of that to later rows stays in: on short
+/// recordings of real arms those rows are worth more than they err. A joint that rests for more
+/// than half of a stretch is taken to stand on purpose: its rows stay, with zero in the Coulomb
+/// column.
 pub struct QrAccumulator<'a> {
     arm: &'a dyn Arm,
     settings: AccumulatorSettings,
@@ -99,12 +100,12 @@ pub struct QrAccumulator<'a> {
     work: Vec<f64>,
 }
 
-/// Where velocities have no sign.
+/// Samples whose velocities have no sign.
 #[derive(Clone, Copy)]
 struct Still<'a> {
-    /// Of each joint, those of the sums behind, at each picked sample of a motion.
+    /// For each joint the sums behind it, at each selected sample of a motion.
     marks: &'a [bool],
-    /// Number of picked samples.
+    /// Number of selected samples.
     picks: usize,
     /// The first that is meant.
     from: usize,
@@ -202,7 +203,7 @@ impl<'a> QrAccumulator<'a> {
         (self.block, self.regressor) = (block, regressor);
     }
 
-    /// Runs each column and the torque through the same low-pass, then uses the picked samples.
+    /// Runs each column and the torque through the same low-pass, then uses the selected samples.
     fn absorb_filtered(&mut self, motion: &Motion, sos: &crate::data::signal::Sos, still: Still<'_>, full: usize) {
         let len = motion.states.len;
         let mut regressor = Vec::new();
@@ -242,7 +243,7 @@ impl<'a> QrAccumulator<'a> {
         (0..rows).map(|k| 2 * row(k).iter().filter(|r| **r).count() > len).collect()
     }
 
-    /// Where the rows of each joint, then each sum, have no sign of velocity, at the picked samples.
+    /// Selected samples at which the rows of each joint, then each sum, have no sign of velocity.
     fn still(&self, motion: &Motion) -> Vec<bool> {
         let (len, dof) = (motion.states.len, self.arm.dof());
         let mut out = Vec::new();

@@ -1,4 +1,4 @@
-//! Second moments of consecutive batches of samples: what standard deviations need to know about
+//! Second moments of consecutive batches of samples: the input of standard deviations with
 //! correlation in time.
 
 use crate::identify::regression::r_factor::RFactor;

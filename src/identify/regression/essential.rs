@@ -1,9 +1,9 @@
 //! Essential parameters: those without which the model predicts worse (Khalil and Dombre, section
 //! 12.5.4).
 //!
-//! The parameter of the largest relative standard deviation goes, the rest is fitted again, until
-//! all are known well or until what has gone, taken together, is no longer zero within its own
-//! covariance (Wald's F test on the full model).
+//! The parameter of the largest relative standard deviation is dropped and the rest fitted again.
+//! This ends when all are well determined or the dropped ones, taken together, are no longer zero
+//! within their own covariance (Wald's F test on the full model).
 
 use nalgebra::DVector;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
@@ -76,7 +76,7 @@ pub(in crate::identify) fn reduce(
         let f = wald(&gone, full, &place, &full_covariance);
         let limit = FisherSnedecor::new(gone.len() as f64, freedom)
             .map_or(f64::INFINITY, |law| law.inverse_cdf(1.0 - settings.level));
-        // NaN (a parameter that the data do not tell) counts as no evidence against dropping.
+        // NaN (an undetermined parameter) counts as no evidence against dropping.
         if f > limit {
             break;
         }

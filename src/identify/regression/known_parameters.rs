@@ -33,8 +33,8 @@ impl<'a> Known<'a> {
         Self { description: Description { base, pattern, ..arm.description().clone() }, arm, values, entries }
     }
 
-    /// The factors of a log of the whole arm, with the known parameters' torque taken out of the
-    /// measured one: `[W_u, tau - W_k beta_k] = [W tau] T`, so `R T` is as good as the log.
+    /// The factors of a log of the whole arm, without the torque of the known parameters: `[W_u,
+    /// tau - W_k beta_k] = [W tau] T`. So `R T` is as good as the log.
     pub fn factors(&self, whole: &Factors) -> Factors {
         let joints = whole.joints.iter().map(|joint| self.joint(joint)).collect();
         Factors { name: whole.name.clone(), joints, seconds: whole.seconds, parameters: self.description.base.len() }

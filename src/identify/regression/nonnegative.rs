@@ -22,12 +22,12 @@ pub(crate) fn is_level(name: &str) -> bool {
     ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind))
 }
 
-/// Holds rotor inertias and friction levels that came out below zero, or below their floor, there and
-/// fits the others again, until none is below: the active-set method of non-negative least squares
-/// (Lawson and Hanson 1974), without release.
+/// Holds rotor inertias and friction levels that came out below zero, or below their floor, there
+/// and fits the others again, until none is below. This is the active-set method of non-negative
+/// least squares (Lawson and Hanson 1974), without release.
 ///
-/// `floors`: standard parameters with a least value above zero. Friction that differs with direction
-/// by `FCA` has a level of `FC - |FCA|` in one of them.
+/// `floors`: standard parameters with a least value above zero. Friction that differs with
+/// direction by `FCA` has a level of `FC - |FCA|` in one of them.
 pub fn nonnegative_drives(
     arm: &dyn Arm,
     fit: &[Factors],

@@ -4,7 +4,7 @@
 /// A' A`.
 ///
 /// A block stands under the triangle and is annihilated column by column with Householder
-/// reflections that touch one row of the triangle each (Golub and Van Loan, Matrix Computations,
+/// reflections. They touch one row of the triangle each (Golub and Van Loan, Matrix Computations,
 /// sections 5.2 and 6.5.3).
 #[derive(Debug, Clone, PartialEq)]
 pub struct RFactor {
@@ -58,8 +58,7 @@ impl RFactor {
             let v = &left[k * rows..][..filled(k)];
             let squares = dot(v, v);
             let diagonal = self.r[k + k * n];
-            // What a filter leaves of a constant can be so small that its square is no proper
-            // number any more.
+            // A filter can reduce a constant so far that its square is no normal number any more.
             if squares == 0.0 || diagonal * diagonal + squares < 1e-280 {
                 continue;
             }

@@ -11,7 +11,7 @@ pub enum RecoverError {
     /// A vector of the wrong length.
     #[error("{what}: {found} numbers where the arm has {expected}")]
     Length {
-        /// Which.
+        /// The parameter.
         what: &'static str,
         /// Given.
         found: usize,
@@ -29,13 +29,14 @@ pub(in crate::identify) fn base_of(arm: &dyn Arm, standard: &[f64]) -> Vec<f64> 
 }
 
 /// Standard parameters that give exactly these base parameters and differ least from `prior` (zeros
-/// if there is none): `phi = phi0 + D K' (K D K')^-1 (beta - K phi0)`, the least change in the
-/// metric `D^-1`.
+/// if there is none). They are `phi = phi0 + D K' (K D K')^-1 (beta - K phi0)`, the least change in
+/// the metric `D^-1`.
 ///
 /// `D` holds the squares of the sizes that changes may have, so that kilograms and kilogram square
-/// metres can be compared: for a link of mass `m` and a length `l = 0.2 m`: `m`, `m l` and `m l^2`;
-/// for the drive, the parameter's own size. `m` is the prior mass, at least 1 kg. Rotor inertias and
-/// friction levels that share a base parameter with others (`IA3` in `ZZ3R`) are not negative.
+/// metres can be compared. For a link of mass `m` and a length `l = 0.2 m` they are `m`, `m l` and
+/// `m l^2`; for the drive, the parameter's own size. `m` is the prior mass, at least 1 kg. Rotor
+/// inertias and friction levels that share a base parameter with others (`IA3` in `ZZ3R`) are not
+/// negative.
 pub fn recover_standard(arm: &dyn Arm, beta: &[f64], prior: Option<&[f64]>) -> Result<Vec<f64>, RecoverError> {
     let (names, base) = (arm.standard_names(), arm.base_parameters());
     let length = |what, found, expected| match found == expected {
@@ -81,7 +82,7 @@ fn least_change(
     Ok(phi)
 }
 
-/// Links (numbered as in the names, from 1) whose standard parameters no body can have: the
+/// Links (numbered as in the names, from 1) whose standard parameters no body can have. Their
 /// pseudo-inertia `[[tr(I)/2 1 - I, MS], [MS', M]]` is not positive definite (Wensing, Kim and
 /// Slotine 2018). Least squares does not ask for it.
 pub fn implausible_links(names: &[String], standard: &[f64]) -> Vec<usize> {

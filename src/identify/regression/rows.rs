@@ -4,13 +4,13 @@ use crate::model::{Arm, States, SummedSign};
 
 /// Whether a base parameter is a drive's own of this kind: `FC7`, `FC7R`. The number is that of the
 /// table's row, not of the moving joint: fixed rows count. A drive's column stands in its own
-/// joint's row alone, so that the row tells whose it is.
+/// joint's row alone, so the row identifies its owner.
 pub(crate) fn is_drive(name: &str, kind: &str) -> bool {
     let number = name.strip_prefix(kind).unwrap_or("").trim_end_matches('R');
     !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit())
 }
 
-/// Where each joint's entries stand in [`Arm::base_pattern`].
+/// Index of each joint's entries in [`Arm::base_pattern`].
 #[derive(Debug, Clone)]
 pub(crate) struct Rows {
     /// Base parameters of each joint's row.

@@ -33,8 +33,8 @@ impl Small {
         r
     }
 
-    /// Ratio of the largest to the smallest singular value of `R`, with columns as they are and
-    /// with columns of unit norm.
+    /// Ratio of the largest to the smallest singular value of `R`, with unscaled columns and with
+    /// columns of unit norm.
     pub(in crate::identify) fn conditions(&self) -> [f64; 2] {
         [&self.r, &self.scaled()].map(|r| {
             let s = r.singular_values();
@@ -54,7 +54,8 @@ impl Small {
     }
 
     /// `G` with `G G' = (R' R)^-1`: the inverse of `R`, or, where the data leave `null` open, the
-    /// pseudo-inverse in scaled parameters. `G R` is then the projection on what the data tell.
+    /// pseudo-inverse in scaled parameters. `G R` is then the projection on the determined
+    /// directions.
     pub(in crate::identify) fn inverse(&self, null: &DMatrix<f64>) -> DMatrix<f64> {
         let p = self.scale.len();
         if null.ncols() == 0 {

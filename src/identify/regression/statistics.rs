@@ -1,19 +1,20 @@
 //! Standard deviations of the parameters when the noise is filtered, so not white.
 //!
 //! With `A = sum_j w_j^2 W_j' W_j` the estimate's covariance is `A^-1 B A^-1`, `B` that of the
-//! score `sum_j w_j^2 W_j' e_j`. For white noise `B = A`. A low-pass makes neighbouring samples
-//! alike, so that 10,000 of them tell as much as some hundreds: `B` is larger. As in the method of
-//! batch means (Chen and Seila 1987; Flegal and Jones 2010) and in cluster-robust regression (Liang
-//! and Zeger 1986) the scores of batches that are long against the correlation time are nearly
-//! independent, so their squares show how much larger. The score of batch `b` of joint `j`, `s_jb =
-//! w_j^2 W_jb' (tau_jb - W_jb beta)`, needs only that batch's Gram matrix: no second pass.
+//! score `sum_j w_j^2 W_j' e_j`. For white noise `B = A`. A low-pass correlates neighbouring
+//! samples, so that 10,000 of them have the information of some hundreds: `B` is larger. As in the
+//! method of batch means (Chen and Seila 1987; Flegal and Jones 2010) and in cluster-robust
+//! regression (Liang and Zeger 1986), the scores of batches that are long against the correlation
+//! time are nearly independent. Their squares therefore show how much larger. The score of batch
+//! `b` of joint `j`, `s_jb = w_j^2 W_jb' (tau_jb - W_jb beta)`, needs only that batch's Gram
+//! matrix: no second pass.
 //!
 //! From some tens of batches a `57 * 57` matrix can't be had with any precision, but one number per
-//! joint can: `lambda_j = sum_b s_jb' A^-1 s_jb / sum_b tr(A^-1 (A_jb - A_jb A^-1 A_jb))`, the
-//! ratio of what the batches show to what white noise would show; the second term is what the fit
-//! itself takes away (Bell and McCaffrey 2002 correct for the same). Then `B = sum_j lambda_j w_j^2
-//! W_j' W_j`, and joint `j` has `N_j / lambda_j` effective samples. Because the scores carry the
-//! regressor's own spectrum, `lambda` is that of the frequencies at which the motion excites.
+//! joint can: `lambda_j = sum_b s_jb' A^-1 s_jb / sum_b tr(A^-1 (A_jb - A_jb A^-1 A_jb))`. It is
+//! the ratio of the batches' variance to that of white noise; the second term is the part that the
+//! fit itself removes (Bell and McCaffrey 2002 correct for the same). Then `B = sum_j lambda_j
+//! w_j^2 W_j' W_j`, and joint `j` has `N_j / lambda_j` effective samples. Because the scores carry
+//! the regressor's own spectrum, `lambda` is that of the frequencies at which the motion excites.
 
 use nalgebra::DMatrix;
 
@@ -24,7 +25,7 @@ use crate::identify::regression::wls::{JointSystem, Solution, positions};
 pub struct Noise {
     /// Standard deviation of each joint's residual, N m.
     pub sigma: Vec<f64>,
-    /// How many samples tell as much as one independent sample would, per joint, at least 1.
+    /// Number of samples per independent sample, per joint, at least 1.
     pub inflation: Vec<f64>,
     /// Samples divided by that.
     pub effective_samples: Vec<f64>,

@@ -128,7 +128,7 @@ pub(in crate::identify) struct Solution {
     pub(in crate::identify) iterations: usize,
 }
 
-/// What the problem is, besides the data.
+/// Settings of the problem, besides the data.
 #[derive(Debug, Clone)]
 pub(in crate::identify) struct Problem<'a> {
     pub(in crate::identify) joints: &'a [JointSystem],
@@ -149,7 +149,7 @@ impl Problem<'_> {
         loop {
             iterations += 1;
             let small = Small::new(&stacked(self.joints, &weights, active, self.parameters));
-            // Which parameters the data see does not depend on the weights.
+            // The set of determined parameters does not depend on the weights.
             let null = null.get_or_insert_with(|| small.null_space(self.tolerance));
             let root = small.inverse(null);
             let solution = small.solve(&root, null, &prior);

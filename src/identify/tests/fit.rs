@@ -183,7 +183,7 @@ fn standard_parameters_predict_what_was_identified() {
         let back = crate::identify::regression::recover::base_of(&arm, &standard);
         assert!(back.iter().zip(&beta).all(|(a, b)| (a - b).abs() < 1e-13));
     }
-    // What is right already stays.
+    // Correct values are kept.
     let same = recover_standard(&arm, &arm.beta(), Some(&STANDARD)).unwrap();
     assert!(same.iter().zip(&STANDARD).all(|(a, b)| (a - b).abs() < 1e-13));
     assert!(recover_standard(&arm, &beta[1..], None).is_err());

@@ -42,8 +42,8 @@ fn short_record() {
     assert!((0.92..0.985).contains(&within) && (0.85..1.15).contains(&spread), "{within} {spread}");
 }
 
-/// What the white-noise formula would claim of the same data: its deviations are too small by the
-/// root of the inflation.
+/// Result of the white-noise formula on the same data: its deviations are too small by the root of
+/// the inflation.
 #[test]
 fn filtered_noise_is_told_from_white() {
     let arm = Planar::new();
@@ -68,8 +68,9 @@ fn within_three(scores: &[f64]) -> (f64, f64) {
     (within, (scores.iter().map(|z| z * z).sum::<f64>() / scores.len() as f64).sqrt())
 }
 
-/// A log of joints that dry friction holds at every reversal: speeds below a tenth of a radian per
-/// second are none, and meanwhile friction passes from one level to the other. Encoders of 1e-5 rad.
+/// A log of joints that dry friction holds at every reversal. Speeds below a tenth of a radian per
+/// second are none, and meanwhile friction passes from one level to the other. Encoders of 1e-5
+/// rad.
 fn sticking(arm: &Planar, rate: f64, noise: f64, seed: u64) -> crate::data::log::Log {
     let mut m = motion(arm, 12.0, rate, 0.37 * seed as f64);
     let (len, dead) = (m.states.len, 0.1);
@@ -185,7 +186,7 @@ impl Hand {
         stack.finish()
     }
 
-    /// Errors of what the logs tell of the tool, by their standard deviations.
+    /// Errors of the estimated tool, by their standard deviations.
     fn scores(
         &self,
         unloaded: &[Factors],
@@ -193,8 +194,8 @@ impl Hand {
         settings: &crate::identify::tool::ToolSettings,
     ) -> Vec<f64> {
         let found = crate::identify::tool::identify_tool(&self.arm, unloaded, loaded, settings).unwrap();
-        let told = found.told();
-        (0..10).filter(|&k| told[k]).map(|k| (found.values[k] - self.tool[k]) / found.std[k]).collect()
+        let determined = found.determined();
+        (0..10).filter(|&k| determined[k]).map(|k| (found.values[k] - self.tool[k]) / found.std[k]).collect()
     }
 }
 

@@ -83,6 +83,7 @@ fn ten_thousand_samples() {
         velocity_noise: vec![0.0; 7],
         position_noise: Vec::new(),
         temperature: Vec::new(),
+        motor: Vec::new(),
         ..Default::default()
     };
     eprintln!("{} columns, {} entries", arm.base_parameters().len(), arm.base_pattern().len());
@@ -123,7 +124,7 @@ fn ten_thousand_samples() {
     }
 }
 
-/// An hour of seven joints at 1 kHz, written as it is read: a 16 s piece again and again.
+/// An hour of seven joints at 1 kHz, written while it is read: a 16 s piece again and again.
 struct Hour {
     piece: Vec<String>,
     row: usize,

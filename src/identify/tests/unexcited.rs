@@ -1,4 +1,4 @@
-//! Data that do not tell everything: said so, by name.
+//! Data that do not determine everything: reported, by name.
 
 use super::*;
 use crate::identify::{Essential, Standing, planar::motion};
@@ -88,7 +88,7 @@ fn no_motion_at_all() {
     let error = solve(&arm, &[factors(&arm, &[m.clone()])], &[], &IdentifySettings::default()).unwrap_err();
     assert!(error.to_string().contains("zero"), "{error}");
     m.tau.fill(1.0);
-    // Only the sum of what holds the arm up and the offsets is told.
+    // Only the sum of the holding torque and the offsets is determined.
     let found = identify(&arm, &[m]);
     assert!(found.parameters.iter().all(|p| p.standing == Standing::NotIdentifiable));
     assert!(found.fit.rms.iter().all(|r| *r < 1e-9));

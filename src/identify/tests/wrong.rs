@@ -81,7 +81,7 @@ fn a_joint_that_stands_tells_no_sign_by_its_offset() {
     };
     let found = said(other);
     assert!(signs(&found).is_empty(), "{found:?}");
-    // Turned about it is told, as the arm's weight is on that joint.
+    // A turned sign is reported, as the arm's weight is on that joint.
     let found = said(standing(&arm, 8.0, 0.0, 0.0, |tau| tau.iter_mut().for_each(|t| *t = -*t)));
     assert_eq!(signs(&found), ["tau2"], "{found:?}");
 }
@@ -100,7 +100,7 @@ fn friction_of_a_joint_that_only_trembles_has_no_sign() {
     lead(&mut m);
     let found = solve(&arm, &[factors(&arm, &[m])], &[], &IdentifySettings::default()).unwrap();
     assert!(signs(&found.findings).is_empty(), "{:?}", found.findings);
-    // The same of a joint that slides is told.
+    // The same of a joint that slides is reported.
     let mut m = standing(&arm, 12.0, 0.3, 0.2, |_| {});
     lead(&mut m);
     let found = solve(&arm, &[factors(&arm, &[m])], &[], &IdentifySettings::default()).unwrap();

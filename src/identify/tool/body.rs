@@ -67,7 +67,7 @@ impl Body {
     }
 }
 
-/// The matrix `T` (`10 * 10`) with `pi' = T pi` for a body seen in another frame: `rotation`
+/// The matrix `T` (`10 * 10`) with `pi' = T pi` for a body seen in another frame. `rotation`
 /// (row-major) and `origin` (m) are those of the present frame in the new one.
 pub fn moving(rotation: &[[f64; 3]; 3], origin: &[f64; 3]) -> nalgebra::SMatrix<f64, 10, 10> {
     let mut matrix = nalgebra::SMatrix::<f64, 10, 10>::zeros();

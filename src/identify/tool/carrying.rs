@@ -13,12 +13,12 @@ pub fn names() -> [String; 10] {
 }
 
 /// An arm whose base parameters are followed by the ten of a body that it carries (`ML MSXL ...`),
-/// in the frame of [`Payload`]: `[W_b W_L]` in a loaded log, `[W_b 0]` in an unloaded one.
+/// in the frame of [`Payload`]. A loaded log has `[W_b W_L]`, an unloaded one `[W_b 0]`.
 pub struct Carrying<'a> {
     arm: &'a dyn Payload,
     loaded: bool,
     description: Description,
-    /// Where each entry of the pattern comes from: the arm's own entries, then the body's.
+    /// Source of each entry of the pattern: the arm's own entries, then the body's.
     sources: Vec<usize>,
 }
 

@@ -3,9 +3,8 @@
 //! The tool frame sits in the face of the flange, z outwards; a roller's axis and a brush's band
 //! lie along x. The flange of the LWR is 0.078 m beyond its last frame. Sizes and masses are those
 //! of hardware that shops sell, rounded; the two rollers of the paper (section VI: 0.35 m x 0.20 m,
-//! 0.2 kg; 0.33 m x 0.10 m, 0.1 kg) are the anchor: wire and grip are ordinary, and the nap's mass
-//! per metre is what is missing to the paper's mass. Dry tools: a nap full of paint is another
-//! body.
+//! 0.2 kg; 0.33 m x 0.10 m, 0.1 kg) are the anchor. Wire and grip are ordinary, and the nap's mass
+//! per metre makes up the rest of the paper's mass. Dry tools: a nap full of paint is another body.
 
 use dh_codegen::robot::{Angle, Inertia, Tool, ToolGeometry};
 
@@ -154,7 +153,7 @@ fn tool(name: String, inertia: Inertia, size: Option<[f64; 2]>) -> Tool {
     }
 }
 
-/// What the first line of a tool file says.
+/// First line of a tool file.
 pub const SOURCE: &str = "geometry and density, by src/identify/tool/catalogue.rs; dry";
 
 /// The tools of `robots/tools/`.
@@ -213,7 +212,7 @@ mod tests {
         let files = fs::read_dir(&folder)
             .unwrap()
             .filter(|f| f.as_ref().is_ok_and(|f| f.path().extension().is_some_and(|e| e == "yaml")));
-        assert_eq!(files.count(), tools.len(), "a file that the builder does not know");
+        assert_eq!(files.count(), tools.len(), "a file of an unknown format");
     }
 
     #[test]

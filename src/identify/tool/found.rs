@@ -1,4 +1,4 @@
-//! All that is told about what the arm carries: plain data for a report.
+//! Complete result on the body that the arm carries: plain data for a report.
 
 use super::identify::Carried;
 use super::interpolate::{Relative, interpolate};
@@ -26,7 +26,7 @@ pub struct Found {
     pub carried: Carried,
     /// The table that was looked up; may be empty.
     pub table: Vec<Entry>,
-    /// Which tool; `None` without a table.
+    /// Recognised tool; `None` without a table.
     pub recognition: Option<Recognition>,
     /// As a member of a family of the table, whose size is between those that are there.
     pub relative: Option<Relative>,

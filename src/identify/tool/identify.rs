@@ -16,16 +16,15 @@ use crate::model::Payload;
 /// How to solve.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ToolSettings {
-    /// Standard parameters of the robot without the tool (`P`): what is known where there is no
-    /// unloaded log; else only what stands where the logs say nothing.
+    /// Standard parameters of the robot without the tool (`P`): taken as known without an unloaded
+    /// log; else only the values where the logs have no information.
     pub robot: Option<Vec<f64>>,
     /// Mass from a scale, kg.
     pub known_mass: Option<f64>,
     /// Standard deviation of that, kg; zero: it is exact.
     pub mass_std: f64,
-    /// Without an unloaded log: whether friction and offsets (`FV FC FO`) are estimated from the
-    /// loaded log, as they change from day to day, and only the links and rotors are taken as
-    /// known.
+    /// Without an unloaded log: whether friction and offsets (`FV FC FO`), which change from day to
+    /// day, are estimated from the loaded log. Then only the links and rotors are taken as known.
     pub refresh_friction: bool,
     /// Covariance of the robot's base parameters, row-major `B * B`, as identified; zero where one
     /// is exact. Without an unloaded log it is carried on to the ten. `None`: all are taken as
@@ -53,7 +52,7 @@ impl ToolSettings {
     }
 }
 
-/// What the standard deviations hold of the robot's own errors.
+/// Contribution of the robot's own errors in the standard deviations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RobotErrors {
     /// All: the robot was identified along.
@@ -73,8 +72,7 @@ pub enum ToolError {
     Identify(#[from] IdentifyError),
     /// Neither an unloaded log nor a robot.
     #[error(
-        "without an unloaded log the robot's own parameters must be known, and its file does not have them; record the same motion \
-         with an empty hand and give it as --unloaded, or identify the robot first"
+        "without an unloaded log the robot's own parameters are required, and its file does not have them; record the same motion with an empty hand and give it as --unloaded, or identify the robot first"
     )]
     UnknownRobot,
     /// No loaded log.
@@ -86,14 +84,14 @@ pub enum ToolError {
     /// A deviation that is none.
     #[error("the standard deviation of the known mass is {0} kg; give zero or more, and --known-mass with it")]
     MassStd(f64),
-    /// A scale that is not exact can only be weighed against a mass that the logs tell.
+    /// A scale that is not exact can only be combined with a mass that the logs determine.
     #[error(
-        "the logs don't tell the mass, so that of the scale can't be weighed against theirs; leave --mass-std out to take it as it is"
+        "the logs don't determine the mass, so that of the scale can't be combined with theirs; leave --mass-std out to use it as exact"
     )]
     MassNotTold,
     /// The data say nothing of the tool.
     #[error(
-        "the loaded log says nothing about what the arm carries: none of its ten parameters can be told; record a motion that moves the wrist"
+        "the loaded log has no information on the body that the arm carries: none of its ten parameters is determined; record a motion that moves the wrist"
     )]
     NothingTold,
 }
@@ -113,30 +111,30 @@ pub struct LogError {
     pub robot_alone: Accuracy,
 }
 
-/// What the arm carries, in the arm's last DH frame about its origin (in the tool frame where `arm`
-/// has a tool).
+/// Body that the arm carries, in the arm's last DH frame about its origin (in the tool frame where
+/// `arm` has a tool).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Carried {
     /// The robot's name.
     pub robot: String,
     /// `M MSX MSY MSZ XX YY ZZ XY XZ YZ`, kg, kg m, kg m^2.
     pub values: [f64; 10],
-    /// Their standard deviations; infinite where the data do not tell; zero for a known mass.
+    /// Their standard deviations; infinite if undetermined; zero for a known mass.
     pub std: [f64; 10],
-    /// Their covariance, row-major `10 * 10`; zero in rows and columns that the data do not tell.
+    /// Their covariance, row-major `10 * 10`; zero in rows and columns of undetermined ones.
     pub covariance: Vec<f64>,
-    /// What became of each.
+    /// Status of each.
     pub standing: [Standing; 10],
     /// The mass that was given, and its standard deviation.
     pub known_mass: Option<f64>,
     /// Zero: it was taken as exact.
     pub mass_std: f64,
-    /// What the logs alone say of the mass where one was given, and its standard deviation, kg;
-    /// `None` where they don't tell it.
+    /// Mass from the logs alone where one was given, and its standard deviation, kg; `None` if they
+    /// don't determine it.
     pub mass_of_logs: Option<[f64; 2]>,
-    /// What the standard deviations hold of the robot's own errors.
+    /// Contribution of the robot's own errors in the standard deviations.
     pub robot_errors: RobotErrors,
-    /// Mass, centre, principal axes; `None` where the data do not tell the mass or the first
+    /// Mass, centre, principal axes; `None` if the data do not determine the mass or the first
     /// moments.
     pub body: Option<Body>,
     /// Independent samples over all joints, less the number of unknowns: degrees of freedom of the
@@ -161,15 +159,15 @@ impl Carried {
         })
     }
 
-    /// Which of the ten the data tell (a known mass is told).
-    pub fn told(&self) -> [bool; 10] {
+    /// Which of the ten are determined (a known mass is).
+    pub fn determined(&self) -> [bool; 10] {
         self.standing.map(|s| s == Standing::Identified)
     }
 
     /// The same body in another frame: `rotation` (row-major) and `origin` of the last frame in
-    /// that one. `None` where a parameter is not told.
+    /// that one. `None` if a parameter is undetermined.
     pub fn moved(&self, rotation: &[[f64; 3]; 3], origin: &[f64; 3]) -> Option<([f64; 10], [f64; 10])> {
-        if !self.told().iter().all(|t| *t) {
+        if !self.determined().iter().all(|t| *t) {
             return None;
         }
         let turn = moving(rotation, origin);
@@ -191,8 +189,8 @@ pub fn identify_tool(
         return Err(ToolError::NoLoad);
     }
     settings.check(arm)?;
-    // A mass that is exact is no unknown; one that a scale tells to so many grams is weighed
-    // against the logs' below.
+    // A mass that is exact is no unknown; one from a scale with a standard deviation is combined
+    // with the logs' below.
     let exact = settings.known_mass.filter(|_| settings.mass_std == 0.0);
     let whole = Carrying::new(arm, true);
     let first = whole.first();
@@ -255,19 +253,19 @@ pub fn identify_tool(
     let standing: [Standing; 10] =
         std::array::from_fn(|k| ten[k].map_or(Standing::Identified, |i| solved.parameters[i].standing));
     let std: [f64; 10] = std::array::from_fn(|k| ten[k].map_or(0.0, |i| solved.parameters[i].std));
-    let told = standing.map(|s| s == Standing::Identified);
-    if !told.iter().zip(&ten).any(|(told, place)| *told && place.is_some()) {
+    let determined = standing.map(|s| s == Standing::Identified);
+    if !determined.iter().zip(&ten).any(|(determined, place)| *determined && place.is_some()) {
         return Err(ToolError::NothingTold);
     }
     let mut covariance = vec![0.0; 100];
     for i in 0..10 {
         for k in 0..10 {
-            if let (Some(a), Some(b), true, true) = (ten[i], ten[k], told[i], told[k]) {
+            if let (Some(a), Some(b), true, true) = (ten[i], ten[k], determined[i], determined[k]) {
                 covariance[10 * i + k] = solved.correlation[a * count + b] * std[i] * std[k];
             }
         }
     }
-    let body = if told[..4].iter().all(|t| *t) { Body::new(&values, &covariance) } else { None };
+    let body = if determined[..4].iter().all(|t| *t) { Body::new(&values, &covariance) } else { None };
     let alone = [&beta[..first], &[0.0; 10]].concat();
     let error = |log: &Factors, loaded: bool| LogError {
         name: log.name.clone(),
@@ -287,7 +285,7 @@ pub fn identify_tool(
         mass_std: settings.mass_std,
         mass_of_logs,
         robot_errors,
-        body: body.filter(|_| told.iter().all(|t| *t)),
+        body: body.filter(|_| determined.iter().all(|t| *t)),
         freedom: (solved.noise.effective_samples.iter().sum::<f64>() - count as f64).max(1.0),
         logs,
         noise: solved.noise.clone(),
@@ -296,7 +294,7 @@ pub fn identify_tool(
     })
 }
 
-/// The mass among all that was solved for, and its standard deviation; `None` where it is not told.
+/// The mass among all unknowns, and its standard deviation; `None` if it is undetermined.
 fn mass_of(solved: &Identification) -> Option<[f64; 2]> {
     let mass = solved.parameters.len().checked_sub(10).map(|at| &solved.parameters[at])?;
     (mass.standing == Standing::Identified).then_some([mass.value, mass.std])
@@ -310,9 +308,9 @@ fn weigh(solved: &mut Identification, mass: f64, std: f64) -> Result<(), ToolErr
     if solved.parameters[at].standing != Standing::Identified {
         return Err(ToolError::MassNotTold);
     }
-    let told: Vec<bool> = solved.parameters.iter().map(|p| p.standing == Standing::Identified).collect();
+    let determined: Vec<bool> = solved.parameters.iter().map(|p| p.standing == Standing::Identified).collect();
     let stds: Vec<f64> = solved.parameters.iter().map(|p| p.std).collect();
-    let covariance = |i: usize, k: usize| match told[i] && told[k] {
+    let covariance = |i: usize, k: usize| match determined[i] && determined[k] {
         true => solved.correlation[i * count + k] * stds[i] * stds[k],
         false => 0.0,
     };
@@ -322,12 +320,12 @@ fn weigh(solved: &mut Identification, mass: f64, std: f64) -> Result<(), ToolErr
         .map(|e| covariance(e / count, e % count) - column[e / count] * column[e % count] / variance)
         .collect();
     let off = mass - solved.parameters[at].value;
-    for i in (0..count).filter(|&i| told[i]) {
+    for i in (0..count).filter(|&i| determined[i]) {
         solved.parameters[i].value += column[i] / variance * off;
         solved.parameters[i].std = after[i * count + i].max(0.0).sqrt();
     }
-    for i in (0..count).filter(|&i| told[i]) {
-        for k in (0..count).filter(|&k| told[k] && k != i) {
+    for i in (0..count).filter(|&i| determined[i]) {
+        for k in (0..count).filter(|&k| determined[k] && k != i) {
             let scale = solved.parameters[i].std * solved.parameters[k].std;
             solved.correlation[i * count + k] = if scale > 0.0 { after[i * count + k] / scale } else { 0.0 };
         }

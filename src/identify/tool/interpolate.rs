@@ -1,12 +1,12 @@
 //! Length and width of a tool that is not in the table, from its relatives that are: the paper's
 //! future work (section VII).
 //!
-//! Tools of one make differ in length and width alone, and their parameters are smooth in both:
-//! masses of straight parts grow with the size, first moments with its square, tensors with its
-//! cube. A polynomial `f(length, width)` is fitted to the family's entries of the table, and turned
-//! about by generalised least squares: `min (Phi - f)' S^-1 (Phi - f)`, `S = C + C_t + C_f` of the
-//! identification, of the table's tolerance, and of what the polynomial misses (from leaving one
-//! out). The minimum has the law of chi square: a tool that is no relative is reported.
+//! Tools of one make differ in length and width alone, and their parameters are smooth in both.
+//! Masses of straight parts grow with the size, first moments with its square, tensors with its
+//! cube. A polynomial `f(length, width)` is fitted to the family's entries of the table, and
+//! inverted by generalised least squares: `min (Phi - f)' S^-1 (Phi - f)`. `S = C + C_t + C_f` is
+//! that of the identification, of the table's tolerance, and of the polynomial's error (from
+//! leaving one out). The minimum has the law of chi square: a tool that is no relative is reported.
 
 use nalgebra::{DMatrix, DVector, Matrix2, SMatrix, SVector, Vector2};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor, StudentsT};
@@ -68,7 +68,7 @@ struct Family {
     terms: &'static [(i32, i32)],
     /// `terms * 10`.
     coefficients: DMatrix<f64>,
-    /// What the polynomial misses.
+    /// Error of the polynomial.
     misfit: SMatrix<f64, 10, 10>,
 }
 
@@ -129,13 +129,13 @@ pub fn interpolate(carried: &Carried, table: &[Entry], tolerance: &Tolerance, le
     let mut names: Vec<String> = table.iter().filter_map(Entry::family).collect();
     names.sort();
     names.dedup();
-    let told: Vec<usize> = (0..10).filter(|&k| carried.told()[k]).collect();
-    if told.len() < 4 {
+    let kept: Vec<usize> = (0..10).filter(|&k| carried.determined()[k]).collect();
+    if kept.len() < 4 {
         return None;
     }
     let found = names.iter().filter_map(|name| {
         let members: Vec<&Entry> = table.iter().filter(|e| e.family().as_ref() == Some(name)).collect();
-        relative(carried, &Family::new(name, &members)?, &told, tolerance, level)
+        relative(carried, &Family::new(name, &members)?, &kept, tolerance, level)
     });
     // A family in which the tool lies between others is better evidence than one that must be
     // stretched to it.
@@ -145,17 +145,17 @@ pub fn interpolate(carried: &Carried, table: &[Entry], tolerance: &Tolerance, le
 
 /// Gauss and Newton's descent from the best member of the family, with a shorter step where the
 /// long one leads upwards.
-fn relative(carried: &Carried, family: &Family, told: &[usize], tolerance: &Tolerance, level: f64) -> Option<Relative> {
-    let n = told.len();
+fn relative(carried: &Carried, family: &Family, kept: &[usize], tolerance: &Tolerance, level: f64) -> Option<Relative> {
+    let n = kept.len();
     let whitener = |size: &[f64; 2]| {
         let table = tolerance.covariance(&family.at(size)) + family.misfit;
-        let sum = DMatrix::from_fn(n, n, |i, k| carried.covariance[10 * told[i] + told[k]] + table[(told[i], told[k])]);
+        let sum = DMatrix::from_fn(n, n, |i, k| carried.covariance[10 * kept[i] + kept[k]] + table[(kept[i], kept[k])]);
         let floor = DMatrix::from_fn(n, n, |i, k| if i == k { 1e-12 * sum[(i, i)] } else { 0.0 });
         (sum + floor).cholesky()
     };
     let difference = |size: &[f64; 2]| {
         let values = family.at(size);
-        DVector::from_fn(n, |i, _| carried.values[told[i]] - values[told[i]])
+        DVector::from_fn(n, |i, _| carried.values[kept[i]] - values[kept[i]])
     };
     let start = |size: &&[f64; 2]| whitener(size).map_or(f64::INFINITY, |root| cost(&root, &difference(size)));
     let mut size = *family.sizes.iter().min_by(|a, b| start(a).total_cmp(&start(b)))?;
@@ -168,7 +168,7 @@ fn relative(carried: &Carried, family: &Family, told: &[usize], tolerance: &Tole
             let (mut ahead, mut behind) = (size, size);
             ahead[k] += step;
             behind[k] -= step;
-            (family.at(&ahead)[told[i]] - family.at(&behind)[told[i]]) / (2.0 * step)
+            (family.at(&ahead)[kept[i]] - family.at(&behind)[kept[i]]) / (2.0 * step)
         });
         let weighted = root.solve(&slope);
         let normal = slope.transpose() * &weighted;

@@ -80,7 +80,7 @@ mod tests {
             let pca = Pca::new(&table, share);
             let n = pca.components();
             assert!((pca.basis.transpose() * &pca.basis - DMatrix::identity(n, n)).amax() < 1e-12);
-            // What the components leave of the table, against the share.
+            // Remainder of the table without the components, against the share.
             let all: f64 = table.iter().flatten().map(|v| v * v).sum();
             let held: f64 = table.iter().map(|t| pca.scores(t).norm_squared()).sum();
             assert!((held / all - pca.explained[n - 1]).abs() < 1e-12 && held / all >= share - 1e-9);

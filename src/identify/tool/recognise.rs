@@ -1,12 +1,12 @@
-//! Which tool of the table it is, or none.
+//! Finds the tool in the table, or none.
 //!
 //! Two distances beside each other. The paper's: the norm of the difference in the space of
-//! [`Pca`], where a kilogram counts as much as a kilogram square metre. And that of Mahalanobis,
-//! `d^2 = (a - b)' (C + C_j)^-1 (a - b)`, with the covariance `C` of the identification and `C_j`
-//! of the table: each difference counts as many times as it exceeds what is not known of it. The
-//! second decides, over all identified parameters, because it has a law: for the right tool `d^2
-//! / k` is distributed as `F(k, nu)` (Hotelling 1931, for a covariance whose scale was estimated),
-//! so that a limit rejects the right tool with a probability that one can choose.
+//! [`Pca`], where a kilogram counts as much as a kilogram square metre. The other is that of
+//! Mahalanobis, `d^2 = (a - b)' (C + C_j)^-1 (a - b)`, with the covariance `C` of the
+//! identification and `C_j` of the table: each difference is measured by its uncertainty. The
+//! second decides, over all identified parameters, because it has a law. For the right tool `d^2 /
+//! k` is distributed as `F(k, nu)` (Hotelling 1931, for a covariance whose scale was estimated), so
+//! that a limit rejects the right tool with a probability of one's choice.
 
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
@@ -38,7 +38,7 @@ pub struct Candidate {
     pub name: String,
     /// Its place in the table.
     pub entry: usize,
-    /// Mahalanobis distance over all parameters that are told.
+    /// Mahalanobis distance over all determined parameters.
     pub distance: f64,
     /// The same in the reduced space.
     pub distance_in_space: f64,
@@ -46,8 +46,8 @@ pub struct Candidate {
     pub plain_distance: f64,
     /// Probability, if it is one of the table's tools and each was as likely before.
     pub probability: f64,
-    /// Difference of each parameter (identified less table) in its own standard deviations; NaN
-    /// where it is not told.
+    /// Difference of each parameter (identified less table) in its own standard deviations; NaN if
+    /// it is undetermined.
     pub deviations: [f64; 10],
 }
 
@@ -62,17 +62,17 @@ pub struct Recognition {
     pub rejected: bool,
     /// Others that fit nearly as well: probability above 0.05 and within the limit.
     pub not_distinguished_from: Vec<String>,
-    /// What the paper's distance says; it can't reject.
+    /// Nearest tool by the paper's distance, which can't reject.
     pub by_plain_distance: String,
-    /// How many parameters are told, `k`.
-    pub told: usize,
+    /// Number of determined parameters, `k`.
+    pub determined: usize,
     /// Degrees of freedom of the covariance's scale, `nu`.
     pub freedom: f64,
     /// The level that the limit was chosen for.
     pub level: f64,
     /// The reduced space.
     pub pca: Pca,
-    /// What was identified, there.
+    /// Identified parameters, there.
     pub scores: DVector<f64>,
     /// Its covariance there.
     pub score_covariance: DMatrix<f64>,
@@ -87,29 +87,29 @@ impl Recognition {
     }
 }
 
-/// Looks the tool up; `None` for an empty table or where nothing is told.
+/// Looks the tool up; `None` for an empty table or without any determined parameter.
 pub fn recognise(carried: &Carried, table: &[Entry], settings: &RecogniseSettings) -> Option<Recognition> {
-    let told: Vec<usize> = (0..10).filter(|&k| carried.told()[k]).collect();
-    if table.is_empty() || told.is_empty() {
+    let which: Vec<usize> = (0..10).filter(|&k| carried.determined()[k]).collect();
+    if table.is_empty() || which.is_empty() {
         return None;
     }
     let visible =
-        |values: &[f64; 10]| -> [f64; 10] { std::array::from_fn(|k| if told.contains(&k) { values[k] } else { 0.0 }) };
+        |values: &[f64; 10]| -> [f64; 10] { std::array::from_fn(|k| if which.contains(&k) { values[k] } else { 0.0 }) };
     let rows: Vec<[f64; 10]> = table.iter().map(|e| visible(&e.values)).collect();
     let (pca, here) = (Pca::new(&rows, settings.share), visible(&carried.values));
     let freedom = scale_freedom(carried);
-    let limit = limit(told.len(), freedom, settings.level);
+    let limit = limit(which.len(), freedom, settings.level);
     let mut candidates: Vec<Candidate> = Vec::new();
     let mut densities = Vec::new();
     for (entry, tool) in table.iter().enumerate() {
         let sum = |i: usize, k: usize| carried.covariance[10 * i + k] + tool.covariance[(i, k)];
         let difference: [f64; 10] = std::array::from_fn(|k| here[k] - rows[entry][k]);
-        let n = told.len();
-        let covariance = DMatrix::from_fn(n, n, |i, k| sum(told[i], told[k]));
-        let delta = DVector::from_fn(n, |i, _| difference[told[i]]);
+        let n = which.len();
+        let covariance = DMatrix::from_fn(n, n, |i, k| sum(which[i], which[k]));
+        let delta = DVector::from_fn(n, |i, _| difference[which[i]]);
         let Some((squared, log_det)) = mahalanobis(&delta, &covariance) else { continue };
         let whole =
-            DMatrix::from_fn(10, 10, |i, k| if told.contains(&i) && told.contains(&k) { sum(i, k) } else { 0.0 });
+            DMatrix::from_fn(10, 10, |i, k| if which.contains(&i) && which.contains(&k) { sum(i, k) } else { 0.0 });
         let in_space = pca.basis.transpose() * whole * &pca.basis;
         let scores = pca.basis.transpose() * DVector::from_column_slice(&difference);
         densities.push(-0.5 * (squared + log_det));
@@ -121,7 +121,7 @@ pub fn recognise(carried: &Carried, table: &[Entry], settings: &RecogniseSetting
             plain_distance: scores.norm(),
             probability: 0.0,
             deviations: std::array::from_fn(|k| {
-                if told.contains(&k) { difference[k] / sum(k, k).sqrt() } else { f64::NAN }
+                if which.contains(&k) { difference[k] / sum(k, k).sqrt() } else { f64::NAN }
             }),
         });
     }
@@ -140,7 +140,7 @@ pub fn recognise(carried: &Carried, table: &[Entry], settings: &RecogniseSetting
         rejected,
         not_distinguished_from,
         by_plain_distance,
-        told: told.len(),
+        determined: which.len(),
         freedom,
         level: settings.level,
         scores: pca.scores(&here),
@@ -151,15 +151,15 @@ pub fn recognise(carried: &Carried, table: &[Entry], settings: &RecogniseSetting
     })
 }
 
-/// How well the scale of the covariance is known: it comes from the batches of the joints (see
+/// Degrees of freedom of the scale of the covariance. It comes from the batches of the joints (see
 /// `identify::statistics`), each of which gives about one number that is independent of the others.
 pub(super) fn scale_freedom(carried: &Carried) -> f64 {
     (carried.noise.batches.iter().sum::<usize>() as f64).clamp(1.0, carried.freedom.max(1.0))
 }
 
 /// The distance that the right tool exceeds with this probability.
-pub(super) fn limit(told: usize, freedom: f64, level: f64) -> f64 {
-    let k = told as f64;
+pub(super) fn limit(count: usize, freedom: f64, level: f64) -> f64 {
+    let k = count as f64;
     FisherSnedecor::new(k, freedom).map_or(f64::INFINITY, |law| (k * law.inverse_cdf(1.0 - level)).sqrt())
 }
 

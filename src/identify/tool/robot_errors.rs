@@ -1,4 +1,4 @@
-//! What the errors of a robot that was identified before do to the parameters of what it carries.
+//! Effect of the errors of a robot that was identified before on the parameters of its load.
 
 use nalgebra::DMatrix;
 
@@ -51,16 +51,16 @@ fn normal_matrix(logs: &[Factors], sigma: &[f64], columns: usize) -> DMatrix<f64
     normal
 }
 
-/// Adds to the covariance of what the data tell.
+/// Adds to the covariance of the determined parameters.
 fn widen(solved: &mut Identification, more: &DMatrix<f64>) {
     let count = solved.parameters.len();
-    let told: Vec<bool> = solved.parameters.iter().map(|p| p.standing == Standing::Identified).collect();
+    let determined: Vec<bool> = solved.parameters.iter().map(|p| p.standing == Standing::Identified).collect();
     let before: Vec<f64> = solved.parameters.iter().map(|p| p.std).collect();
-    for (i, p) in solved.parameters.iter_mut().enumerate().filter(|(i, _)| told[*i]) {
+    for (i, p) in solved.parameters.iter_mut().enumerate().filter(|(i, _)| determined[*i]) {
         p.std = (before[i] * before[i] + more[(i, i)].max(0.0)).sqrt();
     }
-    for i in (0..count).filter(|&i| told[i]) {
-        for k in (0..count).filter(|&k| told[k] && k != i) {
+    for i in (0..count).filter(|&i| determined[i]) {
+        for k in (0..count).filter(|&k| determined[k] && k != i) {
             let both = solved.correlation[i * count + k] * before[i] * before[k] + more[(i, k)];
             let scale = solved.parameters[i].std * solved.parameters[k].std;
             solved.correlation[i * count + k] = if scale > 0.0 { both / scale } else { 0.0 };

@@ -20,8 +20,7 @@ pub struct Entry {
     pub pose: ([[f64; 3]; 3], [f64; 3]),
 }
 
-/// How well the table knows its tools, and how exactly they are mounted: one standard deviation
-/// each.
+/// Accuracy of the table and of the mounting: one standard deviation each.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
     /// Of the mass, relative; the moments go with it. Default 0.005: a gram of 200.
@@ -72,8 +71,8 @@ impl Entry {
     }
 }
 
-/// What tools of one make share: the name without the words that have digits in them, `roller` for
-/// `roller-400x180`. `None` if there is no such word, or nothing else.
+/// Common name of tools of one make: the name without the words that have digits in them, `roller`
+/// for `roller-400x180`. `None` if there is no such word, or nothing else.
 pub(super) fn family(name: &str) -> Option<String> {
     let words: Vec<&str> = name.split(['-', '_', ' ']).collect();
     let plain: Vec<&str> = words.iter().copied().filter(|w| !w.contains(|c: char| c.is_ascii_digit())).collect();

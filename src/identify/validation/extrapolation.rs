@@ -1,5 +1,4 @@
-//! What a fit is worth elsewhere, said before anybody tries: the uncertainty of torques in motions
-//! that were not recorded.
+//! Predicted torque uncertainty on unrecorded motions.
 
 use crate::identify::result::{Identification, Standing};
 use crate::model::{Arm, LinkExtents, States};
@@ -15,8 +14,8 @@ pub struct CarryOver {
 }
 
 impl CarryOver {
-    /// Whether the fit says nothing of any motion that was not recorded: the torque of every joint
-    /// is uncertain there by more than the torque that was measured, root mean square.
+    /// Whether the fit is useless on unrecorded motions: the torque of every joint is uncertain
+    /// there by more than the measured torque, root mean square.
     pub fn says_nothing(&self, found: &Identification) -> bool {
         let torque = &found.fit.torque_rms;
         self.torque_std
@@ -38,7 +37,7 @@ impl CarryOver {
 const STATES: usize = 256;
 
 /// `sqrt(mean_s w_s C w_s')` per joint, with `C` the covariance of the estimates and `w_s` the
-/// joint's row of the base regressor at states spread evenly over the positions' ranges, at up to
+/// joint's row of the base regressor. States are spread evenly over the positions' ranges, at up to
 /// half of the largest speeds, which change sign within a quarter of a second.
 pub fn carry_over(arm: &dyn Arm, reach: &dyn LinkExtents, found: &Identification) -> CarryOver {
     let (n, b) = (arm.dof(), arm.base_parameters().len());

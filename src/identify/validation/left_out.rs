@@ -25,7 +25,7 @@ pub enum LeftOutError {
     /// Too short.
     #[error("the fitted logs are too short to leave parts out")]
     Short,
-    /// The rest does not tell the parameters.
+    /// The rest does not determine the parameters.
     #[error(transparent)]
     Identify(#[from] IdentifyError),
     /// The rest has no bodies.
@@ -54,7 +54,7 @@ pub fn left_out(
     }
     let solving =
         IdentifySettings { weighted: found.weighted, prior: file.map(<[f64]>::to_vec), ..IdentifySettings::default() };
-    // What is left of the data may contradict physics; that is what is to be seen.
+    // The remaining data may contradict physics; that is to be detected.
     let settings = ConsistentSettings { most_cost_percent: f64::INFINITY, ..settings.clone() };
     let mut errors = Vec::new();
     for part in 0..parts {

@@ -4,8 +4,8 @@ use crate::data::log::{Finding, Kind, Severity};
 use crate::identify::regression::accumulator::Factors;
 use crate::identify::regression::wls::{JointSystem, stacked};
 
-/// So many times the error (root mean square) is no more of what separate fits gain by having more
-/// parameters, or of a model that is a little wrong everywhere: on the real recordings of one robot
+/// Ratio of errors (root mean square) above which separate fits gain more than by having more
+/// parameters, or by a model that is a little wrong everywhere. On the real recordings of one robot
 /// it is 1.0 to 1.5.
 const TIMES: f64 = 2.0;
 
@@ -24,7 +24,7 @@ pub(in crate::identify) fn disagree(logs: &[Factors], weights: &[f64], parameter
     let alone: Vec<f64> = logs.iter().map(|log| left(std::slice::from_ref(log))).collect();
     let apart = alone.iter().map(|a| a * a).sum::<f64>().sqrt();
     let times = together / apart;
-    // What rounding leaves of an exact fit says nothing.
+    // The rounding residue of an exact fit has no meaning.
     let measured = whole.column(parameters).iter().map(|v| v * v).sum::<f64>().sqrt();
     if !(times.is_finite() && times > TIMES && together > 1e-3 * measured) {
         return None;

@@ -1,15 +1,15 @@
-//! Which of two sets of parameters predicts logs better, and whether the logs are long enough to
-//! tell.
+//! Compares the predictions of logs by two sets of parameters, and decides whether the logs are
+//! long enough.
 //!
-//! Compared is the mean over the joints of the RMS, `E = mean_j sqrt(sum_t S_jt / N_j)`, with
-//! `S_jt` the squared errors of joint `j` in stretch `t` (the batches of the factors, half a second
-//! or more). `L = log E_b - log E_a` is a smooth function of these sums, so each stretch has an
-//! influence on it, `I_t = sum_j S^b_jt / (2 r^b_j N_j sum r^b) - (the same of a)`, and `var L =
-//! sum_t I_t^2 + 2 sum_(t < s) I_t I_s` (the infinitesimal jackknife; Efron and Tibshirani 1993,
-//! section 21). Errors of a model remember themselves over stretches, so the second sum is taken as
-//! far as Geyer's initial positive sequence goes (Statistical Science 7, 1992), and the interval is
-//! that of Student's t with as many degrees of freedom as stretches are independent, less one. Both
-//! errors are of the same torques, so what they share falls out.
+//! Compared is the mean over the joints of the RMS, `E = mean_j sqrt(sum_t S_jt / N_j)`. `S_jt` are
+//! the squared errors of joint `j` in stretch `t` (the batches of the factors, half a second or
+//! more). `L = log E_b - log E_a` is a smooth function of these sums, so each stretch has an
+//! influence on it, `I_t = sum_j S^b_jt / (2 r^b_j N_j sum r^b) - (the same of a)`. Its variance is
+//! `var L = sum_t I_t^2 + 2 sum_(t < s) I_t I_s` (the infinitesimal jackknife; Efron and Tibshirani
+//! 1993, section 21). Errors of a model are autocorrelated over stretches, so the second sum is
+//! taken as far as Geyer's initial positive sequence goes (Statistical Science 7, 1992). The
+//! interval is that of Student's t with as many degrees of freedom as stretches are independent,
+//! less one. Both errors are of the same torques, so what they share falls out.
 //!
 //! The parameters are taken as given: the interval says what other motion *of this kind* would show
 //! of these two, not what another fit would.
@@ -32,19 +32,19 @@ pub struct Preference {
     pub independent: f64,
 }
 
-/// What the logs say.
+/// Verdict of the logs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Better {
     /// The first predicts better.
     First,
     /// The second does.
     Second,
-    /// They can't tell.
+    /// The logs can't decide.
     Open,
 }
 
 impl Preference {
-    /// Which is better, beyond what the stretches' luck explains.
+    /// The better one, beyond the chance of the stretches.
     pub fn better(&self) -> Better {
         match self.interval {
             [low, _] if low > 0.0 => Better::First,
@@ -160,7 +160,7 @@ mod tests {
     use super::*;
     use crate::numerics::prng::Random;
 
-    /// Normal noise that remembers itself: AR(1).
+    /// Autocorrelated normal noise: AR(1).
     fn noise(random: &mut Random, memory: f64, count: usize) -> Vec<f64> {
         let mut x = 0.0;
         let mut next = || {
@@ -174,9 +174,9 @@ mod tests {
         (0..count).map(|_| next()).collect()
     }
 
-    /// Two models over the same torques, the second's error larger by a known factor: the interval
-    /// holds it about as often as it says, with errors that remember themselves over several
-    /// stretches, and two models of the same worth are distinguished about as rarely as it says.
+    /// Two models over the same torques, the second's error larger by a known factor, with errors
+    /// that are autocorrelated over several stretches. The interval has its nominal coverage, and
+    /// two equally good models are distinguished at the nominal rate.
     #[test]
     fn intervals_hold_what_they_say() {
         for (memory, least) in [(0.5, 0.91), (0.97, 0.88)] {

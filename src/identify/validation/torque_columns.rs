@@ -25,14 +25,14 @@ const ROUGH: f64 = 2.5;
 /// The same where fewer than half of the joints, two at least, go with the model: what hangs on the
 /// arm may make their torques several times as large.
 const ROUGH_OF_FEW: f64 = 10.0;
-/// Travel of a joint from which on its torque tells its column, rad or m.
+/// Travel of a joint from which on its torque identifies its column, rad or m.
 const TRAVEL: f64 = 0.1;
 /// Sizes of the joints' torques agree on a unit within this factor.
 const AGREE: f64 = 2.0;
 /// Most joints whose pairings are searched one and all.
 const MOST_JOINTS: usize = 14;
 
-/// What torques are held against.
+/// References for the torques.
 #[derive(Debug, Clone, Copy)]
 pub enum Reference<'a> {
     /// The arm's best parameters for this log.
@@ -55,7 +55,7 @@ pub struct TorqueColumns<'a> {
     seconds: f64,
 }
 
-/// Which column each joint's torque is read from, and with which sign.
+/// Column from which each joint's torque is read, and its sign.
 #[derive(Debug, Clone, PartialEq)]
 struct Reading {
     column: Vec<usize>,
@@ -120,8 +120,8 @@ impl<'a> TorqueColumns<'a> {
         }
     }
 
-    /// Whether the torques, as recorded, are mostly something else than `reference` says: where they
-    /// are not, nothing is to be explained.
+    /// Whether the torques, as recorded, are mostly something else than `reference` says: where
+    /// they are not, nothing is to be explained.
     pub fn is_suspicious(&self, reference: Reference<'_>) -> bool {
         self.samples > 0
             && self.unexplained(&self.factors, &Reading::as_recorded(self.arm.dof()), reference) > EXPLAINED
@@ -133,11 +133,12 @@ impl<'a> TorqueColumns<'a> {
         2 * self.range.iter().filter(|[low, high]| high - low > TRAVEL).count() >= self.range.len()
     }
 
-    /// What explains the torques far better than the log as it was recorded, with its evidence.
+    /// Reading that explains the torques far better than the recorded columns, with its evidence.
     /// `gears`: ratio of each joint, where it is known.
     pub fn explained(&self, reference: Reference<'_>, gears: &[Option<f64>]) -> Option<Finding> {
         let n = self.arm.dof();
-        // Too little to tell a fit from a coincidence: 20 independent values per second and joint.
+        // Too little to distinguish a fit from a coincidence: 20 independent values per second and
+        // joint.
         let few = self.seconds * 20.0 * n as f64 <= 3.0 * self.arm.base_parameters().len() as f64;
         if self.samples == 0 || (few && matches!(reference, Reference::Fit)) {
             return None;
@@ -152,7 +153,8 @@ impl<'a> TorqueColumns<'a> {
         }
         let signs = self.best_signs(&as_recorded, reference);
         let (best, left) = self.simplest(self.search(reference), reference);
-        // A model tells each joint's error apart: those whose columns stay say nothing of the order.
+        // With a model each joint's error is separate: joints whose columns stay have no
+        // information on the order.
         let [recorded_there, signs_there, left_there] = match reference {
             Reference::Fit => [recorded, signs, left],
             Reference::Model(beta) => self.of_the_moved(beta, &best),
@@ -257,7 +259,7 @@ impl<'a> TorqueColumns<'a> {
         }
     }
 
-    /// What the best choice of signs leaves, the columns staying where they are.
+    /// Residual of the best choice of signs with unchanged columns.
     fn best_signs(&self, from: &Reading, reference: Reference<'_>) -> f64 {
         let mut reading = from.clone();
         let mut left = self.unexplained(&self.factors, &reading, reference);
@@ -291,7 +293,7 @@ impl<'a> TorqueColumns<'a> {
         climbed.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((Reading::as_recorded(n), f64::INFINITY))
     }
 
-    /// The reading nearest to the log as it was recorded that leaves hardly more.
+    /// The reading nearest to the recorded columns whose residual is hardly larger.
     fn simplest(&self, (mut reading, left): (Reading, f64), reference: Reference<'_>) -> (Reading, f64) {
         let n = reading.column.len();
         let mut last = left;
@@ -554,8 +556,8 @@ mod tests {
         assert_eq!(read(&arm, &degrees, Reference::Fit, &[]), Some(Explanation::Degrees));
     }
 
-    /// Joints that the model says little of, as light wrists on real arms, hide neither an exchange of
-    /// others nor a unit.
+    /// Joints that the model says little of, as light wrists on real arms, hide neither an exchange
+    /// of others nor a unit.
     #[test]
     fn poorly_modelled_joints_hide_nothing() {
         let (arm, beta, mut motion) = recorded(PUMA, 9);

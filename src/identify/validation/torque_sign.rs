@@ -13,7 +13,7 @@ fn finding(joint: usize, correlation: f64) -> Finding {
     Finding { kind: Kind::Sign { correlation }, severity: Severity::Warning, line: None, column, count: 1 }
 }
 
-/// Fewer batches than these tell nothing of a sign.
+/// Fewer batches than these have no information on a sign.
 const BATCHES: usize = 3;
 
 /// Whether the joint's regressor keeps its direction, as that of an arm that stands does: next to
@@ -26,15 +26,15 @@ fn stands(joint: &JointSystem) -> bool {
     squares.sqrt() > 0.99 * trace
 }
 
-/// What stands is held by friction anywhere between its levels, and torque sensors have offsets: of
-/// real arms up to some percent of the torques they are made for (a Staubli TX40: 7 %). As a share
-/// of the largest torque of the arm.
+/// Friction holds a resting joint anywhere between its levels, and torque sensors have offsets. On
+/// real arms they reach some percent of the rated torque (a Staubli TX40: 7 %). As a share of the
+/// largest torque of the arm.
 const STICTION: f64 = 0.02;
 /// How many times its own standard deviation, and of a joint that stands how many times friction,
 /// the prediction must be.
 const SURE: f64 = 3.0;
-/// A joint that has not moved farther than this, rad (m), may have been sliding nowhere: what a
-/// gear does within its teeth is a spring with memory, and its friction has no sign.
+/// A joint that has not moved farther than this, rad (m), may not have been sliding. Within its
+/// teeth a gear is a spring with memory, and its friction has no sign.
 const TRAVEL: f64 = 0.05;
 
 /// Values of the base parameters that torques are held against, and what is known of them.
@@ -58,9 +58,9 @@ impl Model<'_> {
         sum.max(0.0) / joint.samples.max(1) as f64
     }
 
-    /// Joints whose torque runs against what the model predicts (correlation below -0.5), where the
-    /// prediction is more than its own deviation and, turned about, nearer to the torque than
-    /// nothing is. Of a joint in one posture, where an offset or a payload may say the same, the
+    /// Joints whose torque runs against the model's prediction (correlation below -0.5). The
+    /// prediction must exceed its own deviation and, with the sign turned, be nearer to the torque
+    /// than zero is. Of a joint in one posture, where an offset or a payload may say the same, the
     /// correlation must be below -0.95 and the prediction a torque that counts.
     pub(in crate::identify) fn opposed(&self, joints: &[JointSystem]) -> Vec<Finding> {
         let mut findings = Vec::new();

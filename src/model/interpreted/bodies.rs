@@ -2,7 +2,7 @@
 
 use dh_codegen::arm::Function;
 use dh_codegen::arm::param::Parameter;
-use dh_codegen::interpret::{Room, State};
+use dh_codegen::interpret::{Scratch, State};
 
 use super::Interpreted;
 use crate::model::{Dynamics, ToolState};
@@ -15,11 +15,11 @@ pub struct Bodies<'a> {
     /// From the last frame's origin to the tool's, in the tool's axes: the same in all positions;
     /// none before the first.
     arm_of_tool: Option<[f64; 3]>,
-    room: Room,
+    scratch: Scratch,
 }
 
 impl Interpreted {
-    /// What [`Interpreted::bodies`] needs to have been asked for in [`Interpreted::new`].
+    /// Request in [`Interpreted::new`] that [`Interpreted::bodies`] needs.
     pub const BODIES: [Function; 5] = [
         Function::MassMatrix,
         Function::InverseDynamicsBase,
@@ -38,7 +38,7 @@ impl Interpreted {
             still: vec![0.0; self.model.dof()],
             arm: self,
             arm_of_tool: None,
-            room: Room::default(),
+            scratch: Scratch::default(),
         }
     }
 }
@@ -46,7 +46,7 @@ impl Interpreted {
 impl Bodies<'_> {
     fn run(&mut self, function: Function, q: &[f64], dq: &[f64], out: &mut [f64]) {
         let state = State { q, dq, ddq: &self.still, tau: &[], parameters: &self.base };
-        self.arm.interpreter.run_one(function, &state, &mut self.room, out);
+        self.arm.interpreter.run_one(function, &state, &mut self.scratch, out);
     }
 }
 

@@ -13,8 +13,8 @@ impl Numeric {
     /// Accelerations `ddq`, `n`, rad/s^2 or m/s^2, under the torques `tau`; friction, offset and
     /// rotor inertia included.
     ///
-    /// Where the parameters are not those of real bodies, an inertia may vanish and the result is
-    /// not finite.
+    /// If the parameters are not those of real bodies, an inertia may vanish and the result is not
+    /// finite.
     pub fn forward_dynamics(&self, q: &[f64], dq: &[f64], tau: &[f64], phi: &[f64]) -> DVector<f64> {
         let mut ddq = DVector::zeros(self.dof);
         self.forward_dynamics_into(&mut self.workspace(), q, dq, tau, phi, ddq.as_mut_slice());
@@ -127,7 +127,7 @@ mod tests {
             let aba = numeric.forward_dynamics(&s.q, &s.dq, tau.as_slice(), &phi);
             let by_mass = numeric.forward_dynamics_by_mass_matrix(&s.q, &s.dq, tau.as_slice(), &phi).unwrap();
             let inverse = numeric.inverse_mass_matrix(&s.q, &phi).unwrap();
-            // What a rounding error in tau does to ddq.
+            // Effect of a rounding error in tau on ddq.
             let bound =
                 1e-13 * inverse.norm() * (1.0 + tau.norm() + numeric.mass_matrix(&s.q, &phi).norm() * ddq.norm());
             assert!((&aba - &ddq).amax() < bound, "case {case}: {aba} {ddq}");

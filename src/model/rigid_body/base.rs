@@ -20,7 +20,7 @@ use thiserror::Error;
 use super::Numeric;
 use crate::numerics::prng::Random;
 
-/// Which torques are looked at.
+/// Torques under consideration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Torques {
     /// Those of motions: inertia, gravity, drives.
@@ -94,9 +94,9 @@ pub fn null_space(robot: &Robot, torques: Torques, seed: u64, samples: usize) ->
     basis.qr().q()
 }
 
-/// The order in which Khalil's and Gautier's closed-form rules would keep parameters: `ZZ XX XY XZ
-/// YZ MSX MSY` from base to tip (and `M` of prismatic rows), then the drives, and last what the
-/// rules group away first: `MSZ`, `M`, `YY`.
+/// Order in which Khalil's and Gautier's closed-form rules would keep parameters. First come `ZZ XX
+/// XY XZ YZ MSX MSY` from base to tip (and `M` of prismatic rows), then the drives, and last those
+/// that the rules group away first: `MSZ`, `M`, `YY`.
 pub fn customary_order(robot: &Robot) -> Vec<usize> {
     let class = |p: &Parameter| match *p {
         Parameter::Link(row, Inertial::M) if robot.joints[row].kind == JointKind::Prismatic => 0,
@@ -118,9 +118,9 @@ pub fn customary_order(robot: &Robot) -> Vec<usize> {
 }
 
 impl Reduction {
-    /// With the leaders that come first in an order of preference (indices into `param::standard`;
-    /// those left out follow in [`customary_order`], those out of range are ignored): a column is
-    /// kept if it does not depend on those kept before.
+    /// With the leaders that come first in an order of preference (indices into `param::standard`).
+    /// Omitted ones follow in [`customary_order`], those out of range are ignored. A column is kept
+    /// if it does not depend on those kept before.
     pub fn preferring(robot: &Robot, order: &[usize], seed: u64, samples: usize) -> Result<Self, Undecided> {
         let stacked = Stacked::new(robot, Torques::Motion, seed, samples);
         let spectrum = stacked.spectrum();

@@ -1,4 +1,4 @@
-//! Where the frames are and how they move.
+//! Positions of the frames and their motion.
 
 use nalgebra::{Matrix4, Matrix6xX, Vector6};
 

@@ -7,27 +7,28 @@ use dh_codegen::robot::{
     Angle, Collision, Convention, Drive, Inertia, Joint, JointKind, Length, Limits, Polynomial, Pose, Robot, Tool,
 };
 
-/// What random robots are drawn from. Probabilities are per robot or per row, as stated.
+/// Distribution of random robots. Probabilities are per robot or per row, as stated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Family {
     /// Fewest and most rows; at least one of them moves.
     pub rows: [usize; 2],
-    /// That a row is prismatic.
+    /// Probability that a row is prismatic.
     pub prismatic: f64,
-    /// That a row is fixed.
+    /// Probability that a row is fixed.
     pub fixed: f64,
-    /// That a robot has only quarter turns and many zero lengths, as built arms have; otherwise all
-    /// is generic.
+    /// Probability that a robot has only quarter turns and many zero lengths, as built arms have;
+    /// otherwise all is generic.
     pub exact: f64,
-    /// That a robot uses the standard convention.
+    /// Probability of the standard convention.
     pub standard: f64,
-    /// That gravity is along the base's z, downwards; otherwise any direction, sometimes none.
+    /// Probability that gravity is along the base's z, downwards; otherwise any direction,
+    /// sometimes none.
     pub upright: f64,
-    /// That a robot has drives; then each row has each term with probability 3/4.
+    /// Probability that a robot has drives; then each row has each term with probability 3/4.
     pub drives: f64,
-    /// That a robot has a tool, with or without an inertia.
+    /// Probability of a tool, with or without an inertia.
     pub tool: f64,
-    /// That frame 0 does not stand in the world frame.
+    /// Probability that frame 0 differs from the world frame.
     pub base: f64,
 }
 
@@ -140,6 +141,7 @@ impl Random {
             joints,
             tool: if self.chance(family.tool) { Some(self.tool(exact)) } else { None },
             collision: Collision::default(),
+            log: None,
             effects: Vec::new(),
         };
         // Drawn last, and only on demand: the robots of other families stay what they are.

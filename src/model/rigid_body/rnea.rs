@@ -9,7 +9,7 @@ use super::body;
 use super::sign;
 use super::spatial::{Force, Motion};
 
-/// What a sweep starts from. An empty `dq` or `ddq` stands for zero.
+/// Initial values of a sweep. An empty `dq` or `ddq` stands for zero.
 pub(super) struct Sweep<'a> {
     pub(super) q: &'a [f64],
     pub(super) dq: &'a [f64],
@@ -102,7 +102,7 @@ impl Numeric {
     }
 }
 
-/// What a drive parameter is multiplied with in the torque of its joint.
+/// Factor of a drive parameter in the torque of its joint.
 pub(super) fn drive_factor(term: DriveTerm, dq: f64, ddq: f64) -> f64 {
     match term {
         DriveTerm::IA => ddq,

@@ -86,7 +86,7 @@ mod tests {
     use crate::numerics::prng::Random;
     use nalgebra::Matrix4;
 
-    /// The contract's formula, factor by factor, in homogeneous matrices.
+    /// The formula of robots/README.md, factor by factor, in homogeneous matrices.
     #[test]
     fn transforms_are_products_of_elementary_ones() {
         let mut random = Random::new(11);

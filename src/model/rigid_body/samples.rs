@@ -34,6 +34,7 @@ fn robot(name: &str, convention: Convention, rows: &[(JointKind, i64, f64, f64)]
         links: Vec::new(),
         tool: None,
         collision: Collision::default(),
+        log: None,
         effects: Vec::new(),
     }
 }

@@ -8,8 +8,8 @@ use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 
 /// A motion vector: angular part `w` (rad/s) and velocity `v` (m/s) of the body-fixed point at the
-/// frame's origin; or the spatial acceleration, whose linear part is *not* that of a point
-/// (`a_point = v' + w x v`).
+/// frame's origin. It may also be the spatial acceleration, whose linear part is *not* that of a
+/// point (`a_point = v' + w x v`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motion {
     /// Angular part.
@@ -266,13 +266,13 @@ pub fn skew(u: &Vector3<f64>) -> Matrix3<f64> {
     Matrix3::new(0.0, -u.z, u.y, u.z, 0.0, -u.x, -u.y, u.x, 0.0)
 }
 
-/// The regressor of one body, 6 x 10, moment first: `I a + v x* I v = A(v, a) phi`, with `phi` the
+/// The regressor of one body, 6 x 10, moment first. `I a + v x* I v = A(v, a) phi`, with `phi` the
 /// ten parameters in the frame of `v` and `a` (C. Atkeson, C. An and J. Hollerbach, *Estimation of
 /// inertial parameters of manipulator loads and links*, IJRR 5(3), 1986; here from spatial
 /// vectors).
 pub fn body_regressor(v: &Motion, a: &Motion) -> SMatrix<f64, 6, 10> {
     // With point = a.v + w x v, the classical acceleration of the origin, the sum of products
-    // becomes f = m point + (alpha x + w x w x) h,    n = h x point + L(alpha) I + w x L(w) I.
+    // becomes f = m point + (alpha x + w x w x) h, n = h x point + L(alpha) I + w x L(w) I.
     let point = a.v + v.w.cross(&v.v);
     let w = skew(&v.w);
     let mut out = SMatrix::<f64, 6, 10>::zeros();

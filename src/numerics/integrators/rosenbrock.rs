@@ -1,8 +1,8 @@
 //! ROS34PW2: J. Rang and L. Angermann, *New Rosenbrock W-methods of order 3 for partial
 //! differential algebraic equations of index 1*, BIT 45 (2005). Four stages, order 3 with an
-//! embedded order 2, stiffly accurate and L-stable; as a W-method it keeps its order with any
-//! Jacobian, so that only what is stiff (springs, contacts, bristles, gains) stands in ours and the
-//! linear systems have the size of the mass matrix.
+//! embedded order 2, stiffly accurate and L-stable. As a W-method it keeps its order with any
+//! Jacobian. So only stiff terms (springs, contacts, bristles, gains) stand in ours and the linear
+//! systems have the size of the mass matrix.
 
 use super::Breakdown;
 use super::Linear;

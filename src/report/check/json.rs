@@ -14,7 +14,7 @@ pub(in crate::report) fn operations(model: &Model) -> Vec<(Function, usize, usiz
     Function::ALL.iter().map(one).collect()
 }
 
-/// What the file describes.
+/// Description of the robot.
 pub fn check_json(robot: &Robot, model: &Model) -> Value {
     let class = Inverse::new(model.chain());
     let standard: Vec<String> = model.standard().iter().map(|p| p.name()).collect();

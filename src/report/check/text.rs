@@ -3,7 +3,9 @@
 use core::fmt::Write;
 
 use dh_codegen::arm::{Inverse, Model};
-use dh_codegen::robot::{Convention, Robot};
+use dh_codegen::robot::{Convention, Joint, Robot};
+
+use crate::report::parts::number::pad;
 
 /// Table, class, base parameters, operation counts.
 pub fn check_text(robot: &Robot, model: &Model) -> String {
@@ -13,25 +15,7 @@ pub fn check_text(robot: &Robot, model: &Model) -> String {
         Convention::Standard => "standard",
     };
     let _ = writeln!(t, "{}: {} degrees of freedom, {convention} DH table\n", robot.name, model.dof());
-    let _ = writeln!(
-        t,
-        "  {:>3} {:<12} {:<10} {:>12} {:>10} {:>12} {:>10}",
-        "j", "name", "type", "alpha", "d", "theta", "r"
-    );
-    for (j, joint) in robot.joints.iter().enumerate() {
-        let kind = format!("{:?}", joint.kind).to_lowercase();
-        let _ = writeln!(
-            t,
-            "  {:>3} {:<12} {:<10} {:>12} {:>10} {:>12} {:>10}",
-            j + 1,
-            joint.name,
-            kind,
-            joint.alpha.text,
-            joint.d.text,
-            joint.theta.text,
-            joint.r.text
-        );
-    }
+    t.push_str(&dh_table(robot));
     let passive: Vec<String> = robot.unactuated().map(|row| robot.joints[row].name.clone()).collect();
     if !passive.is_empty() {
         let list = passive.join(", ");
@@ -67,4 +51,39 @@ pub fn check_text(robot: &Robot, model: &Model) -> String {
         let _ = writeln!(t, "  {:<28} {mul:>5} {add:>5} {sincos:>9}", f.name());
     }
     t
+}
+
+/// One line per row; columns are as wide as what stands in them.
+fn dh_table(robot: &Robot) -> String {
+    let head = ["j", "name", "type", "alpha", "d", "theta", "r"].map(String::from);
+    let row = |(j, joint): (usize, &Joint)| {
+        let kind = format!("{:?}", joint.kind).to_lowercase();
+        let [alpha, d, theta, r] =
+            [&joint.alpha.text, &joint.d.text, &joint.theta.text, &joint.r.text].map(Clone::clone);
+        [(j + 1).to_string(), joint.name.clone(), kind, alpha, d, theta, r]
+    };
+    let rows: Vec<[String; 7]> = std::iter::once(head).chain(robot.joints.iter().enumerate().map(row)).collect();
+    let least = [3, 12, 10, 12, 10, 12, 10];
+    let width = |k: usize| rows.iter().map(|row| row[k].chars().count()).fold(least[k], usize::max);
+    let widths: [usize; 7] = std::array::from_fn(width);
+    let cell = |k: usize, text: &str| pad(text, widths[k], k != 1 && k != 2);
+    let line =
+        |row: &[String; 7]| row.iter().enumerate().map(|(k, text)| format!(" {}", cell(k, text))).collect::<String>();
+    rows.iter().map(|row| format!(" {}\n", line(row).trim_end())).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_stand_below_their_heads_whatever_the_names() {
+        let text = "name: arm\nconvention: modified\njoints:\n  - { name: shoulder_of_the_left_arm, type: revolute }\n  - { name: b, \
+                    type: revolute, d: 0.31 }\n";
+        let robot = Robot::from_yaml(text, &|_| Err(String::new())).unwrap().robot;
+        let table = dh_table(&robot);
+        let at: Vec<Option<usize>> =
+            table.lines().zip(["type", "revolute", "revolute"]).map(|(line, word)| line.find(word)).collect();
+        assert!(at[0].is_some() && at.iter().all(|a| *a == at[0]), "{table}");
+    }
 }

@@ -1,4 +1,4 @@
-//! `diagnose --json`: contract section 6, and more. A number that does not exist is `null`.
+//! `diagnose --json`: the keys of docs/diagnose.md. A number that does not exist is `null`.
 
 use serde_json::{Map, Value, json};
 
@@ -6,6 +6,7 @@ use crate::data::signal::Prepared;
 use crate::diagnose::{Cause, Diagnosis, Errors};
 use crate::report::Provenance;
 use crate::report::Warnings;
+use crate::report::diagnose::doubts::doubts;
 use crate::report::parts::budget;
 
 /// The result as one JSON object.
@@ -23,6 +24,8 @@ pub fn diagnose_json(found: &Diagnosis, logs: &[Prepared], warnings: &Warnings, 
         "torque_rms": found.torque_rms,
         "baseline": rms(&found.baseline),
         "refitted": rms(&found.refitted),
+        "changed_between_logs": !found.changed.is_empty(),
+        "changes": { "joints": found.changed, "causes": found.changes.iter().map(cause).collect::<Vec<_>>() },
         "causes": found.causes.iter().map(cause).collect::<Vec<_>>(),
         "extended": rms(&found.extended),
         "offer": {
@@ -52,9 +55,11 @@ fn cause(c: &Cause) -> Value {
         "cause": c.cause,
         "joints": c.joints,
         "probability": c.probability,
+        "recurrence": c.recurrence,
         "parameters": values,
         "parameters_std": stds,
         "evidence": c.evidence,
+        "against": doubts(c),
         "gain": {
             "rms_before": c.rms_before,
             "rms_after": c.rms_after,

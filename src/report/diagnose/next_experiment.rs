@@ -20,7 +20,7 @@ pub fn next_experiment_json(next: &Separation, file: &str) -> Value {
 /// The same in a sentence.
 pub fn next_experiment_text(next: &Separation, file: &str) -> String {
     format!(
-        "next experiment: {file} ({:.0} s) tells {} from {}: {:.0} % of what the first does would be left, {:.1} times the noise\n",
+        "next experiment: {file} ({:.0} s) separates {} from {}: {:.0} % of the first one's effect would be left, {:.1} times the noise\n",
         next.motion.duration(),
         next.between[0],
         next.between[1],

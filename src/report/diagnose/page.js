@@ -33,6 +33,31 @@ const line = (svg, name, at, x, y, gap = Infinity) => {
   make(svg, 'path', { class: name, d });
 };
 
+// The joint that gained most: torques, and the errors of all joints.
+{
+  const box = document.getElementById('story'), chosen = box && data.curves[+box.dataset.joint];
+  if (chosen && chosen.t.length) {
+    const { t, measured, before, after } = chosen, W = 560, H = 280, LEFT = 54, RIGHT = W - 8, TOP = 16, BOTTOM = H - 24;
+    const less = errors => measured.map((v, i) => v === null || errors[i] === null ? null : v - errors[i]);
+    const curves = { measured, before: less(before), after: less(after) }, svg = canvas(box, W, H, `joint ${+box.dataset.joint + 1}, measured and predicted torque`);
+    const steps = t.slice(1).map((v, i) => v - t[i]).sort((a, b) => a - b), gap = 3 * (steps[steps.length >> 1] || 1);
+    const at = frame(svg, { left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM, x: reach([t]), y: room(reach(Object.values(curves))) });
+    for (const name in curves) line(svg, name, at, t, curves[name], gap);
+    const bars = canvas(box, W, H, 'error of each joint, percent of its torque'), n = data.shares.before.length;
+    const scale = frame(bars, { left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM, x: [0.4, n + 0.6], y: [0, 1.12 * reach([data.shares.before, data.shares.after], true)[1]], across: n, bare: true });
+    const wide = 0.36 * (RIGHT - LEFT) / (n + 0.2);
+    for (let j = 0; j < n; j++) {
+      const middle = scale.px(j + 1);
+      ['before', 'after'].forEach((name, k) => {
+        const v = data.shares[name][j] ?? 0, x = middle + (k - 1) * wide;
+        make(bars, 'rect', { class: name, x, y: scale.py(v), width: wide, height: BOTTOM - scale.py(v) });
+        make(bars, 'text', { x: x + wide / 2, y: scale.py(v) - 4, 'text-anchor': 'middle' }, v >= 9.95 ? v.toFixed(0) : v.toFixed(1));
+      });
+      make(bars, 'text', { x: middle, y: BOTTOM + 15, 'text-anchor': 'middle' }, `joint ${j + 1}`);
+    }
+  }
+}
+
 // Each cause: what it explains over what shows it best, and what it gains on each joint.
 document.querySelectorAll('[data-cause]').forEach(box => {
   const cause = data.causes[+box.dataset.cause], W = 560, H = 270, LEFT = 58, TOP = 30, RIGHT = W - 10, BOTTOM = H - 42;

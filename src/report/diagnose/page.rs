@@ -1,7 +1,7 @@
 //! A diagnosis as one page that needs no network: verdict, gain, evidence per cause, torque and
 //! errors, maps of the error.
 //!
-//! The plots are drawn by `diagnose.js` as SVG from numbers in the page; before is orange and
+//! The plots are drawn by `diagnose.js` as SVG from numbers in the page. Before is orange and
 //! dashed, after blue and solid, so that a print without colour can be read too.
 
 use dh_codegen::robot::effects;
@@ -10,27 +10,37 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use crate::data::signal::Prepared;
-use crate::diagnose::{Cause, Diagnosis, Evidence, measured_on};
+use crate::diagnose::{Cause, Diagnosis, Evidence, Offered, measured_on};
 use crate::report::Provenance;
 use crate::report::Warnings;
+use crate::report::diagnose::calibrate::{Identified, calibrate_verdict, most_improved_joint};
+use crate::report::diagnose::doubts::doubts;
 use crate::report::diagnose_verdict;
-use crate::report::identify::page::notes;
+use crate::report::identify::page::{notes, parameter_table};
 use crate::report::parts::budget;
 use crate::report::parts::number::{digits, figure, percent};
 use crate::report::parts::page::{Page, escape};
 
-/// The page.
-pub fn diagnose_html(found: &Diagnosis, logs: &[Prepared], warnings: &Warnings, provenance: &Provenance) -> String {
-    let name = escape(&found.robot);
+/// The page; `identified`: the identification that made the robot file, where both were one run.
+pub fn diagnose_html(
+    found: &Diagnosis,
+    logs: &[Prepared],
+    warnings: &Warnings,
+    identified: Option<&Identified<'_>>,
+    provenance: &Provenance,
+) -> String {
+    let before = if identified.is_some() { "as identified" } else { "of the unchanged file" };
     let mut body = String::new();
-    let _ = writeln!(
-        body,
-        "<header><p class=kicker>Diagnosis: {}</p><h1>{name}</h1><p class=verdict>{}</p></header>",
-        found.verdict.word().replace('_', " "),
-        escape(&diagnose_verdict(found))
-    );
-    body.push_str(&warnings.html());
-    gain_table(&mut body, found);
+    header(&mut body, found, identified.is_some());
+    // The story begins with what was gained, a diagnosis with what to do.
+    if identified.is_some() {
+        most_improved(&mut body, found, identified.is_some());
+        in_short(&mut body, found, warnings);
+    } else {
+        in_short(&mut body, found, warnings);
+        most_improved(&mut body, found, identified.is_some());
+    }
+    gain_table(&mut body, found, identified.is_some());
     if !found.offer.why.is_empty() {
         let why: String = found.offer.why.iter().map(|w| format!("<li>{}", escape(w))).collect();
         let _ = writeln!(body, "<section><h2>Why this model</h2><ul>{why}</ul></section>");
@@ -42,45 +52,20 @@ pub fn diagnose_html(found: &Diagnosis, logs: &[Prepared], warnings: &Warnings, 
         }
         body.push_str("</section>\n");
     }
-    if let Some(next) = &found.next_experiment {
-        let joints = match next.joints.as_slice() {
-            [] => String::new(),
-            [j] => format!(" of joint {j}"),
-            many => format!(" of joints {}", join(many)),
-        };
-        let between: Vec<String> = next.between.iter().map(|c| words(c)).collect();
-        let _ = writeln!(
-            body,
-            "<section><h2>Next experiment</h2><p>Would tell {}{joints} apart: <b>{}</b>.</p></section>",
-            escape(&between.join(" from ")),
-            escape(&next.motion)
-        );
+    next_experiment(&mut body, found);
+    let _ = writeln!(
+        body,
+        "<section><h2>Torque and error, validation</h2><p class=note><span class='key measured'></span>measured torque (upper panel); error <span class='key before'></span>{before}, <span class='key after'></span>of the extended model (lower panel). N m over s, one log after the other.</p><div class=grid2 id=curves></div></section>"
+    );
+    let _ = writeln!(
+        body,
+        "<section><h2>Maps of the error</h2><p class=note>Mean error in bins, N m, <span class='key before'></span>{before}, <span class='key after'></span>of the extended model, on the validating data. A flat line at zero is a model that has nothing to learn from this quantity. With an axis of their own: amplitude of the error over frequency and over periods per turn of the joint, root mean square that depends on each other joint's motion, and root mean square that is left when the model is shifted in time (least at zero where nothing is late).</p><div id=maps></div></section>"
+    );
+    if let Some(identified) = identified {
+        identification(&mut body, identified);
     }
-    body.push_str("<section><h2>Torque and error, validation</h2><p class=note><span class='key measured'></span>measured torque (upper panel); error <span class='key before'></span>of the file as it is, <span class='key after'></span>of the extended model (lower panel). N m over s, one log after the other.</p><div class=grid2 id=curves></div></section>\n");
-    body.push_str("<section><h2>Maps of the error</h2><p class=note>Mean error in bins, N m, <span class='key before'></span>of the file as it is, <span class='key after'></span>of the extended model, on the validating data. A flat line at zero is a model that has nothing to learn from this quantity. With an axis of their own: amplitude of the error over frequency and over periods per turn of the joint, root mean square of what goes with each other joint's motion, and root mean square that is left when the model is shifted in time (least at zero where nothing is late).</p><div id=maps></div></section>\n");
     notes(&mut body, logs);
-    body.push_str("<section><h2>How this was made</h2><dl>\n");
-    let validation = if found.own_validation {
-        "logs of their own"
-    } else {
-        "the last three tenths of each stretch, kept out of the fit"
-    };
-    let links = match (found.links_refitted, found.has_links) {
-        (true, true) => "all base parameters fitted anew",
-        (true, false) => "base parameters fitted; the file has none",
-        _ => "the file's, unchanged",
-    };
-    let mut rows = vec![
-        ("data", format!("{} s fitted, {} s validating", figure(found.seconds[0]), figure(found.seconds[1]))),
-        ("validation", validation.to_string()),
-        ("links", links.to_string()),
-        ("noise", "sensors by fourth differences of the torques as recorded, and what is not known of motion and clock; sensors' noise that was low-passed before it was recorded is not in it".into()),
-    ];
-    rows.extend(provenance.iter().map(|(what, value)| (what.as_str(), value.clone())));
-    for (what, value) in rows {
-        let _ = writeln!(body, "<dt>{}<dd>{}", escape(what), escape(&value));
-    }
-    body.push_str("</dl></section>\n");
+    foot(&mut body, found, provenance);
     let page = Page {
         title: format!("{} – diagnosis", found.robot),
         style: include_str!("page.css"),
@@ -89,6 +74,160 @@ pub fn diagnose_html(found: &Diagnosis, logs: &[Prepared], warnings: &Warnings, 
         script: include_str!("page.js"),
     };
     page.html()
+}
+
+/// Verdict.
+fn header(body: &mut String, found: &Diagnosis, calibrated: bool) {
+    let (what, verdict) = match calibrated {
+        true => ("Identification and diagnosis", calibrate_verdict(found)),
+        false => ("Diagnosis", diagnose_verdict(found)),
+    };
+    let _ = writeln!(
+        body,
+        "<header><p class=kicker>{what}: {}</p><h1>{}</h1><p class=verdict>{}</p></header>",
+        found.verdict.word().replace('_', " "),
+        escape(&found.robot),
+        escape(&verdict)
+    );
+}
+
+/// The joint that gained most, and all joints before and after.
+fn most_improved(body: &mut String, found: &Diagnosis, calibrated: bool) {
+    let before = if calibrated { "as identified" } else { "by the unchanged file" };
+    let Some(joint) = most_improved_joint(found) else { return };
+    let _ = writeln!(
+        body,
+        "<section><h2>Joint {}: measured and predicted torque</h2><p class=note><span class='key measured'></span>measured; predicted <span class='key before'></span>{before}, <span class='key after'></span>by the extended model. N m over s, on data that nothing was fitted to. Bars: error of each joint, percent of its torque's RMS.</p><div class=grid2 id=story data-joint={joint}></div></section>",
+        joint + 1,
+    );
+}
+
+/// The motion that would settle what the logs leave open.
+fn next_experiment(body: &mut String, found: &Diagnosis) {
+    let Some(next) = &found.next_experiment else { return };
+    let joints = match next.joints.as_slice() {
+        [] => String::new(),
+        [j] => format!(" of joint {j}"),
+        many => format!(" of joints {}", join(many)),
+    };
+    let between: Vec<String> = next.between.iter().map(|c| words(c)).collect();
+    let _ = writeln!(
+        body,
+        "<section><h2>Next experiment</h2><p><b>{}</b> would separate {}{joints}.</p></section>",
+        escape(&next.motion),
+        escape(&between.join(" from "))
+    );
+}
+
+/// The identification that made the robot file.
+fn identification(body: &mut String, identified: &Identified<'_>) {
+    body.push_str("<section><h2>Parameters as identified</h2>\n");
+    let warnings: String =
+        identified.warnings.iter().map(|w| format!("<li class=warning>{}</li>\n", escape(w))).collect();
+    if !warnings.is_empty() {
+        let _ = writeln!(body, "<ul class=findings>\n{warnings}</ul>");
+    }
+    parameter_table(body, identified.found);
+    body.push_str("</section>\n");
+}
+
+/// How the page was made.
+fn foot(body: &mut String, found: &Diagnosis, provenance: &Provenance) {
+    body.push_str("<section><h2>How this was made</h2><dl>\n");
+    let validation = if found.own_validation {
+        "logs of their own"
+    } else {
+        "the last three tenths of each stretch, kept out of the fit"
+    };
+    let links = match (found.links_refitted, found.has_links) {
+        (true, true) => "all base parameters refitted",
+        (true, false) => "base parameters fitted; the file has none",
+        _ => "the file's, unchanged",
+    };
+    let mut rows = vec![
+        ("data", format!("{} s fitted, {} s validating", figure(found.seconds[0]), figure(found.seconds[1]))),
+        ("validation", validation.to_string()),
+        ("links", links.to_string()),
+        ("noise", "sensors by fourth differences of the unfiltered torques, and the uncertainty of motion and clock; noise of sensors that was low-passed before the recording is missing".into()),
+    ];
+    rows.extend(provenance.iter().map(|(what, value)| (what.as_str(), value.clone())));
+    for (what, value) in rows {
+        let _ = writeln!(body, "<dt>{}<dd>{}", escape(what), escape(&value));
+    }
+    body.push_str("</dl></section>\n");
+}
+
+/// The causes in a table, and what to do: all that the first screen has room for.
+fn in_short(body: &mut String, found: &Diagnosis, warnings: &Warnings) {
+    let mut rows = String::new();
+    for c in found.causes.iter().take(SHOWN) {
+        let joints = if c.joints.is_empty() { "robot".to_string() } else { join(&c.joints) };
+        let against = doubts(c).into_iter().next().unwrap_or_else(|| "–".into());
+        let _ = write!(
+            rows,
+            "<tr><th>{}<td>{joints}<td>{:.2}<td class=words>{}</tr>",
+            escape(&words(c.cause)),
+            c.probability,
+            escape(&against)
+        );
+    }
+    if !rows.is_empty() {
+        let more = found.causes.len().saturating_sub(SHOWN);
+        let more = if more > 0 { format!(" {more} more below.") } else { String::new() };
+        let _ = writeln!(
+            body,
+            "<div class=scroll><table class=short><thead><tr><th>cause<th>joint<th>probability<th class=words>against it</tr></thead><tbody>{rows}</tbody></table></div><p class=note>In order of what they gain.{more}</p>"
+        );
+    }
+    let actions: String = actions(found).iter().map(|a| format!("<li>{}", escape(a))).collect();
+    let _ = writeln!(body, "<ul class=actions>{actions}</ul>");
+    body.push_str(&warnings.html());
+}
+
+/// Causes that the first table shows.
+const SHOWN: usize = 5;
+
+/// Probability above which a cause is acted on, and below which it is a proposal.
+const LIKELY: f64 = 0.8;
+
+/// Advice to an engineer, in sentences.
+fn actions(found: &Diagnosis) -> Vec<String> {
+    let mut all = vec![match found.offer.offered {
+        Offered::File => "Keep the robot file: nothing predicts surely better on data that were left out.".to_string(),
+        Offered::Refitted => {
+            "Use the refitted parameters: no further cause predicts better on data that were left out.".into()
+        }
+        Offered::Extended => {
+            "Use the extended model: it predicts better than the file and than a refit on data that were left out."
+                .into()
+        }
+    }];
+    let named = |c: &&Cause| c.cause != "unknown";
+    let placed = |c: &Cause| match c.joints.as_slice() {
+        [] => words(c.cause),
+        joints => format!("{} ({})", words(c.cause), join(joints)),
+    };
+    let unsure: Vec<String> =
+        found.causes.iter().filter(named).filter(|c| c.probability < LIKELY).map(placed).collect();
+    if !unsure.is_empty() {
+        all.push(format!(
+            "Confirm on another log before you change the arm (joints in brackets): {}.",
+            unsure.join(", ")
+        ));
+    }
+    if let Some(next) = &found.next_experiment {
+        let between: Vec<String> = next.between.iter().map(|c| words(c)).collect();
+        all.push(format!("To tell {} apart, record {}.", between.join(" and "), next.motion));
+    }
+    let limited: Vec<usize> = found.budget.limited_by_motion().iter().map(|j| j + 1).collect();
+    if !limited.is_empty() {
+        all.push(format!(
+            "Record positions better for joint{} {}: encoder and clock make most of the error there.",
+            if limited.len() > 1 { "s" } else { "" },
+            join(&limited)
+        ));
+    }
+    all
 }
 
 /// An identifier of the vocabulary as words.
@@ -100,8 +239,12 @@ fn join(joints: &[usize]) -> String {
     joints.iter().map(usize::to_string).collect::<Vec<_>>().join(", ")
 }
 
-fn gain_table(body: &mut String, found: &Diagnosis) {
-    body.push_str("<section><h2>What it gains</h2><div class=scroll><table><thead><tr><th>joint<th>torque<br>N m<th>file as it is<br>N m<th>%<th>refitted<br>N m<th>%<th>extended<br>N m<th>%<th>noise<br>N m<th>gained of what<br>can be gained</tr></thead><tbody>\n");
+fn gain_table(body: &mut String, found: &Diagnosis, calibrated: bool) {
+    let before = if calibrated { "identified" } else { "unchanged file" };
+    let _ = writeln!(
+        body,
+        "<section><h2>What it gains</h2><div class=scroll><table><thead><tr><th>joint<th>torque<br>N m<th>{before}<br>N m<th>%<th>refitted<br>N m<th>%<th>extended<br>N m<th>%<th>noise<br>N m<th>gained of what<br>can be gained</tr></thead><tbody>"
+    );
     for j in 0..found.noise_floor.len() {
         let torque = found.torque_rms[j];
         let noise = found.noise_floor[j];
@@ -118,7 +261,7 @@ fn gain_table(body: &mut String, found: &Diagnosis) {
         }
         let (before, after) = (found.baseline.validate[j].powi(2), found.extended.validate[j].powi(2));
         let attainable = before - noise * noise;
-        // Where the file errs by little more than its noise, the share says nothing.
+        // Where the file errs by little more than its noise, the share has no meaning.
         let gained = if attainable > 0.2 * noise * noise && before > 0.0 {
             gained(before, after, attainable)
         } else {
@@ -126,11 +269,11 @@ fn gain_table(body: &mut String, found: &Diagnosis) {
         };
         let _ = writeln!(body, "<td>{}<td>{gained}</tr>", digits(noise, 3));
     }
-    body.push_str("</tbody></table></div><p class=note>RMS of measured less predicted torque on the validating data, and in percent of the measured torque's own RMS. Refitted: base parameters and plain friction anew, no further cause. Gained: part of the squared error above the noise that the extended model takes.</p></section>\n");
+    body.push_str("</tbody></table></div><p class=note>RMS of measured less predicted torque on the validating data, and in percent of the measured torque's own RMS. Refitted: base parameters and plain friction estimated again, no further cause. Gained: part of the squared error above the noise that the extended model takes.</p></section>\n");
     body.push_str(&budget::html(&found.budget, "the error of the extended model"));
 }
 
-/// What part of the attainable gain was reached, percent; of a loss how many times the error grew.
+/// Attained share of the possible gain, percent; of a loss how many times the error grew.
 fn gained(before: f64, after: f64, attainable: f64) -> String {
     match after > before {
         true => format!("worse, {} times", digits((after / before).sqrt(), 2)),
@@ -171,11 +314,15 @@ fn cause(body: &mut String, number: usize, c: &Cause, own_validation: bool) {
             measured_on(c.on, own_validation)
         );
     }
+    let against = doubts(c);
+    if !against.is_empty() {
+        let _ = writeln!(body, "<p class=open><b>Against it:</b> {}.</p>", escape(&against.join("; ")));
+    }
     if !c.not_distinguished_from.is_empty() {
         let rivals: Vec<String> = c.not_distinguished_from.iter().map(|r| words(r)).collect();
         let _ = writeln!(
             body,
-            "<p class=open><b>Not told apart from {}</b> by this data; what would: {}.</p>",
+            "<p class=open><b>Not separated from {}</b> by this data; {} would separate them.</p>",
             escape(&rivals.join(", ")),
             escape(c.shown_by)
         );
@@ -217,7 +364,10 @@ fn data(found: &Diagnosis) -> Value {
             joint.iter().map(one).collect()
         })
         .collect();
-    json!({ "causes": causes, "noise": short(&found.noise_floor), "curves": curves, "maps": maps })
+    let shares =
+        |errors: &[f64]| short(&errors.iter().zip(&found.torque_rms).map(|(e, t)| 100.0 * e / t).collect::<Vec<f64>>());
+    let shares = json!({ "before": shares(&found.baseline.validate), "after": shares(&found.extended.validate) });
+    json!({ "shares": shares, "causes": causes, "noise": short(&found.noise_floor), "curves": curves, "maps": maps })
 }
 
 /// Rounded to a four-thousandth of the largest: finer than any screen. What is no number is `null`.

@@ -3,12 +3,14 @@
 use std::fmt::Write;
 
 use crate::data::signal::Prepared;
-use crate::diagnose::{Cause, Diagnosis, Verdict};
+use crate::diagnose::{Cause, Diagnosis, Errors, Verdict};
 use crate::report::Warnings;
+use crate::report::diagnose::calibrate::most_improved_joint;
+use crate::report::diagnose::doubts::doubts;
 use crate::report::parts::budget;
 use crate::report::parts::number::{digits, pad};
 
-/// What to know before the figures, the same in text, JSON and page.
+/// Notes before the figures, the same in text, JSON and page.
 pub fn diagnose_warnings(found: &Diagnosis, logs: &[Prepared]) -> Warnings {
     let mut warnings = Warnings::default();
     let joints: Vec<String> = (0..found.noise_floor.len())
@@ -33,7 +35,6 @@ pub fn diagnose_warnings(found: &Diagnosis, logs: &[Prepared]) -> Warnings {
 /// The diagnosis in two sentences.
 pub fn diagnose_verdict(found: &Diagnosis) -> String {
     let named: Vec<&Cause> = found.causes.iter().filter(|c| c.cause != "unknown").collect();
-    let mean = |x: &[f64]| (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt();
     let list = |causes: &[&Cause]| {
         let each: Vec<String> =
             causes.iter().take(4).map(|c| format!("{} {}", c.cause.replace('_', " "), place(c))).collect();
@@ -53,23 +54,51 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
     };
     let first = match (found.has_links, found.verdict) {
         (false, Verdict::Explained | Verdict::PartlyExplained | Verdict::Unexplained) => {
-            format!("{first} The file has no link parameters, so as it is it says nothing of the arm's own torque.")
+            format!("{first} The file has no link parameters, so it does not predict the arm's own torque.")
         }
         _ => first,
     };
-    let (before, after) = (mean(&found.baseline.validate), mean(&found.extended.validate));
+    let first = format!("{first}{}", changed_between_logs(found));
     let data =
         if found.own_validation { "logs that were not used" } else { "the last part of the logs, which was not used," };
+    format!("{first} {}", headline(found, data))
+}
+
+/// The joint that was most wrong and what became of its error.
+fn headline(found: &Diagnosis, data: &str) -> String {
+    let Some(j) = most_improved_joint(found) else { return String::new() };
+    let of = |e: &Errors| digits(e.validate[j], 3);
     format!(
-        "{first} On {data} the simulation of the file misses the torque by {} N m (RMS over joints) as it is, by {} N m with its parameters refitted, the extended model by {} N m; the noise is {} N m.",
-        digits(before, 3),
-        digits(mean(&found.refitted.validate), 3),
-        digits(after, 3),
-        digits(mean(&found.noise_floor), 3)
+        "On {data} joint {} was wrong most: the file misses its torque by {} N m, the file refitted by {} N m, the extended model by {} N m; noise explains {} N m.",
+        j + 1,
+        of(&found.baseline),
+        of(&found.refitted),
+        of(&found.extended),
+        digits(found.noise_floor[j], 3)
     )
 }
 
-fn place(c: &Cause) -> String {
+/// Says where no one model holds on fitted and validating logs; empty where one does.
+fn changed_between_logs(found: &Diagnosis) -> String {
+    let joints: Vec<String> = found.changed.iter().map(usize::to_string).collect();
+    if joints.is_empty() {
+        return String::new();
+    }
+    let causes: Vec<String> =
+        found.changes.iter().take(3).map(|c| format!("{} {}", c.cause.replace('_', " "), place(c))).collect();
+    let by_itself = if causes.is_empty() {
+        String::new()
+    } else {
+        format!("; the validating logs alone show {}", causes.join(", "))
+    };
+    format!(
+        " Something changed between the logs: no one model predicts joint{} {} on the fitted and the validating logs{by_itself}.",
+        if joints.len() > 1 { "s" } else { "" },
+        joints.join(", ")
+    )
+}
+
+pub(super) fn place(c: &Cause) -> String {
     match c.joints.as_slice() {
         [] => "(whole robot)".into(),
         [j] => format!("on joint {j}"),
@@ -104,10 +133,14 @@ pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
     for (number, c) in found.causes.iter().enumerate() {
         let _ = writeln!(text, "\n{}. {} {} (probability {:.2})", number + 1, c.cause, place(c), c.probability);
         let _ = writeln!(text, "   {}", c.evidence);
+        let against = doubts(c);
+        if !against.is_empty() {
+            let _ = writeln!(text, "   Against it: {}.", against.join("; "));
+        }
         if !c.not_distinguished_from.is_empty() {
             let _ = writeln!(
                 text,
-                "   This data does not tell it from {}; {} would.",
+                "   This data does not separate it from {}; {} would.",
                 c.not_distinguished_from.join(", "),
                 c.shown_by
             );

@@ -8,7 +8,7 @@ use crate::excite::check::Verdict;
 use crate::report::Warnings;
 use crate::report::parts::number::figure;
 
-/// What was not checked, or against a limit that is not in the file.
+/// Checks that were skipped, or made against a limit that is not in the file.
 fn warnings(verdict: &Verdict) -> Warnings {
     let mut warnings = Warnings::default();
     verdict.unchecked.iter().for_each(|line| warnings.push(format!("not checked: {line}")));

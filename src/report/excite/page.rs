@@ -36,7 +36,7 @@ pub fn excite_html(outcome: &Outcome<'_>, provenance: &Provenance) -> String {
     body.push_str("</section>\n<section><h2>Joints against their limits</h2><p class=note><span class='key q'></span>position <span class='key dq'></span>speed <span class='key ddq'></span>acceleration <span class='key tau'></span>torque of the nominal model, each in percent of its limit (positions from the middle of the range). Move over a plot for values.</p><div class=plots id=joints></div></section>\n");
     let _ = writeln!(
         body,
-        "<section><h2>How it was found</h2><p class=note>The criterion as it is minimised, over the steps of each start; bright where every limit is kept. {} starts, of which the better third went on; {:.1} s.</p><div id=history></div></section>",
+        "<section><h2>How it was found</h2><p class=note>The minimised form of the criterion over the steps of each start; bright where every limit is kept. {} starts, of which the better third went on; {:.1} s.</p><div id=history></div></section>",
         found.starts.len(),
         seconds
     );

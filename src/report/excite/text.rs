@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 use crate::data::trajectory::Trajectory;
 use crate::excite::{Design, Expected, Missing, Task};
 use crate::report::Warnings;
+use crate::report::excite::saved::trajectory_json;
 use crate::report::parts::number::{figure, percent};
 
 /// `t, q1.., dq1.., ddq1..`, `rate` rows per second.
@@ -35,17 +36,17 @@ pub fn motion_csv(motion: &Trajectory, rate: f64) -> String {
 
 /// A designed motion, with what belongs to it.
 pub struct Outcome<'a> {
-    /// What was asked.
+    /// The task.
     pub task: &'a Task<'a>,
     /// The motion.
     pub found: &'a Design,
-    /// What to expect of it.
+    /// Its expected precision.
     pub expected: &'a [Expected],
     /// Durations that were tried, s, and the largest relative standard deviation, percent.
     pub tried: &'a [(f64, Option<f64>)],
     /// Run time, s.
     pub seconds: f64,
-    /// What to know before the figures.
+    /// Notes before the figures.
     pub warnings: &'a Warnings,
 }
 
@@ -77,7 +78,7 @@ pub fn joint_trajectory(motion: &Trajectory, names: &[String], rate: f64) -> Str
     out
 }
 
-/// Contract section 4, and more.
+/// The keys of docs/excite.md.
 pub fn excite_json(outcome: &Outcome<'_>) -> Value {
     let Outcome { task, found, expected, tried, seconds, warnings } = *outcome;
     json!({
@@ -100,7 +101,7 @@ pub fn excite_json(outcome: &Outcome<'_>) -> Value {
         "stopped": found.stopped,
         "expected": expected.iter().map(|e| json!({"name": e.name, "value": e.value, "std": e.std, "relative_std_percent": e.relative_percent(), "essential": e.essential})).collect::<Vec<_>>(),
         "tried": tried.iter().map(|(s, p)| json!({"duration": s, "relative_std_percent": p})).collect::<Vec<_>>(),
-        "trajectory": found.trajectory.to_json(),
+        "trajectory": trajectory_json(&found.trajectory),
     })
 }
 
@@ -108,7 +109,7 @@ fn finite(x: f64) -> Value {
     if x.is_finite() { json!(x) } else { Value::Null }
 }
 
-/// What the file does not say, one line per kind and remedy.
+/// Values missing in the file, one line per kind and remedy.
 pub fn missing_text(missing: &[Missing]) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
     let mut told: Vec<(&str, &str)> = Vec::new();
@@ -144,7 +145,7 @@ pub fn excite_text(outcome: &Outcome<'_>) -> String {
     );
     let _ = writeln!(
         out,
-        "condition number {}, log det {}, log of Hadamard's bound {} (columns as they are)",
+        "condition number {}, log det {}, log of Hadamard's bound {} (unscaled columns)",
         figure(found.plain.condition),
         figure(found.plain.log_det),
         figure(found.plain.hadamard)
@@ -160,14 +161,14 @@ pub fn excite_text(outcome: &Outcome<'_>) -> String {
         let _ = if p < 100.0 {
             writeln!(
                 out,
-                "expected: every essential parameter within {} % of itself (one sigma; {} is the worst)",
+                "expected: every essential parameter has a relative standard deviation within {} % ({} is the worst)",
                 percent(p),
                 e.name
             )
         } else {
             writeln!(
                 out,
-                "expected: too short for {}, whose standard deviation is {} % of itself; allow a longer --duration",
+                "expected: too short for {}, whose relative standard deviation is {} %; allow a longer --duration",
                 e.name,
                 percent(p)
             )

@@ -7,6 +7,7 @@ use crate::data::signal::Prepared;
 use crate::model::BaseParameter;
 use crate::report::Provenance;
 use crate::report::force::text::{Forces, verdict, warnings};
+use crate::report::parts::fields::{FieldError, rule};
 
 /// The result as one JSON object; wrenches sample by sample stand in the CSV.
 pub fn force_json(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Provenance) -> Value {
@@ -15,7 +16,7 @@ pub fn force_json(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
             let told = |x: f64| (c.samples > 0).then_some(x);
             let values = json!({
                 "rms": told(c.rms), "mean": told(c.mean), "largest": told(c.largest), "half_width": told(c.half),
-                "inside": told(c.inside), "told": c.told,
+                "inside": told(c.inside), "told": c.observable,
             });
             (COMPONENTS[i].to_string(), values)
         };
@@ -36,8 +37,8 @@ pub fn force_json(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
                 "estimator": s.method.name(),
                 "samples": s.time.len(),
                 "not_used": s.stale,
-                "half_width": (0..6).map(|i| Comparison::of(s.half.iter().zip(&s.told).map(|(h, told)| (0.0, h[i], told[i]))).half).collect::<Vec<_>>(),
-                "told": (0..6).map(|i| s.told.iter().filter(|t| t[i]).count() as f64 / s.told.len().max(1) as f64).collect::<Vec<_>>(),
+                "half_width": (0..6).map(|i| Comparison::of(s.half.iter().zip(&s.observable).map(|(h, told)| (0.0, h[i], told[i]))).half).collect::<Vec<_>>(),
+                "told": (0..6).map(|i| s.observable.iter().filter(|t| t[i]).count() as f64 / s.observable.len().max(1) as f64).collect::<Vec<_>>(),
                 "rms": (0..6).map(|i| Comparison::of(s.wrench.iter().map(|f| (f[i], 0.0, true))).rms).collect::<Vec<_>>(),
                 "against_measured": s.against_measured().as_ref().map(compared),
                 "phantom": s.phantom().as_ref().map(compared),
@@ -74,13 +75,14 @@ pub fn force_json(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
 fn judged(v: &Verdict) -> Value {
     let (bands, widen, probability, joint) = match v {
         Verdict::Hold { probability } => ("hold", None, Some(*probability), None),
+        Verdict::Doubtful { probability, widen } => ("doubtful", Some(*widen), Some(*probability), None),
         Verdict::TooWrong { widen, joint } => ("too_narrow", Some(*widen), None, joint.map(|(j, _)| j)),
         Verdict::Circular | Verdict::NotJudged => ("not_judged", None, None, None),
     };
     json!({ "bands": bands, "widen": widen, "probability": probability, "joint": joint, "sentence": verdict(v) })
 }
 
-/// What the names mean, for who has nothing but this file.
+/// Explanation of the names, for readers of this file alone.
 fn meaning() -> Value {
     json!({
         "wrench": "of the surroundings on the tool, about the origin of the tool's frame, in its axes; what the tool does to them has the other sign",
@@ -92,16 +94,16 @@ fn meaning() -> Value {
         "samples": "instants with an estimate",
         "not_used": "those of them whose sample could not be used: the estimate is that of the sample before",
         "half_width": "mean half-width of the 95 % band, component by component",
-        "told": "share of the samples in which the joints tell the component at all (near a singularity, and with fewer than six joints, some don't)",
+        "told": "share of the samples in which the component is observable (near a singularity, and with fewer than six joints, some are not)",
         "rms": "root mean square of the estimate itself, component by component",
-        "against_measured": "estimate less the log's fx..mz, low-passed alike, where it is told: rms, mean and largest error, mean half-width, share of samples inside their band; null where the log has none",
+        "against_measured": "estimate less the log's fx..mz, low-passed alike, where the component is observable: rms, mean and largest error, mean half-width, share of samples inside their band; null where the log has none",
         "phantom": "the same against zero, in the stretches in which nothing touches (--free, --against nothing); null where none is known",
         "touching": "samples in which something is said to touch",
-        "undecided": "samples in which static friction or contact can't be told apart: a joint is at rest, and friction within its breakaway level explains what the model leaves",
-        "assumed_static_friction": "joints of which the robot file has no dry friction, and what static friction is taken to hold there at most, N m: in the question of contact, in no band",
+        "undecided": "samples in which static friction or contact can't be told apart: a joint is at rest, and friction within its breakaway level explains the residual torque",
+        "assumed_static_friction": "joints without dry friction in the robot file, and the largest static friction assumed there, N m: in the question of contact, in no band",
         "false_contact": "share of the samples in which nothing touches that are said to touch; null where none is known",
         "consistency": "whether torque errors are as large as their predicted covariance: `free` where nothing touches, `unexplained` those that no wrench explains (more than six joints). ratio: squared errors by prediction; probability: of a larger ratio if the model is right; holds: not less than one in a thousand; widen: factor by which bands would have to be wider; joints: root mean square of each joint's error by its prediction; instants: how many were judged",
-        "verdict": "whether the bands can be relied upon, of all checks together. bands: `hold`, `too_narrow` (the model is too wrong for them), `not_judged` (nothing to judge with, or the noise was taken from the samples that would judge it); widen: factor by which they would have to be wider; probability: the least of the checks; joint: whose errors exceed their prediction most, from 1; sentence: the same in words. At the top: of the log that fares worst",
+        "verdict": "whether the bands can be relied upon, of all checks together. bands: `hold`, `doubtful` (errors as large have a probability below one in twenty for a right model), `too_narrow` (the model is too wrong for them), `not_judged` (nothing to judge with, or the noise was taken from the samples that would judge it); widen: factor by which they would have to be wider; probability: the least of the checks; joint: whose errors exceed their prediction most, from 1; sentence: the same in words. At the top: of the log that fares worst",
         "bias": "torque that was taken off, joint by joint (--bias); empty if none was",
     })
 }
@@ -112,29 +114,26 @@ fn meaning() -> Value {
 ///
 /// # Errors
 /// What is missing, in words.
-pub fn uncertainty_of_json(json: &Value, base: &[BaseParameter], dof: usize) -> Result<Uncertainty, String> {
-    let wrong = |what: &str| format!("no `{what}` as `denavit identify --json` writes it");
-    let parameters = json["parameters"].as_array().ok_or_else(|| wrong("parameters"))?;
+pub fn uncertainty_of_json(json: &Value, base: &[BaseParameter], dof: usize) -> Result<Uncertainty, FieldError> {
+    let parameters = json["parameters"].as_array().ok_or(FieldError::Absent("parameters"))?;
     let names: Vec<&str> = parameters.iter().filter_map(|p| p["name"].as_str()).collect();
     if names.len() != parameters.len() {
-        return Err(wrong("parameters[].name"));
+        return Err(FieldError::Absent("parameters[].name"));
     }
     if let Some(unknown) = names.iter().find(|name| !base.iter().any(|b| b.name == **name)) {
-        return Err(format!(
-            "the parameter {unknown} is not of this robot; take the JSON that was written with this robot file"
-        ));
+        return Err(FieldError::Parameter((*unknown).into()));
     }
-    let rows = json["correlation"].as_array().ok_or_else(|| wrong("correlation"))?;
+    let rows = json["correlation"].as_array().ok_or(FieldError::Absent("correlation"))?;
     let numbers = |value: &Value| -> Vec<f64> {
         value.as_array().map_or_else(Vec::new, |all| all.iter().map(|v| v.as_f64().unwrap_or(f64::NAN)).collect())
     };
     let correlation: Vec<Vec<f64>> = rows.iter().map(numbers).collect();
     if correlation.len() != names.len() || correlation.iter().any(|row| row.len() != names.len()) {
-        return Err(wrong("correlation"));
+        return Err(FieldError::Absent("correlation"));
     }
     let noise = numbers(&json["noise"]["sigma"]);
     if noise.len() != dof || !noise.iter().all(|s| s.is_finite() && *s >= 0.0) {
-        return Err(format!("`noise.sigma` must have a number for each of the {dof} joints"));
+        return Err(rule("noise.sigma", format!("must have a number for each of the {dof} joints")));
     }
     let place: Vec<Option<usize>> = base.iter().map(|b| names.iter().position(|n| *n == b.name)).collect();
     let told = |k: usize| parameters[k]["std"].as_f64().filter(|s| s.is_finite());

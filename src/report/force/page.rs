@@ -30,7 +30,7 @@ pub fn force_html(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
     for series in outcome.found {
         let _ = writeln!(
             body,
-            "<section><h2><code>{}</code></h2><p class=note>Wrench of the surroundings on the tool, in its frame; estimator {}. <span class='key estimated'></span>estimated <span class='key band'></span>95 % band{} <span class='key touch'></span>contact is said. No band: the joints don't tell the component there</p><div class=wrenches>",
+            "<section><h2><code>{}</code></h2><p class=note>Wrench of the surroundings on the tool, in its frame; estimator {}. <span class='key estimated'></span>estimated <span class='key band'></span>95 % band{} <span class='key touch'></span>contact is said. No band: the component is unobservable there</p><div class=wrenches>",
             escape(&series.name),
             series.method.name(),
             if series.measured.is_empty() { "" } else { " <span class='key measured'></span>measured" }
@@ -58,7 +58,7 @@ pub fn force_html(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
         }
         body.push_str("</section>\n");
     }
-    body.push_str("<section><h2>How this was made</h2><p class=note>The band holds the true value in 95 of 100 samples, counted over samples and over identifications: the parameters' error is the same throughout a run, so a single run may lie above or below. It knows the noise and the parameters' uncertainty, not what the model lacks.</p><dl>\n");
+    body.push_str("<section><h2>How this was made</h2><p class=note>The band holds the true value in 95 of 100 samples, counted over samples and over identifications. The parameters' error is the same throughout a run, so a single run may lie above or below. It covers the noise and the parameters' uncertainty, not effects that the model lacks.</p><dl>\n");
     for (what, value) in provenance {
         let _ = writeln!(body, "<dt>{}<dd>{}", escape(what), escape(value));
     }
@@ -75,7 +75,7 @@ pub fn force_html(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
     .html()
 }
 
-/// What the plots of a log show, thinned: mean of each stretch, its largest half-width of the band.
+/// Data of a log's plots, thinned: mean of each stretch, its largest half-width of the band.
 fn numbers(series: &Series) -> Value {
     let chunk = series.time.len().div_ceil(POINTS).max(1);
     let row = |from: usize| {
@@ -83,7 +83,8 @@ fn numbers(series: &Series) -> Value {
         let mean = |value: &dyn Fn(usize) -> f64| range.clone().map(value).sum::<f64>() / range.len() as f64;
         let wrench = (0..6).map(|i| json!(mean(&|s| series.wrench[s][i])));
         let half = (0..6).map(|i| {
-            let band = range.clone().filter(|&s| series.told[s][i]).map(|s| series.half[s][i]).fold(f64::NAN, f64::max);
+            let band =
+                range.clone().filter(|&s| series.observable[s][i]).map(|s| series.half[s][i]).fold(f64::NAN, f64::max);
             json!(band)
         });
         let measured = (0..6).filter(|_| !series.measured.is_empty()).map(|i| json!(mean(&|s| series.measured[s][i])));
@@ -122,15 +123,15 @@ fn component(body: &mut String, series: &Series, i: usize) {
     if len == 0 {
         return;
     }
-    // Segments stand end to end: clocks may begin anew.
+    // Segments stand end to end: each may have its own clock.
     let mut clock = vec![0.0; len];
     for s in 1..len {
         let step = series.time[s] - series.time[s - 1];
         clock[s] = clock[s - 1] + if series.segment[s] == series.segment[s - 1] { step } else { 0.0 };
     }
     let end = clock[len - 1].max(1e-9);
-    // Where the component is not told there is no band.
-    let half = |s: usize| if series.told[s][i] { series.half[s][i] } else { 0.0 };
+    // An unobservable component has no band.
+    let half = |s: usize| if series.observable[s][i] { series.half[s][i] } else { 0.0 };
     let mut sizes: Vec<f64> = (0..len)
         .map(|s| {
             let measured = series.measured.get(s).map_or(0.0, |m| m[i].abs());

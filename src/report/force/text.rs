@@ -7,15 +7,15 @@ use crate::data::signal::Prepared;
 use crate::report::Warnings;
 use crate::report::parts::number::{digits, pad};
 
-/// What was estimated, and what is known of its errors.
+/// Estimated quantities, and the uncertainty of the model.
 pub struct Forces<'a> {
     /// The robot's name.
     pub robot: &'a str,
     /// One per log.
     pub found: &'a [Series],
-    /// What the bands were made of.
+    /// Sources of the bands.
     pub uncertainty: &'a Uncertainty,
-    /// Where that comes from, in words.
+    /// Its source, in words.
     pub known_from: &'a str,
 }
 
@@ -31,10 +31,10 @@ impl Forces<'_> {
     }
 }
 
-/// What to know before the figures, the same in text, JSON and page.
+/// Notes before the figures, the same in text, JSON and page.
 pub(in crate::report) fn warnings(outcome: &Forces<'_>, prepared: &[Prepared]) -> Warnings {
     let mut warnings = Warnings::default();
-    for series in outcome.found.iter().filter(|s| s.verdict.is_too_wrong()) {
+    for series in outcome.found.iter().filter(|s| s.verdict.is_too_wrong() || s.verdict.is_doubtful()) {
         warnings.push(format!("{}: {}", series.name, verdict(&series.verdict)));
     }
     if outcome.uncertainty.source == NoiseSource::Log {
@@ -42,7 +42,7 @@ pub(in crate::report) fn warnings(outcome: &Forces<'_>, prepared: &[Prepared]) -
     }
     if !outcome.uncertainty.open.is_empty() {
         warnings.push(format!(
-            "The errors of {} are in no band, as the identification does not tell them.",
+            "The errors of {} are in no band, as the identification does not determine them.",
             outcome.uncertainty.open.join(", ")
         ));
     }
@@ -86,7 +86,7 @@ pub fn force_text(outcome: &Forces<'_>, prepared: &[Prepared]) -> String {
     text
 }
 
-/// What can be compared.
+/// Available comparisons.
 pub(in crate::report) fn tables(series: &Series) -> Vec<(String, [Comparison; 6])> {
     let mut all = Vec::new();
     if let Some(rows) = series.against_measured() {
@@ -97,7 +97,8 @@ pub(in crate::report) fn tables(series: &Series) -> Vec<(String, [Comparison; 6]
     }
     if all.is_empty() {
         let range = |i: usize| {
-            let values = (0..series.time.len()).map(|s| (series.wrench[s][i], series.half[s][i], series.told[s][i]));
+            let values =
+                (0..series.time.len()).map(|s| (series.wrench[s][i], series.half[s][i], series.observable[s][i]));
             Comparison { inside: f64::NAN, ..Comparison::of(values) }
         };
         all.push(("estimate".into(), std::array::from_fn(range)));
@@ -105,7 +106,7 @@ pub(in crate::report) fn tables(series: &Series) -> Vec<(String, [Comparison; 6]
     all
 }
 
-pub(in crate::report) const HEAD: [&str; 7] = ["", "RMS", "mean", "largest", "band +-", "inside %", "told %"];
+pub(in crate::report) const HEAD: [&str; 7] = ["", "RMS", "mean", "largest", "band +-", "inside %", "observable %"];
 
 /// Of one component.
 pub(in crate::report) fn cells(i: usize, c: &Comparison) -> [String; 7] {
@@ -120,7 +121,7 @@ pub(in crate::report) fn cells(i: usize, c: &Comparison) -> [String; 7] {
         number(c.largest),
         number(c.half),
         share,
-        format!("{:.1}", 100.0 * c.told),
+        format!("{:.1}", 100.0 * c.observable),
     ]
 }
 
@@ -134,11 +135,16 @@ fn table(rows: &[Comparison; 6]) -> String {
     text
 }
 
-/// What the bands of a log are worth, in one sentence.
+/// Verdict on the bands of a log, in one sentence.
 pub(in crate::report) fn verdict(verdict: &Verdict) -> String {
     match verdict {
         Verdict::Hold { probability } => format!(
             "The bands can be relied upon: errors are as large as predicted (a model that is right gives errors as large with a probability of {}).",
+            digits(*probability, 2)
+        ),
+        Verdict::Doubtful { probability, widen } => format!(
+            "The bands are in doubt: errors are {} times what was predicted, and a model that is right gives errors as large with a probability of only {}. Take the bands that many times as wide, or judge them on another log.",
+            digits(*widen, 2),
             digits(*probability, 2)
         ),
         Verdict::TooWrong { widen, joint } => {
@@ -157,7 +163,7 @@ pub(in crate::report) fn verdict(verdict: &Verdict) -> String {
     }
 }
 
-/// What is to be said of a log beside its figures: first the verdict, then what it rests on.
+/// Sentences on a log beside its figures: first the verdict, then its reasons.
 pub(in crate::report) fn sentences(series: &Series, circular: bool) -> Vec<String> {
     let mut all = vec![verdict(&series.verdict)];
     let mut evidence = |what: &str, c: &Consistency| {
@@ -190,11 +196,11 @@ pub(in crate::report) fn sentences(series: &Series, circular: bool) -> Vec<Strin
             100.0 * undecided as f64 / series.undecided.len().max(1) as f64
         ));
     }
-    let blind = series.told.iter().filter(|told| told.contains(&false)).count();
+    let blind = series.observable.iter().filter(|told| told.contains(&false)).count();
     if blind > 0 {
         all.push(format!(
-            "In {:.1} % of the samples some component is not told by the joints (a singularity, or fewer than six joints); it is in no figure there, and its band is left empty.",
-            100.0 * blind as f64 / series.told.len().max(1) as f64
+            "In {:.1} % of the samples some component is unobservable (a singularity, or fewer than six joints); it is in no figure there, and its band is left empty.",
+            100.0 * blind as f64 / series.observable.len().max(1) as f64
         ));
     }
     all

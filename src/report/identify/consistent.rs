@@ -16,7 +16,7 @@ use crate::report::parts::number::{figure, pad, percent};
 const ROTOR: &str = RotorInertia::NAME;
 const COUPLING: &str = GearCoupling::NAME;
 
-/// What came of the search for possible bodies.
+/// Result of the search for possible bodies.
 #[derive(Debug, Clone)]
 pub struct Possible<'a> {
     /// The bodies, or why there are none.
@@ -26,7 +26,7 @@ pub struct Possible<'a> {
     /// Whether what was written are bodies with exactly the plain solution's base parameters: it is
     /// possible itself.
     pub plain: bool,
-    /// Where the validating logs prefer the plain solution: what parts of the fitted logs say that
+    /// If the validating logs prefer the plain solution: verdict of parts of the fitted logs that
     /// were left out in turn.
     pub left_out: Option<&'a Result<Preference, LeftOutError>>,
 }
@@ -94,7 +94,7 @@ pub fn consistent_json(possible: &Possible<'_>) -> Value {
     })
 }
 
-/// What possibility and prior cost.
+/// Cost of possibility and prior.
 pub(in crate::report) fn paid(c: &Consistent) -> String {
     format!(
         "To be possible, links pay {} % of the fit's weighted residual, {} than noise explains; with the prior (weight {}) {} %. Together they weigh {} kg.",
@@ -141,10 +141,9 @@ pub(in crate::report) fn preferred(found: &Identification, c: &Consistent, possi
         format!("On the validating logs the error of the bodies is {} than that of the plain fit", beside(against));
     Some(match against.better() {
         Better::Second => format!("{error}: bodies predict better."),
-        Better::Open => format!("{error}: these logs can't tell which is better."),
+        Better::Open => format!("{error}: these logs can't decide which is better."),
         Better::First => {
-            let wants =
-                format!("{error}: the data want something that no body can do, most of all {}.", furthest(found, c));
+            let wants = format!("{error}: no possible body explains the data, above all in {}.", furthest(found, c));
             let elsewhere = match possible.left_out {
                 Some(Ok(p)) if p.better() == Better::First => format!(
                     " On parts of the fitted logs that were left out in turn it is {} too: the model lacks something. `denavit diagnose` looks for it; a drive of which the \
@@ -152,12 +151,11 @@ pub(in crate::report) fn preferred(found: &Identification, c: &Consistent, possi
                     beside(p)
                 ),
                 Some(Ok(p)) if p.better() == Better::Second => format!(
-                    " On parts of the fitted logs that were left out in turn it is {}: bodies predict better where the motion is new, so the validating logs most likely repeat fitted motion, and \
-                     with it what the plain fit keeps of errors of the model. Validate on another motion; `denavit diagnose` looks for those errors.",
+                    " On parts of the fitted logs that were left out in turn it is {}: bodies predict better where the motion is new. The validating logs most likely repeat fitted motion, and reward the plain fit for fitting errors of the model. Validate on another motion; `denavit diagnose` looks for those errors.",
                     beside(p)
                 ),
                 Some(Ok(p)) => format!(
-                    " Parts of the fitted logs that were left out in turn can't tell: {}. `denavit diagnose` looks for what the model lacks.",
+                    " Parts of the fitted logs that were left out in turn can't decide: {}. `denavit diagnose` looks for what the model lacks.",
                     beside(p)
                 ),
                 _ => " `denavit diagnose` looks for what the model lacks.".into(),
@@ -240,7 +238,7 @@ pub fn carry_over_json(carry: &CarryOver) -> Value {
     json!({ "torque_std": carry.torque_std, "ratio": carry.ratio, "doubtful_joints": carry.doubtful() })
 }
 
-/// Everything that a reader of an identification must know first.
+/// Notes that a reader of an identification needs first.
 pub fn identify_warnings(
     found: &Identification,
     logs: &[Prepared],
@@ -249,7 +247,7 @@ pub fn identify_warnings(
 ) -> Warnings {
     let mut warnings = Warnings::default();
     let underdetermined = underdetermined_text(found);
-    // What a fit is worth elsewhere needs standard deviations, which too few equations do not give.
+    // The accuracy elsewhere needs standard deviations, which too few equations do not give.
     let fitted = underdetermined.is_none();
     if let Some(text) = underdetermined {
         warnings.push(text);
@@ -265,7 +263,7 @@ pub fn identify_warnings(
     warnings
 }
 
-/// What holding drives at zero does to the plain values that are written.
+/// Effect of drives held at zero on the written plain values.
 pub fn held_text(bounded: &Nonnegative, fit: &[Factors], validate: &[Factors]) -> String {
     let error = |logs: &[Factors]| {
         let all: Vec<&Factors> = logs.iter().collect();
@@ -273,7 +271,7 @@ pub fn held_text(bounded: &Nonnegative, fit: &[Factors], validate: &[Factors]) -
     };
     let elsewhere = if validate.is_empty() { String::new() } else { format!(", validation {} %", error(validate)) };
     format!(
-        "{} came out negative, or below what friction in its weaker direction asks for, which no drive has: held at that bound in the robot file, the \
+        "{} came out negative, or below the bound of friction in its weaker direction, which no drive has: held at that bound in the robot file, the \
          other parameters fitted again (error on the fitted logs {} %{elsewhere})",
         bounded.held.join(", "),
         error(fit)
@@ -305,7 +303,7 @@ fn underdetermined_text(found: &Identification) -> Option<String> {
     ))
 }
 
-/// What to expect of the plain fit elsewhere; nothing where it will do.
+/// Expected accuracy of the plain fit elsewhere; nothing if it suffices.
 fn carry_over_text(found: &Identification, carry: &CarryOver) -> Option<String> {
     let doubtful = carry.doubtful();
     if doubtful.is_empty() {
@@ -334,7 +332,7 @@ fn carry_over_text(found: &Identification, carry: &CarryOver) -> Option<String> 
     Some(format!(
         "this fit {} carry over to other motions. All over the arm's range its torques are uncertain by more than its residual: {}. \
          {} of {} parameters are not known to 50 %: {}. Condition number {} with columns of unit norm. Record a richer motion, or use the possible \
-         bodies with a prior from CAD (`--prior cad --prior-weight 100` believes its bodies to 10 %).",
+         bodies with a prior from CAD (`--prior cad --prior-weight 100` gives its bodies a relative standard deviation of 10 %).",
         if surely { "will not" } else { "may not" },
         list.join(", "),
         unknown.len(),

@@ -1,4 +1,4 @@
-//! `identify --json`: contract section 4, and more. A number that does not exist is `null`.
+//! The keys of the JSON of `denavit identify`. A number that does not exist is `null`.
 
 use serde_json::{Map, Value, json};
 

@@ -1,7 +1,7 @@
 //! The result as one page that needs no network.
 //!
 //! Curves are drawn as SVG by some 150 lines of script of our own (`identify.js`), not by a
-//! plotting library: the page stays at some hundred kB instead of 4 MB, prints as vectors, and the
+//! plotting library. The page stays at some hundred kB instead of 4 MB, prints as vectors, and the
 //! library's hundred features are not missed. Curves come thinned to least and largest value per
 //! stretch, so that a spike stays a spike.
 
@@ -63,7 +63,7 @@ pub fn identify_html(
     if let Some(links) = links {
         bodies_section(&mut body, found, links);
     }
-    body.push_str("<section><h2>Correlation of the estimates</h2><p class=note>Blue: if one is estimated too high, so is the other. Red: the other way about. White: independent. Pairs near ±1 are told apart badly by this motion.</p><div id=correlation></div></section>\n");
+    body.push_str("<section><h2>Correlation of the estimates</h2><p class=note>Blue: if one is estimated too high, so is the other. Red: the other way about. White: independent. Pairs near ±1 are poorly separated by this motion.</p><div id=correlation></div></section>\n");
     foot(&mut body, found, provenance);
     let data = json!({
         "traces": traces.iter().map(curves).collect::<Vec<_>>(),
@@ -80,7 +80,7 @@ pub fn identify_html(
     page.html()
 }
 
-/// What is worth knowing of the logs; warnings stand at the top.
+/// Notes on the logs; warnings stand at the top.
 pub(in crate::report) fn notes(body: &mut String, logs: &[Prepared]) {
     let notes: Vec<(&str, &Finding)> = logs
         .iter()
@@ -100,9 +100,9 @@ pub(in crate::report) fn notes(body: &mut String, logs: &[Prepared]) {
 fn torque_table(body: &mut String, found: &Identification) {
     let columns: Vec<(&str, &Accuracy)> = [
         ("fit", Some(&found.fit)),
-        ("fit, file as it was", found.fit_before.as_ref()),
+        ("fit, unchanged file", found.fit_before.as_ref()),
         ("validation", found.validation.as_ref()),
-        ("validation, file as it was", found.validation_before.as_ref()),
+        ("validation, unchanged file", found.validation_before.as_ref()),
     ]
     .into_iter()
     .filter_map(|(name, a)| Some((name, a?)))
@@ -131,11 +131,11 @@ fn torque_table(body: &mut String, found: &Identification) {
     body.push_str("</tbody></table></div>\n");
 }
 
-fn parameter_table(body: &mut String, found: &Identification) {
+pub(in crate::report) fn parameter_table(body: &mut String, found: &Identification) {
     let prior = found.parameters.iter().any(|p| p.prior.is_some());
     body.push_str("<div class=scroll><table class=parameters><thead><tr><th>parameter<th>value<th>± σ<th>σ %");
     if prior {
-        body.push_str("<th>file as it was");
+        body.push_str("<th>unchanged file");
     }
     body.push_str("<th class=words>unit<th class=words>grouping</tr></thead><tbody>\n");
     for p in &found.parameters {
@@ -170,7 +170,7 @@ fn open_questions(body: &mut String, found: &Identification) {
             true => writeln!(body, "<p><b>{names}</b>: without effect in this data.</p>"),
             false => writeln!(
                 body,
-                "<p><b>{names}</b>: this data does not tell them apart; {} of their combinations are open.</p>",
+                "<p><b>{names}</b>: this data does not separate them; {} of their combinations are open.</p>",
                 group.open
             ),
         };

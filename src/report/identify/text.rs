@@ -43,14 +43,14 @@ pub fn identify_verdict(found: &Identification) -> String {
     }
     let before = if found.validation.is_some() { &found.validation_before } else { &found.fit_before };
     if let Some(before) = before {
-        let _ = write!(text, "The robot file as it was misses by {} %. ", percent(before.relative_error_percent()));
+        let _ = write!(text, "The unchanged robot file misses by {} %. ", percent(before.relative_error_percent()));
     }
     let known = found.parameters.iter().filter(|p| p.standing == Standing::Identified);
     let well = known.clone().filter(|p| p.relative_std_percent() < 10.0).count();
     let _ = write!(text, "{well} of {} parameters are known to better than 10 %", found.parameters.len());
     let open = found.parameters.iter().filter(|p| p.standing == Standing::NotIdentifiable).count();
     if open > 0 {
-        let _ = write!(text, "; {open} can't be told from this data");
+        let _ = write!(text, "; {open} are undetermined by this data");
     }
     if !found.dropped.is_empty() {
         let _ = write!(text, "; {} were left out as not essential", found.dropped.len());
@@ -101,7 +101,7 @@ pub fn identify_text(found: &Identification, logs: &[Prepared], warnings: &Warni
         let _ = match (group.parameters.len() == group.open, group.parameters.len()) {
             (true, 1) => writeln!(out, "\n{names} does not act in this data."),
             (true, _) => writeln!(out, "\n{names} do not act in this data."),
-            _ => writeln!(out, "\n{names}: this data does not tell them apart ({} combinations are open).", group.open),
+            _ => writeln!(out, "\n{names}: this data does not separate them ({} combinations are open).", group.open),
         };
     }
     if !found.dropped.is_empty() {

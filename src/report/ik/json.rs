@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::model::inverse_kinematics::{Answer, SwivelRange};
 
-/// The status as the contract writes it.
+/// The status in the JSON.
 pub(in crate::report) fn status(status: Status) -> &'static str {
     match status {
         Status::Ok => "ok",

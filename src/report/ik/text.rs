@@ -35,7 +35,8 @@ pub fn ik_text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
                     0 => String::new(),
                     n => format!(", {n} branches of the nominal arm not found"),
                 };
-                writeln!(t, "\npose {}: {word}, {} solutions{at}{lost}", k + 1, pose.list.len())
+                let (count, s) = (pose.list.len(), if pose.list.len() == 1 { "" } else { "s" });
+                writeln!(t, "\npose {}: {word}, {count} solution{s}{at}{lost}", k + 1)
             }
         };
         for s in &pose.list {
@@ -52,7 +53,7 @@ pub fn ik_text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
     t
 }
 
-/// Where the swivel angle may lie.
+/// Intervals of the swivel angle.
 fn swivel(t: &mut String, inverse: &Inverse, ranges: &[SwivelRange]) {
     let whose = if inverse.exact { "" } else { " of the nominal arm" };
     if ranges.iter().all(|r| r.intervals.is_empty()) {

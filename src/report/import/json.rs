@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 
 use crate::exchange::{Imported, Neighbours};
 
-/// What was made of the model.
+/// Result of the import.
 pub fn import_json(made: &Imported) -> Value {
     let robot = &made.robot;
     let joints: Vec<Value> = robot

@@ -5,7 +5,7 @@ use core::fmt::Write;
 use crate::exchange::import::{REQUIRED, STATES};
 use crate::exchange::{Imported, Neighbours};
 
-/// What was made of the model, how exact it is, what it leaves open.
+/// Result of the import, its accuracy, and the open values.
 pub fn import_text(made: &Imported) -> String {
     let robot = &made.robot;
     let mut t = format!(

@@ -2,7 +2,7 @@
 
 use core::fmt::Write;
 
-use crate::data::log::{Channel, ChannelSummary, Log, Proposal, Quantity};
+use crate::data::log::{Channel, ChannelSummary, Passed, Proposal, Quantity};
 
 /// Table of the channels, and the mapping.
 pub fn inspect_text(file: &str, channels: &[ChannelSummary], proposal: &Proposal) -> String {
@@ -88,15 +88,14 @@ fn quoted(text: &str) -> String {
     if plain && text != "y" && text != "n" { text.into() } else { serde_json::Value::from(text).to_string() }
 }
 
-/// What was written.
-pub fn converted_text(file: &str, log: &Log, out: &str) -> String {
+/// The written file.
+pub fn converted_text(file: &str, log: &Passed, out: &str) -> String {
     let quantities: Vec<&str> =
-        Quantity::ALL.iter().filter(|(q, _)| log.joint(*q, 0).is_some()).map(|(_, prefix)| *prefix).collect();
-    let stretches =
-        if log.starts.len() == 1 { "one stretch".to_string() } else { format!("{} stretches", log.starts.len()) };
+        Quantity::ALL.iter().filter(|(q, _)| log.layout.has(*q)).map(|(_, prefix)| *prefix).collect();
+    let stretches = if log.segments == 1 { "one stretch".to_string() } else { format!("{} stretches", log.segments) };
     format!(
         "{file}: {} rows, {} joints, {} ({stretches}) written to {out}\n",
-        log.len(),
+        log.rows,
         log.layout.dof,
         quantities.join(", ")
     )

@@ -49,7 +49,7 @@ pub fn paint_html(planned: &Planned<'_>, provenance: &Provenance) -> String {
     }
     body.push_str("</tbody></table></div>\n");
     if !plan.sides.is_empty() {
-        body.push_str("<h3>What is not painted, and why</h3><ul class=findings>\n");
+        body.push_str("<h3>Unpainted sides, and why</h3><ul class=findings>\n");
         for side in &plan.sides {
             let _ = writeln!(body, "<li>{} side, {:.3} m: {}</li>", side.side, side.gap, escape(&side.bound));
         }
@@ -109,7 +109,7 @@ fn states(n: usize, moments: &[Moment]) -> States {
     States { len, q: part(|m| &m.q), dq: part(|m| &m.dq), ddq: part(|m| &m.ddq) }
 }
 
-/// What the scripts draw: the keys of the excitation's page, then the wall.
+/// Input of the scripts: the keys of the excitation's page, then the wall.
 fn data(planned: &Planned<'_>, cover: &Coverage) -> Value {
     let Planned { task, plan, .. } = *planned;
     let (n, duration) = (task.dof(), plan.duration());

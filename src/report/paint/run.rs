@@ -5,18 +5,43 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use crate::apps::painting::run::Run;
-use crate::control::law::Status;
+use crate::control::law::{Fault, Status};
 use crate::report::paint::run_page::Painted;
 use crate::report::parts::number::digits;
 
 pub(in crate::report) fn status(run: &Run) -> String {
-    match run.status {
+    words(run.status)
+}
+
+fn words(status: Status) -> String {
+    match status {
         Status::Free | Status::Pressing => "painted to the end".into(),
-        Status::Approaching => "on the way to the wall".into(),
-        Status::Lost => "looking for the wall".into(),
-        Status::Holding => "waiting for samples".into(),
-        Status::Leaving(fault) => format!("left the wall: {fault:?}").to_lowercase(),
-        Status::Stopped(fault) => format!("stopped: {fault:?}").to_lowercase(),
+        Status::Approaching => "ended before it reached the wall".into(),
+        Status::Lost => "ended while it looked for the wall".into(),
+        Status::Holding => "ended while it waited for samples".into(),
+        Status::Leaving(fault) => format!("left the wall: {}", reason(fault)),
+        Status::Stopped(fault) => format!("stopped: {}", reason(fault)),
+    }
+}
+
+fn reason(fault: Fault) -> &'static str {
+    match fault {
+        Fault::Position => "no positions for too long",
+        Fault::Force => "no force for too long",
+        Fault::Contact => "no contact for too long",
+        Fault::Excess => "too much force",
+    }
+}
+
+/// Said where no force could be compared.
+pub(in crate::report) const NOT_COMPARED: &str =
+    "It did not press within the plan, so that no force can be compared with the desired one.";
+
+/// Gain margin, dB, in words where there is none.
+pub(in crate::report) fn gain_margin(decibels: f64) -> String {
+    match decibels.is_finite() {
+        true => format!("gain margin {} dB", digits(decibels, 3)),
+        false => "stable at any higher gain".into(),
     }
 }
 
@@ -34,10 +59,16 @@ pub(in crate::report) fn differences(run: &Run) -> [(&'static str, f64); 3] {
 pub fn paint_run_text(painted: &Painted<'_>) -> String {
     let Painted { run, force, coats, warnings, .. } = *painted;
     let mut text = format!("{}; {} s without pressing\n\n", status(run), digits(run.off, 3));
-    for (name, value) in differences(run) {
+    let compared = |(_, value): &(&str, f64)| value.is_finite();
+    if !differences(run).iter().any(compared) {
+        let _ = writeln!(text, "  {NOT_COMPARED}");
+    }
+    for (name, value) in differences(run).into_iter().filter(compared) {
         let _ = writeln!(text, "  {name:<24} {:>7} N  {:>6} %", digits(value, 3), digits(100.0 * value / force, 3));
     }
-    let _ = writeln!(text, "  {:<24} {:>7} mm", "aside of the plan", digits(1e3 * run.tracking, 3));
+    if run.tracking.is_finite() {
+        let _ = writeln!(text, "  {:<24} {:>7} mm", "aside of the plan", digits(1e3 * run.tracking, 3));
+    }
     if coats.len() > 1 {
         let each: Vec<String> = coats.iter().map(|a| digits(a.estimated_desired, 3)).collect();
         let _ = writeln!(text, "  estimated less desired, coat by coat: {} N", each.join(", "));
@@ -45,12 +76,12 @@ pub fn paint_run_text(painted: &Painted<'_>) -> String {
     let f = &run.tuning.force;
     let _ = writeln!(
         text,
-        "\ngains: Kp {} m/N, Ki {} m/(N s); crossover {} rad/s, phase margin {} deg, gain margin {} dB",
+        "\ngains: Kp {} m/N, Ki {} m/(N s); crossover {} rad/s, phase margin {} deg, {}",
         digits(f.kp, 3),
         digits(f.ki, 3),
         digits(f.margins.crossover, 3),
         digits(f.margins.phase, 3),
-        digits(f.margins.gain, 3)
+        gain_margin(f.margins.gain)
     );
     for (j, p) in run.tuning.joints.iter().enumerate() {
         let _ = writeln!(text, "  joint {}: Kp {} N m/rad, Kd {} N m s/rad", j + 1, digits(p.kp, 3), digits(p.kd, 3));
@@ -99,4 +130,17 @@ pub fn paint_run_csv(run: &Run) -> String {
         );
     }
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_end_is_said_in_words() {
+        assert_eq!(words(Status::Leaving(Fault::Excess)), "left the wall: too much force");
+        assert_eq!(words(Status::Stopped(Fault::Position)), "stopped: no positions for too long");
+        assert_eq!(gain_margin(f64::INFINITY), "stable at any higher gain");
+        assert_eq!(gain_margin(12.34), "gain margin 12.3 dB");
+    }
 }

@@ -8,53 +8,39 @@ use crate::apps::painting::Plan;
 use crate::apps::painting::run::{Accuracy, Feedback, Law, Run};
 use crate::report::Provenance;
 use crate::report::Warnings;
-use crate::report::paint::run::{differences, status};
+use crate::report::paint::run::{NOT_COMPARED, differences, gain_margin, status};
 use crate::report::paint::trace;
 use crate::report::parts::number::digits;
 use crate::report::parts::page::{Page, escape};
 
-/// What was run.
+/// The run.
 pub struct Painted<'a> {
-    /// What came of it.
+    /// Its result.
     pub run: &'a Run,
-    /// What was to be done.
+    /// The task.
     pub plan: &'a Plan,
     /// Force that was wanted, N.
     pub force: f64,
-    /// What closed the loop.
+    /// Force in the feedback.
     pub feedback: Feedback,
-    /// What was fed forward.
+    /// Feedforward.
     pub law: Law,
     /// Accuracy of each coat, that of `run` last.
     pub coats: &'a [Accuracy],
-    /// What to know before the figures.
+    /// Notes before the figures.
     pub warnings: &'a Warnings,
 }
 
 /// The page.
 pub fn paint_run_html(painted: &Painted<'_>, provenance: &Provenance) -> String {
-    let Painted { run, plan, force, feedback, law, coats, warnings } = painted;
+    let Painted { run, plan, force, law, coats, warnings, .. } = painted;
     let mut body = String::new();
-    let fed = match feedback {
-        Feedback::Estimated => "the force estimated from the joint torques",
-        Feedback::Measured => "the force measured in the wall",
-    };
-    let _ = writeln!(
-        body,
-        "<header><p class=kicker>Painting under force control</p><h1>{}</h1><p class=verdict>{} N on the wall, {fed} in the feedback: {}. Measured less desired force {} N, estimated less measured {} N, roller {} mm aside of its path (root mean squares); {} s without pressing.</p></header>",
-        escape(&plan.robot),
-        digits(*force, 3),
-        escape(&status(run)),
-        digits(run.accuracy.measured_desired, 2),
-        digits(run.accuracy.estimated_measured, 2),
-        digits(1e3 * run.tracking, 2),
-        digits(run.off, 3)
-    );
+    header(&mut body, painted);
     let axes = [plan.surface.across(), plan.surface.up];
     body.push_str(&(warnings.html() + "<section><h2>The force</h2>"));
     trace::force(&mut body, &run.trace, *force, "Force along the wall's normal");
     body.push_str("<div class=scroll><table><thead><tr><th>difference, root mean square<th>N<th>% of the desired</tr></thead><tbody>");
-    for (name, value) in differences(run) {
+    for (name, value) in differences(run).into_iter().filter(|(_, value)| value.is_finite()) {
         let _ = writeln!(body, "<tr><th>{name}<td>{}<td>{}", digits(value, 3), digits(100.0 * value / force, 2));
     }
     body.push_str("</tbody></table></div>");
@@ -72,7 +58,7 @@ pub fn paint_run_html(painted: &Painted<'_>, provenance: &Provenance) -> String 
     let f = &run.tuning.force;
     let _ = writeln!(
         body,
-        "</section>\n<section><h2>Gains, as proposed</h2><p class=note>Equations (13) and (15); fed forward: {} of the desired force, {} of the planned motion's torques, {} of the force aside, {} of the drag predicted. Force loop: Kp {} m/N, Ki {} m/(N s), crossover {} rad/s, phase margin {}°, gain margin {} dB, the worst of nine postures.</p><div class=scroll><table><thead><tr><th>joint<th>Kp<br>N m/rad<th>Kd<br>N m s/rad<th>bandwidth<br>rad/s<th>phase margin<br>°</tr></thead><tbody>",
+        "</section>\n<section><h2>Gains, as proposed</h2><p class=note>Equations (13) and (15); fed forward: {} of the desired force, {} of the planned motion's torques, {} of the force aside, {} of the drag predicted. Force loop: Kp {} m/N, Ki {} m/(N s), crossover {} rad/s, phase margin {}°, {}, the worst of nine postures.</p><div class=scroll><table><thead><tr><th>joint<th>Kp<br>N m/rad<th>Kd<br>N m s/rad<th>bandwidth<br>rad/s<th>phase margin<br>°</tr></thead><tbody>",
         digits(law.carry, 2),
         digits(law.feed, 2),
         digits(law.aside, 2),
@@ -81,7 +67,7 @@ pub fn paint_run_html(painted: &Painted<'_>, provenance: &Provenance) -> String 
         digits(f.ki, 3),
         digits(f.margins.crossover, 3),
         digits(f.margins.phase, 3),
-        digits(f.margins.gain, 3)
+        gain_margin(f.margins.gain)
     );
     for (j, p) in run.tuning.joints.iter().enumerate() {
         let _ = writeln!(
@@ -107,4 +93,31 @@ pub fn paint_run_html(painted: &Painted<'_>, provenance: &Provenance) -> String 
         script: "",
     }
     .html()
+}
+
+/// What was done and how well, in a sentence or two.
+fn header(body: &mut String, painted: &Painted<'_>) {
+    let Painted { run, plan, force, feedback, .. } = painted;
+    let fed = match feedback {
+        Feedback::Estimated => "the force estimated from the joint torques",
+        Feedback::Measured => "the force measured in the wall",
+    };
+    let a = &run.accuracy;
+    let figures = match [a.measured_desired, a.estimated_measured, run.tracking].iter().all(|x| x.is_finite()) {
+        true => format!(
+            "Measured less desired force {} N, estimated less measured {} N, roller {} mm aside of its path (root mean squares);",
+            digits(a.measured_desired, 2),
+            digits(a.estimated_measured, 2),
+            digits(1e3 * run.tracking, 2)
+        ),
+        false => NOT_COMPARED.into(),
+    };
+    let _ = writeln!(
+        body,
+        "<header><p class=kicker>Painting under force control</p><h1>{}</h1><p class=verdict>{} N on the wall, {fed} in the feedback: {}. {figures} {} s without pressing.</p></header>",
+        escape(&plan.robot),
+        digits(*force, 3),
+        escape(&status(run)),
+        digits(run.off, 3)
+    );
 }

@@ -7,21 +7,22 @@ use serde_json::{Value, json};
 use crate::apps::painting::{Plan, Swivel, Task};
 use crate::model::States;
 use crate::report::Warnings;
+use crate::report::paint::saved::plan_json;
 use crate::report::parts::number::figure;
 
 /// A plan, with what belongs to it.
 pub struct Planned<'a> {
-    /// What was asked.
+    /// The task.
     pub task: &'a Task<'a>,
     /// The motion.
     pub plan: &'a Plan,
     /// Run time, s.
     pub seconds: f64,
-    /// What to know before the figures.
+    /// Notes before the figures.
     pub warnings: &'a Warnings,
 }
 
-/// What a joint uses of its limits, at worst.
+/// Utilisation of a joint's limits, at worst.
 pub(in crate::report) struct Use {
     /// Distance to the nearer end of its travel, rad or m.
     pub margin: f64,
@@ -129,7 +130,7 @@ pub fn paint_json(planned: &Planned<'_>) -> Value {
         "sides": plan.sides.iter().map(|s| json!({"side": s.side, "gap": s.gap, "bound": s.bound})).collect::<Vec<_>>(),
         "joints": joints,
         "assumed": task.missing.iter().map(|m| json!({"joint": m.joint, "limit": m.limit, "taken": m.taken})).collect::<Vec<_>>(),
-        "plan": plan.to_json(),
+        "plan": plan_json(plan),
     })
 }
 

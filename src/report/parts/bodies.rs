@@ -15,7 +15,7 @@ pub struct Links<'a> {
     pub now: Vec<Option<Body>>,
     /// The same of the robot file; `None` where it has none.
     pub file: Vec<Option<Body>>,
-    /// What came of the search for possible bodies.
+    /// Result of the search for possible bodies.
     pub possible: Option<&'a Possible<'a>>,
 }
 

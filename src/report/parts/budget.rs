@@ -1,4 +1,4 @@
-//! Where the error comes from: sensors, motion, clock, repeatability, what is left.
+//! Composition of the error: sensors, motion, clock, repeatability, rest.
 
 use std::fmt::Write;
 
@@ -18,7 +18,7 @@ fn parts(budget: &ErrorBudget) -> Vec<(&'static str, &[f64])> {
     parts
 }
 
-/// A sentence where the motion limits what can be told; empty otherwise.
+/// A sentence if the motion limits the estimate; empty otherwise.
 fn limits(budget: &ErrorBudget) -> String {
     let joints: Vec<String> = budget.limited_by_motion().iter().map(|j| (j + 1).to_string()).collect();
     match joints.is_empty() {
@@ -75,7 +75,7 @@ pub(in crate::report) fn html(budget: &ErrorBudget, of: &str) -> String {
     }
     let _ = writeln!(
         html,
-        "</tbody></table></div><p class=note>RMS; squares of the parts add up. Sensor: white noise of the torques. Encoder, derivatives: what errors of position, velocity and acceleration make of the model's torque. Clock: what is not known of the rows' times. {}{}</p></section>",
+        "</tbody></table></div><p class=note>RMS; squares of the parts add up. Sensor: white noise of the torques. Encoder, derivatives: what errors of position, velocity and acceleration make of the model's torque. Clock: remaining error of the rows' times. {}{}</p></section>",
         if budget.repeatability.is_some() {
             "Repetitions: by how much the torque differs where the log repeats its motion, which no model of the motion takes. "
         } else {

@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use crate::report::visible;
 
-/// What differs between pages.
+/// Differences between pages.
 pub(in crate::report) struct Page<'a> {
     /// In the window's title; plain text.
     pub title: String,
@@ -14,7 +14,7 @@ pub(in crate::report) struct Page<'a> {
     pub style: &'a str,
     /// Markup of the body.
     pub body: &'a str,
-    /// What the script draws, as `data`.
+    /// Input of the script, as `data`.
     pub data: Value,
     /// Script after `page.js`.
     pub script: &'a str,

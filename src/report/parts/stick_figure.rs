@@ -21,13 +21,13 @@ impl StickFigures<'_> {
         self.frames[((frame * 3 + row) * 4 + column) * self.len + s]
     }
 
-    /// Origins of the frames in the base frame, x y z each, m.
+    /// Origins of the frames in the world frame, x y z each, m.
     pub(in crate::report) fn joints(&self, s: usize) -> Vec<f64> {
         let count = self.frames.len() / (12 * self.len.max(1));
         (0..count).flat_map(|f| [0, 1, 2].map(|i| short(self.at(f, i, 3, s), 3))).collect()
     }
 
-    /// Centres of the spheres in the base frame, x y z each, m.
+    /// Centres of the spheres in the world frame, x y z each, m.
     pub(in crate::report) fn balls(&self, s: usize) -> Vec<f64> {
         self.balls.iter().flat_map(|ball| ball.placed(self.frames, self.len, s)).map(|x| short(x, 3)).collect()
     }

@@ -1,5 +1,4 @@
-//! What a reader must know before the figures: one list per result, which text, JSON and page all
-//! show.
+//! Warnings before the figures: one list per result, which text, JSON and page all show.
 
 use serde_json::{Value, json};
 
@@ -32,7 +31,7 @@ impl Warnings {
         self.all.extend(grave.map(ToString::to_string));
     }
 
-    /// What was found in the logs, but for notes.
+    /// Findings in the logs, except notes.
     pub fn logs(&mut self, logs: &[Prepared]) {
         for log in logs {
             let grave = log.findings.iter().filter(|f| f.severity != Severity::Note);

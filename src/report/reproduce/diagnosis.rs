@@ -11,7 +11,7 @@ fn percent(share: Share) -> String {
     share.value().map_or("–".into(), |v| format!("{:.0} % ({} of {})", 100.0 * v, share.good, share.all))
 }
 
-/// What is wanted of right causes: less where an effect is hardly above the noise.
+/// Required rate of right causes: less where an effect is hardly above the noise.
 fn wanted(size: f64) -> f64 {
     if size < 3.0 { 0.80 } else { 0.95 }
 }
@@ -26,7 +26,7 @@ pub(in crate::report) fn verdict(found: &Battery) -> String {
         );
     }
     format!(
-        "Effects of {} times the noise, hidden in {} simulated cases from seed {}: the right cause comes first in {}, in the right place in {} of these; {} of what could be gained on data that was not used is gained where the joints move, {} of all samples.",
+        "Effects of {} times the noise, hidden in {} simulated cases from seed {}: the right cause comes first in {}, in the right place in {} of these. The models attain {} of the possible gain on unused data where the joints move, {} over all samples.",
         found.settings.size,
         found.outcomes.len(),
         found.settings.from,
@@ -51,7 +51,7 @@ pub(in crate::report) fn tables(found: &Battery) -> Vec<Table> {
         rows.push(vec![what.into(), percent(share), format!("{bound} {:.0} %", 100.0 * wanted), holds.into()]);
     };
     row("right cause first", s.first, wanted(found.settings.size), false);
-    row("... or named as not told apart, nothing but noise left", s.first_or_named, wanted(found.settings.size), false);
+    row("... or not distinguished, nothing but noise left", s.first_or_named, wanted(found.settings.size), false);
     row("right joint, where the cause is right", s.place, 0.98, false);
     row("both of two effects", s.both, 0.85, false);
     row("false alarms on clean logs", s.false_alarms, 0.01, true);

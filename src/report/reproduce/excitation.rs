@@ -25,7 +25,7 @@ pub(in crate::report) fn verdict(found: &Excitation) -> String {
     if let Some((late, deviation)) = found.late("logdet").and_then(|late| Some((late, late.deviation?))) {
         let _ = write!(
             text,
-            " By log det, parameters are known to {:.0} % of the standard deviation at {CHOSEN} s when the longest motion ends; more samples of an equally good motion would make it {:.0} %. {}",
+            " By log det, standard deviations fall to {:.0} % of those at {CHOSEN} s when the longest motion ends; more samples of an equally good motion would make it {:.0} %. {}",
             100.0 * deviation,
             100.0 * late.by_samples,
             if deviation > 0.95 * late.by_samples {
@@ -54,7 +54,7 @@ pub(in crate::report) fn tables(found: &Excitation) -> Vec<Table> {
     let fig5 = Table {
         title: "Fig. 5: criteria against the duration of the motion".into(),
         note: format!(
-            "KUKA LWR, {} columns of the links as they are, samples at 100 Hz, a way point each second, every limit kept; best of {} starts. Each motion is designed by itself, so a step may go the wrong way by what the search leaves. The paper: nothing significant is gained after {CHOSEN} s.",
+            "KUKA LWR, {} unscaled columns of the links, samples at 100 Hz, a way point each second, every limit kept; best of {} starts. Each motion is designed by itself, so a step may go the wrong way by what the search leaves. The paper: nothing significant is gained after {CHOSEN} s.",
             found.columns, found.settings.starts
         ),
         head: vec!["s", "cond", "change", "-log det", "change", "-log Hadamard", "change"],
@@ -62,7 +62,7 @@ pub(in crate::report) fn tables(found: &Excitation) -> Vec<Table> {
     };
     let others = Table {
         title: format!("Other arms, {CHOSEN} s: least condition number"),
-        note: "Columns of the links as they are; limits, torques, ground and spheres of their files. Published figures are of like problems; how columns are scaled decides a condition number, so these rows tell the order of magnitude and no more.".into(),
+        note: "Unscaled columns of the links; limits, torques, ground and spheres of their files. Published figures are of similar problems; the scaling of columns decides a condition number, so these rows show the order of magnitude and no more.".into(),
         head: vec!["arm", "columns", "ours", "published", "of"],
         rows: found
             .others

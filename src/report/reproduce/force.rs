@@ -39,7 +39,7 @@ pub(in crate::report) fn tables(found: &Force) -> Vec<Table> {
     let cells = |f: &dyn Fn(usize) -> String| (0..6).map(f).collect::<Vec<_>>();
     let rows = found.accuracy.iter().map(|r| {
         let rms = |i: usize| format!("{} ± {}", digits(r.components[i].rms, 2), digits(r.components[i].half, 2));
-        let told = r.components.iter().map(|c: &Comparison| c.told).sum::<f64>() / 6.0;
+        let told = r.components.iter().map(|c: &Comparison| c.observable).sum::<f64>() / 6.0;
         let mut row = vec![r.method.name().to_string(), r.state.to_string()];
         row.extend(cells(&rms));
         row.push(format!("{:.1}", 100.0 * share(&r.components)));
@@ -48,11 +48,11 @@ pub(in crate::report) fn tables(found: &Force) -> Vec<Table> {
     });
     let mut head = vec!["estimator", "arm"];
     head.extend(COMPONENTS);
-    head.extend(["in band %", "told %"]);
+    head.extend(["in band %", "observable %"]);
     let accuracy = Table {
         title: "Accuracy over the whole workspace".into(),
         note: format!(
-            "RMS error ± mean half-width of the 95 % band, N and N m. {} random postures, a move and a rest for each, all six components at once (sines of {} N and {} N m, 0.1 to 0.7 Hz); model identified from a log with noise. Near a singularity: smallest singular value of the Jacobian (angular rows times 0.5 m) under {NEAR} m/rad. At rest the Coulomb friction may be anything between its levels, and the band says so. Told: share of samples in which the joints tell the component (standard deviation under a tenth of 300 N, 100 N m); the other figures are of these.",
+            "RMS error ± mean half-width of the 95 % band, N and N m. {} random postures, a move and a rest for each, all six components at once (sines of {} N and {} N m, 0.1 to 0.7 Hz). The model is identified from a log with noise. Near a singularity: smallest singular value of the Jacobian (angular rows times 0.5 m) under {NEAR} m/rad. At rest the Coulomb friction may be anything between its levels, and the band says so. Observable: share of samples in which the component is observable (standard deviation under a tenth of 300 N, 100 N m); the other figures are of these.",
             found.settings.postures, AMPLITUDES[0], AMPLITUDES[3]
         ),
         head: head.clone(),
@@ -74,7 +74,7 @@ pub(in crate::report) fn tables(found: &Force) -> Vec<Table> {
         head.extend(["all", "single runs", "bands believed %"]);
         all.push(Table {
             title: "How often the 95 % band holds the true value, %".into(),
-            note: "Over samples and runs, each with parameters identified anew, or with those of a right file and the noise of the log. Last column: runs in which the report does not call the model too wrong for the bands, as the arm's spare joint tells where it has one.".into(),
+            note: "Over samples and runs, each with parameters of its own identification, or with those of a right file and the noise of the log. Last column: runs in which the report does not call the model too wrong for the bands; only an arm with a spare joint can detect it.".into(),
             head,
             rows: rows.collect(),
         });
@@ -90,7 +90,7 @@ pub(in crate::report) fn to_json(found: &Force) -> Value {
         "accuracy": found.accuracy.iter().map(|r| json!({
             "estimator": r.method.name(), "state": r.state, "samples": r.components[0].samples,
             "rms": r.components.map(|c| c.rms), "half_width": r.components.map(|c| c.half), "inside": r.components.map(|c| c.inside),
-            "told": r.components.map(|c| c.told),
+            "told": r.components.map(|c| c.observable),
         })).collect::<Vec<_>>(),
         "coverage": found.coverage.iter().map(|c| json!({
             "estimator": c.method.name(), "robot": c.robot, "model": c.case.words(), "runs": c.runs, "samples": c.samples, "components": c.components,

@@ -122,7 +122,7 @@ fn judges(head: &str) -> bool {
     head == "verdict"
 }
 
-/// Where the page's script draws this trace.
+/// Position of this trace in the page's script.
 fn torques(trace: usize) -> String {
     format!(
         "<p class=note><span class='key measured'></span>measured <span class='key estimated'></span>estimated <span class='key residual'></span>residual (its own panel), N m over s. Drag to zoom all joints, double-click to go back.</p><div class=plots data-trace={trace}></div>"

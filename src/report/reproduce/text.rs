@@ -184,7 +184,7 @@ pub(in crate::report) fn tables(found: &Experiment) -> Vec<Table> {
 fn motions(found: &Experiment) -> Table {
     Table {
         title: "The motions".into(),
-        note: "Quintic splines with a way point each second, inside the LWR's limits, designed on the spot; `tool` is for what the hand carries, the last one validates and is not fitted. Each is played in the simulated position loop and recorded at 1 kHz.".into(),
+        note: "Quintic splines with a way point each second, inside the LWR's limits, designed on the spot. `tool` is for the load of the hand; the last one validates and is not fitted. Each is played in the simulated position loop and recorded at 1 kHz.".into(),
         head: vec!["motion", "s", "condition number", "log det W'W", "mean peak speed, % of limit"],
         rows: found
             .motions
@@ -208,7 +208,7 @@ fn fig6(found: &Experiment) -> Table {
     Table {
         title: "Fig. 6: held-out torque error, mean over the joints of the RMS, N m".into(),
         note: format!(
-            "Noise only, mean over {} runs with other noise: the floor is {} N m, what the low-pass leaves of the sensors' noise; an error above it by more than 5 % must be explained: by what the true parameters show as well (the chain) and by the parameters' own uncertainty after 10 s. With effects that the model has not (hysteresis, ripple, elasticity: sizes of the order of real arms', the same for all three, so that the order of the motions tells more than the size), from best to worst: {}; {same}{}. `{}` is the condition number of the links' columns alone, as in Fig. 5; the paper does not say whether its J_c has friction's. A Coulomb column is 1 in size however the arm moves, and least told from its viscous neighbour: with both, a smaller condition number asks for smaller columns of the links, not for more of everything.",
+            "Noise only, mean over {} runs with other noise: the floor is {} N m, the sensors' noise after the low-pass. An error above it by more than 5 % must be explained by the chain (the error of the true parameters) and by the parameters' own uncertainty after 10 s. With effects that the model lacks (hysteresis, ripple, elasticity) the order is, from best to worst: {}; {same}{}. Sizes are of the order of real arms', the same for all three, so the order of the motions is more reliable than the size. `{}` is the condition number of the links' columns alone, as in Fig. 5; the paper does not say whether its J_c has friction's. A Coulomb column is 1 in size however the arm moves, and is hardly separated from its viscous neighbour. With both, a smaller condition number requires smaller columns of the links, not more of everything.",
             fig6::RUNS,
             digits(mean(&found.floor), 3),
             ours.join(", "),
@@ -286,7 +286,7 @@ fn base_parameters(found: &Experiment) -> Table {
     Table {
         title: "Table II: base parameters, SI units; %σ: relative standard deviation".into(),
         note: format!(
-            "Ours: noise only, the motion by log det, 10 s. Off: from the truth, in own standard deviations. Verdict: our %σ, which counts how alike neighbouring samples are after the low-pass, against the paper's. The sensors' noise is {noise} N m, joint by joint: what gave the paper its %σ if its least squares was as good as ours, to one digit; so the verdicts compare how well the motion tells the parameters apart, not the sensors (0.05 N m, usual for the LWR, would make all of ours 2 to 8 times smaller). With unmodelled effects {within} of {of} inertial base parameters lie within three standard deviations of the truth: standard deviations know noise, not a model that lacks something; friction takes up the level of the hysteresis."
+            "Ours: noise only, the motion by log det, 10 s. Off: from the truth, in own standard deviations. Verdict: our %σ, which counts how alike neighbouring samples are after the low-pass, against the paper's. The sensors' noise is {noise} N m, joint by joint. It gives the paper its %σ if its least squares was as good as ours, to one digit. The verdicts therefore compare the motions and not the sensors (0.05 N m, usual for the LWR, would make all of ours 2 to 8 times smaller). With unmodelled effects {within} of {of} inertial base parameters lie within three standard deviations of the truth. Standard deviations cover noise, not a model that lacks something; friction takes up the level of the hysteresis."
         ),
         head: vec!["par.", "true", "ours", "%σ", "off", "unmodelled", "paper", "%σ", "CAD", "Jubien", "%σ", "verdict"],
         rows: found
@@ -313,12 +313,12 @@ fn base_parameters(found: &Experiment) -> Table {
     }
 }
 
-/// What the paper's figures are, if they are the textbook's.
+/// The paper's figures, if they are the textbook's.
 fn textbook(found: &Experiment) -> Table {
     Table {
         title: "Table II, like for like: %σ where the residual is as large as the paper's".into(),
         note: format!(
-            "The paper does not say how it got its %σ. Its residual is 0.42 N m, which is model error; the textbook's formula, sigma^2 (W'W)^-1 with each of 10,000 filtered residuals independent, makes about the paper's %σ of that: here it stands for ours, with the effects that the model has not (held-out residual {} N m), in percent of the true value (friction takes up hysteresis). Such deviations are too small: with the likeness of neighbouring samples the same log's are {} times as large (median), `honest`. The paper's FC3 is a slip, of whatever digit: no motion of 10,000 samples tells a Coulomb level better than the residual by the root of 10,000, so 1.6 % of 0.05 N m asks for at most 0.08 N m on joint 3 (0.50 N m, as Jubien's 0.45, would ask for 0.8, as its neighbours do). `residual`: that bound, from the paper's Coulomb rows.",
+            "The paper does not say how it got its %σ. Its residual is 0.42 N m, which is model error; the textbook's formula, sigma^2 (W'W)^-1 with each of 10,000 filtered residuals independent, makes about the paper's %σ of that. Here it stands for ours, with the effects that the model lacks (held-out residual {} N m), in percent of the true value (friction takes up hysteresis). Such deviations are too small: with the likeness of neighbouring samples the same log's are {} times as large (median), `honest`. The paper's FC3 is a slip, of whatever digit. No motion of 10,000 samples determines a Coulomb level better than the residual by the root of 10,000. So 1.6 % of 0.05 N m requires at most 0.08 N m on joint 3 (0.50 N m, as Jubien's 0.45, would require 0.8, as its neighbours do). `residual`: that bound, from the paper's Coulomb rows.",
             found
                 .fig6
                 .iter()
@@ -382,7 +382,7 @@ fn rollers(found: &Experiment) -> Vec<Table> {
         .map(|column| Table {
             title: format!("Table III: {}", column.tool),
             note: format!(
-                "Simulated with noise only: an empty hand and the roller on `tool`, 10 s each, solved together by equation (7). Mass off by {:+.2} % ({}: {} % asked), centre of mass by {} ± {} mm ({}: {} mm asked of the large roller; how many logs that takes stands below). Verdict: our standard deviation, SI units, against the paper's. MSX and MSY act alike, as the last joint turns one into the other, and so are our deviations alike; the paper's differ a hundred times in the large roller, since its %σ belong to values near zero (21 % of an MSY of 15 mg m).",
+                "Simulated with noise only: an empty hand and the roller on `tool`, 10 s each, solved together by equation (7). Mass off by {:+.2} % ({}: {} % asked), centre of mass by {} ± {} mm ({}: {} mm asked of the large roller; how many logs that takes stands below). Verdict: our standard deviation, SI units, against the paper's. MSX and MSY act alike, as the last joint turns one into the other, and so are our deviations alike. The paper's differ a hundred times in the large roller, since its %σ belong to values near zero (21 % of an MSY of 15 mg m).",
                 column.mass_error_percent,
                 holds(column.mass_error_percent.abs() <= table3::ASKED[0]),
                 table3::ASKED[0],
@@ -424,7 +424,7 @@ fn repeated(found: &Experiment) -> Option<Table> {
     Some(Table {
         title: format!("Table III, the large roller {runs} times with other noise"),
         note: format!(
-            "Logs of 10 s of each kind, empty and loaded, on `tool` and `logdet` in turn, by equation (7); weighed: on a scale that is good to {} g (one standard deviation). More logs of the empty hand cost nothing: those from which the robot was identified are such. Within: {} % of the mass, {} mm of the centre, with the 95 % interval of the true share (Wilson); the verdict asks for more than {:.0} % with that confidence. Told: the deviation that the command itself tells, mean over the runs; spread: errors in their own deviations. One log each is not enough at this noise: M g times the reach of the stretched arm (0.79 m; 0.39 m from the elbow) over the noise of joints 2 and 4 tells the mass to 0.26 % from 10 s each, which is 0.8 mm of a centre 0.32 m from the wrist, and the designed motion does no worse; then come the first moments. The noise is white up to the low-pass, so least squares is as good as any unbiased estimate of these logs can be: what helps is other knowledge. (The paper's own deviations of M and MSZ amount to 2 mm along z alone.)",
+            "Logs of 10 s of each kind, empty and loaded, on `tool` and `logdet` in turn, by equation (7); weighed: on a scale that is good to {} g (one standard deviation). More logs of the empty hand cost nothing: those from which the robot was identified are such. Within: {} % of the mass, {} mm of the centre, with the 95 % interval of the true share (Wilson); the verdict asks for more than {:.0} % with that confidence. Reported: the command's own deviation, mean over the runs; spread: errors in their own deviations. One log each is not enough at this noise. M g times the reach of the stretched arm (0.79 m; 0.39 m from the elbow) over the noise of joints 2 and 4 determines the mass to 0.26 % from 10 s each. That is 0.8 mm of a centre 0.32 m from the wrist, and the designed motion does no worse; then come the first moments. The noise is white up to the low-pass, so least squares is as good as any unbiased estimate of these logs can be: what helps is other knowledge. (The paper's own deviations of M and MSZ amount to 2 mm along z alone.)",
             1e3 * table3::SCALE,
             table3::ASKED[0],
             1e3 * table3::ASKED[1],

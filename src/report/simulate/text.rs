@@ -4,8 +4,7 @@ use crate::data::log::Quantity;
 use crate::report::Warnings;
 use crate::simulate::{Method, Mode, Recording, Request};
 
-/// What was simulated, how well the motion was followed, and how fast it went; `seconds` is the run
-/// time.
+/// Report of a simulation: its tracking error and speed; `seconds` is the run time.
 pub fn simulate_text(
     robot: &str,
     recording: &Recording,

@@ -1,4 +1,4 @@
-//! `tool --json`: contract section 4, and more. A number that does not exist is `null`.
+//! The keys of the JSON of `denavit tool`. A number that does not exist is `null`.
 
 use serde_json::{Map, Value, json};
 
@@ -34,7 +34,7 @@ pub fn tool_json(found: &Found, logs: &[Prepared], warnings: &Warnings, provenan
             "probability": nearest.probability,
             "not_distinguished_from": r.not_distinguished_from,
             "by_plain_distance": r.by_plain_distance,
-            "parameters_told": r.told,
+            "parameters_told": r.determined,
         })
     });
     let candidates: Vec<Value> = recognition

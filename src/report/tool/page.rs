@@ -1,6 +1,6 @@
-//! What the arm carries, as one page that needs no network.
+//! The body that the arm carries, as one page that needs no network.
 //!
-//! Curves are drawn by the script of the identification's page; what stands still is SVG from here.
+//! Curves are drawn by the script of the identification's page; static drawings are SVG from here.
 
 use std::fmt::Write;
 
@@ -182,8 +182,8 @@ fn ranking(body: &mut String, r: &Recognition) {
     let (limit, plain) = (x(r.limit), escape(&r.by_plain_distance));
     let _ = write!(
         body,
-        "<section><h2>Which tool</h2><p class=note>Distance from each tool of the table, in standard deviations of all {} parameters that are told (logarithmic). Beyond the line ({}) the right tool lies in {} % of the cases. By the paper's plain distance it would be {plain}.</p><svg class=ranking viewBox='0 0 900 {height}' role=img aria-label='distances'>",
-        r.told,
+        "<section><h2>Which tool</h2><p class=note>Distance from each tool of the table, in standard deviations of all {} determined parameters (logarithmic). Beyond the line ({}) the right tool lies in {} % of the cases. By the paper's plain distance it would be {plain}.</p><svg class=ranking viewBox='0 0 900 {height}' role=img aria-label='distances'>",
+        r.determined,
         digits(r.limit, 3),
         percent(100.0 * r.level)
     );

@@ -1,4 +1,4 @@
-//! What the arm carries, for a terminal.
+//! The body that the arm carries, for a terminal.
 
 use std::fmt::Write;
 
@@ -57,8 +57,7 @@ pub fn tool_verdict(found: &Found) -> String {
                     digits(carried.std[0], 2)
                 );
             } else {
-                let _ =
-                    write!(text, "This data does not tell all of the ten parameters: {} are open. ", open.join(", "));
+                let _ = write!(text, "Not all of the ten parameters are determined: {} are open. ", open.join(", "));
             }
         }
     }
@@ -86,7 +85,7 @@ pub fn tool_verdict(found: &Found) -> String {
             let _ = write!(text, "It is {} (distance {near}, limit {limit}). ", nearest.name);
             if !r.not_distinguished_from.is_empty() {
                 let others = r.not_distinguished_from.join(", ");
-                let _ = write!(text, "This data does not tell it from {others}; a longer or livelier motion would. ");
+                let _ = write!(text, "This data does not separate it from {others}; a livelier motion would. ");
             }
         }
         match &found.relative {
@@ -134,7 +133,7 @@ fn size_sentence(size: &Relative, unknown: bool) -> String {
     )
 }
 
-/// What a log misses although the tool is taken into account.
+/// Residual of a log although the tool is taken into account.
 fn weak_logs(found: &Found) -> String {
     let weak: Vec<String> = found
         .carried
@@ -152,7 +151,7 @@ fn weak_logs(found: &Found) -> String {
     }
 }
 
-/// Everything that a reader must know before the body.
+/// Notes that a reader needs before the body.
 pub fn tool_warnings(found: &Found, logs: &[Prepared]) -> Warnings {
     let mut warnings = Warnings::default();
     let solved = &found.carried.solved;

@@ -3,7 +3,7 @@
 
 use dh_codegen::robot::effects;
 
-/// What a gear warms up by at work, K.
+/// Temperature rise of a gear at work, K.
 const WARMING: f64 = 15.0;
 
 /// Warming up.

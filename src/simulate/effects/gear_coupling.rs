@@ -1,6 +1,6 @@
 //! `gear_coupling`: motor m turns with `w = dq_m + KC dq_k`, as in the wrists of Staubli arms. Its
-//! own part stands in the drive of joint m; what the coupling adds is `tau_k += KC (IAM ddq_m + FVM
-//! dq_m + FCM sign(w))`, `tau_m += IAM KC ddq_k + FVM KC dq_k + FCM sign(w)`.
+//! own part stands in the drive of joint m. The coupling adds `tau_k += KC (IAM ddq_m + FVM dq_m +
+//! FCM sign(w))`, `tau_m += IAM KC ddq_k + FVM KC dq_k + FCM sign(w)`.
 
 /// A motor that turns with another joint.
 #[derive(Debug, Clone, Copy, PartialEq)]

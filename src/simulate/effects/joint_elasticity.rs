@@ -18,9 +18,8 @@ impl JointElasticity {
         Self { stiffness: stated.stiffness(rated), damping: stated.damping() }
     }
 
-    /// What the teeth of a gear with backlash meet with where the file gives no elasticity: ten
-    /// times as stiff as a joint by default, and a tenth of critically damped against a rotor of
-    /// `inertia` kg m^2.
+    /// Stop of a gear with backlash if the file gives no elasticity. It is ten times as stiff as a
+    /// joint by default, with a tenth of critical damping against a rotor of `inertia` kg m^2.
     pub(crate) fn of_teeth(rated: f64, inertia: f64) -> Self {
         let stiffness = 600.0 * rated;
         Self { stiffness, damping: 0.2 * (stiffness * inertia).sqrt() }

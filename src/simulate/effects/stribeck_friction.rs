@@ -23,7 +23,7 @@ impl StribeckFriction {
         }
     }
 
-    /// What the level is higher than `coulomb` at this velocity.
+    /// Increase of the level over `coulomb` at this velocity.
     pub fn excess(&self, v: f64, coulomb: f64) -> f64 {
         let ratio = (v / self.velocity).abs();
         let power = if self.exponent == 2.0 { ratio * ratio } else { libm::pow(ratio, self.exponent) };

@@ -11,8 +11,7 @@ fn joint(values: &[f64], recording: &Recording, j: usize) -> Vec<f64> {
     values[j * len..(j + 1) * len].to_vec()
 }
 
-/// What the effect adds to the torque of joint `j` when the motion is followed exactly; with the
-/// motion.
+/// Torque that the effect adds at joint `j` when the motion is followed exactly; with the motion.
 struct Added {
     t: Vec<f64>,
     q: Vec<f64>,
@@ -346,7 +345,7 @@ fn a_push_on_the_tool_is_felt_through_the_jacobian() {
         };
         let (q1, q2) = (with.truth.link_q[k], with.truth.link_q[len + k]);
         let a = q1 + q2;
-        // The force in base axes.
+        // The force in world axes.
         let (fx, fy) = (6.0 * a.cos() + 4.0 * a.sin(), 6.0 * a.sin() - 4.0 * a.cos());
         let elbow = l2 * (a.cos() * fy - a.sin() * fx) + 0.5;
         let shoulder = elbow + l1 * (q1.cos() * fy - q1.sin() * fx);

@@ -4,7 +4,7 @@ use crate::numerics::integrators::dormand_prince::DormandPrince;
 use crate::numerics::integrators::rosenbrock::Rosenbrock;
 use crate::numerics::integrators::{Breakdown, Linear, LinearBristle, Method, Pace, Solver, System};
 
-/// A pendulum that is pushed and damped, with a bristle; how much of its Jacobian is told.
+/// A pendulum that is pushed and damped, with a bristle; share of its Jacobian that is given.
 struct Pendulum {
     told: f64,
 }

@@ -3,11 +3,11 @@
 //!
 //! Gautier and Khalil's regrouping (Khalil and Dombre, 9.4) in the form that covers every geometry.
 //! The energies are linear in the parameters: link `j` contributes `delta . e_j(q, dq)`. A change
-//! `delta` of link `j`'s parameters goes unseen by its own joint exactly if `delta . e_j` does not
-//! depend on `q_j` and `dq_j`; it is then the same as the change that the moved body makes on link
-//! `j - 1`. The condition is linear: it holds against the span of all motions that the joints
-//! before can give. So the span is carried outwards (subspaces of dimension at most ten), each
-//! link's null space is found, and the regrouping goes inwards with the lengths as named constants.
+//! `delta` of link `j`'s parameters is invisible to its own joint exactly if `delta . e_j` does not
+//! depend on `q_j` and `dq_j`. It is then the same change that the moved body makes on link `j -
+//! 1`. The condition is linear: it holds against the span of all motions that the joints before can
+//! give. So the span is carried outwards (subspaces of dimension at most ten), each link's null
+//! space is found, and the regrouping goes inwards with the lengths as named constants.
 
 use std::collections::BTreeMap;
 
@@ -97,7 +97,7 @@ const IA: usize = 10;
 const FO: usize = 11;
 
 /// The body seen from a frame whose origin lies `s` behind, along the axis with first moment
-/// `along`; `i`, `j` are the diagonal entries across, `p`, `q` the products with the other two
+/// `along`. `i`, `j` are the diagonal entries across, `p`, `q` the products with the other two
 /// first moments.
 fn translated<T: Ring>(v: &Ten<T>, s: &T, along: usize, [i, j]: [usize; 2], products: [(usize, usize); 2]) -> Ten<T> {
     let mut out = v.clone();
@@ -151,8 +151,8 @@ fn rot_z<T: Ring>(v: &Ten<T>, (s, c): (f64, f64)) -> Ten<T> {
 /// A linear map of parameters.
 type Order = fn(&Ten<f64>) -> Ten<f64>;
 
-/// What a joint's motion does to a body's parameters, order by order: the constant part, then the
-/// coefficients of `cos q, sin q, cos 2q, sin 2q` (revolute) or `q, q^2` (prismatic).
+/// Effect of a joint's motion on a body's parameters, order by order. First the constant part, then
+/// the coefficients of `cos q, sin q, cos 2q, sin 2q` (revolute) or `q, q^2` (prismatic).
 fn harmonics(kind: JointKind) -> Vec<Order> {
     match kind {
         JointKind::Revolute => vec![
@@ -171,7 +171,7 @@ fn harmonics(kind: JointKind) -> Vec<Order> {
     }
 }
 
-/// What is left of a body that spins about z, on average.
+/// Average parameters of a body that spins about z.
 fn constant_part<T: Ring>(v: &Ten<T>) -> Ten<T> {
     let mean = mix(0.5, &v[XX], 0.5, &v[YY]);
     let mut out: Ten<T> = core::array::from_fn(|_| T::zero());
@@ -398,13 +398,13 @@ impl Reach {
     }
 }
 
-/// Which parameter of a link is kept if there is a choice, the first ones most: the custom of the
+/// Preference among a link's parameters when one has to be kept, first ones most: the custom of the
 /// literature. (Keeping `YY` for `XX` changes the base regressors of the arms in `robots/` by less
 /// than half a per cent, either way.)
 ///
-/// `FO` goes first: where a prismatic joint's weight, rotor and offset can't be told apart, mass
-/// matrix and torques are right, and only the gravity torque from base parameters has the offset in
-/// it.
+/// `FO` is dropped first, where a prismatic joint's weight, rotor and offset can't be separated.
+/// Mass matrix and torques are then right; only the gravity torque from base parameters contains
+/// the offset.
 const PREFERENCE: [usize; 12] = [ZZ, MSY, MSX, YZ, XZ, XY, XX, YY, MSZ, M, IA, FO];
 
 impl BaseParameters {

@@ -2,13 +2,13 @@
 //!
 //! Modified rows are that chain already: `RotX(alpha) TransX(d) RotZ(theta) TransZ(r)`, and the
 //! body's frame is the joint frame. In a standard row `RotZ(theta) TransZ(r) TransX(d) RotX(alpha)`
-//! the last two factors commute, so they are the first two of the next joint frame; the body's
+//! the last two factors commute, so they are the first two of the next joint frame. The body's
 //! frame is the joint frame followed by them.
 
 use crate::robot::{Convention, JointKind, Robot};
 use crate::sym::{Call, Ex, Graph, Mat3, Vec3};
 
-/// Where the inputs of every kernel stand: `q, sin, cos, dq, ddq, tau` of each degree of freedom,
+/// Layout of the inputs of every kernel: `q, sin, cos, dq, ddq, tau` of each degree of freedom,
 /// then the parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Inputs {
@@ -68,8 +68,8 @@ pub struct Row {
     pub d: f64,
     /// Quarter turns that are added to the angle exactly.
     pub quarter_turns: i64,
-    /// What else is added to it, rad. Of a revolute joint it goes into the sine and cosine that are
-    /// given to the kernel.
+    /// Further angle added to it, rad. Of a revolute joint it goes into the sine and cosine that
+    /// are given to the kernel.
     pub angle: f64,
     /// Constant shift along z, m.
     pub r: f64,
@@ -140,7 +140,7 @@ impl Chain {
         self.rows.iter().filter(|r| r.dof.is_some()).count()
     }
 
-    /// What is added to each revolute joint's `q` before its sine and cosine are taken, rad.
+    /// Angle added to each revolute joint's `q` before its sine and cosine are taken, rad.
     pub fn angle_offsets(&self) -> Vec<f64> {
         self.rows
             .iter()
@@ -154,17 +154,17 @@ impl Chain {
         self.behind(graph, &[], &[])
     }
 
-    /// The same where the links stand `wound[k]` behind `q` (rad or m, small; of degree of freedom
-    /// `k`; `None`: nothing), and turn with other motors (`geared[k]`: those degrees of freedom,
-    /// with turns per turn of theirs).
+    /// The same with deflected links: link `k` stands `deflection[k]` behind `q` (rad or m, small;
+    /// `None`: no deflection). It also turns with other motors (`geared[k]`: those degrees of
+    /// freedom, with turns per turn of theirs).
     pub(super) fn behind<'g>(
         &self,
         graph: &'g Graph,
-        wound: &[Option<Ex<'g>>],
+        deflection: &[Option<Ex<'g>>],
         geared: &[Vec<(usize, f64)>],
     ) -> Links<'g> {
         let inputs = Inputs { dof: self.dof() };
-        let of = |row: &Row| row.dof.and_then(|k| wound.get(k).copied().flatten());
+        let of = |row: &Row| row.dof.and_then(|k| deflection.get(k).copied().flatten());
         let turned = |row: &Row| {
             let others = row.dof.and_then(|k| geared.get(k)).into_iter().flatten();
             let parts = others.map(|&(other, ratio)| graph.input(inputs.index(Group::Position, other)) * ratio);
@@ -185,9 +185,9 @@ impl Chain {
 
 /// A [`Chain`] whose entries are expressions.
 pub struct Links<'g> {
-    /// Where its expressions live.
+    /// Graph of its expressions.
     pub graph: &'g Graph,
-    /// Where inputs stand.
+    /// Indices of the inputs.
     pub inputs: Inputs,
     /// Base to tip.
     pub links: Vec<Link<'g>>,
@@ -199,7 +199,7 @@ pub struct Links<'g> {
     pub base: Option<([[f64; 3]; 3], [f64; 3])>,
     /// Pose of the tool frame in the last DH frame.
     pub tool: Option<([[f64; 3]; 3], [f64; 3])>,
-    /// What else turns each degree of freedom: others, with turns per turn of theirs.
+    /// Other degrees of freedom that turn each one, with turns per turn of theirs.
     geared: Vec<Vec<(usize, f64)>>,
 }
 
@@ -284,12 +284,12 @@ fn back_about_x<'g>((s, c): (Ex<'g>, Ex<'g>), v: Vec3<'g>) -> Vec3<'g> {
 }
 
 impl<'g> Link<'g> {
-    fn new(g: &'g Graph, row: &Row, inputs: Inputs, wound: Option<Ex<'g>>, geared: Option<Ex<'g>>) -> Self {
+    fn new(g: &'g Graph, row: &Row, inputs: Inputs, deflection: Option<Ex<'g>>, geared: Option<Ex<'g>>) -> Self {
         let (s, c) = match (row.kind, row.dof) {
             (JointKind::Revolute, Some(k)) => {
                 let (s, c) = (g.input(inputs.index(Group::Sine, k)), g.input(inputs.index(Group::Cosine, k)));
                 let (s, c) = geared.map_or((s, c), |by| turned_on((s, c), by));
-                wound.map_or((s, c), |by| turned_back((s, c), by))
+                deflection.map_or((s, c), |by| turned_back((s, c), by))
             }
             _ => {
                 let (s, c) = row.angle.sin_cos();
@@ -306,7 +306,7 @@ impl<'g> Link<'g> {
             (JointKind::Prismatic, Some(k)) => {
                 let r = g.input(inputs.index(Group::Position, k)) + g.given(row.r);
                 let r = geared.map_or(r, |by| r + by);
-                wound.map_or(r, |by| r - by)
+                deflection.map_or(r, |by| r - by)
             }
             _ => g.given(row.r),
         };

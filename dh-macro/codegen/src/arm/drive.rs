@@ -2,10 +2,10 @@
 //! the laws of [`crate::robot::effects`] as expressions.
 //!
 //! `tau = GT clip(load + IA ddq + warmth friction + FO + ripple + couplings, TM) + TO`, `load` the
-//! torque of the bodies and of the joint's spring, where the links of soft joints stand behind
-//! their motors by `load / KE` and by half of the backlash, on the side to which the load pushes.
-//! These are first-order, quasi-static corrections: load and bending do not act back on each other,
-//! and the link moves at its motor's speed.
+//! torque of the bodies and of the joint's spring. Links of soft joints stand behind their motors
+//! by `load / KE`, and by half of the backlash on the side to which the load pushes. These are
+//! first-order, quasi-static corrections: load and bending do not act back on each other, and the
+//! link moves at its motor's speed.
 
 use super::chain::{Chain, Group, Links};
 use super::dynamics::{self, Values};
@@ -15,7 +15,7 @@ use crate::robot::Laws;
 use crate::robot::effects::{JointSpring, StribeckFriction};
 use crate::sym::{Call, Ex, Graph};
 
-/// Where the states of bristles and the warmth of the gears come from.
+/// Source of the states of bristles and of the warmth of the gears.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Memory {
     /// Nowhere: a bristle is at the end of its travel (`sign(v)`), gears are warm (a factor of 1).
@@ -41,8 +41,9 @@ pub(super) fn torques<'g>(
     let mut load = loads(&links, &values, laws, &[]);
     if laws.iter().any(Laws::is_soft) {
         graph.section("links behind soft joints");
-        let wound: Vec<Option<Ex<'g>>> = laws.iter().zip(&load).map(|(law, &load)| wound(law, load)).collect();
-        load = loads(&chain.behind(graph, &wound, &geared), &values, laws, &wound);
+        let deflection: Vec<Option<Ex<'g>>> =
+            laws.iter().zip(&load).map(|(law, &load)| deflection(law, load)).collect();
+        load = loads(&chain.behind(graph, &deflection, &geared), &values, laws, &deflection);
     }
     bear(&mut load, &geared);
     graph.section("drives");
@@ -101,7 +102,7 @@ fn bear<'g>(load: &mut [Ex<'g>], geared: &[Vec<(usize, f64)>]) {
 }
 
 /// Torques that the gears transmit: bodies, and the springs of joints.
-fn loads<'g>(links: &Links<'g>, values: &Values<'g>, laws: &[Laws], wound: &[Option<Ex<'g>>]) -> Vec<Ex<'g>> {
+fn loads<'g>(links: &Links<'g>, values: &Values<'g>, laws: &[Laws], deflection: &[Option<Ex<'g>>]) -> Vec<Ex<'g>> {
     let mut load = dynamics::torques(links, values, Include::ALL, false, false);
     for (k, law) in laws.iter().enumerate() {
         if let Some(spring) = law.spring {
@@ -109,7 +110,7 @@ fn loads<'g>(links: &Links<'g>, values: &Values<'g>, laws: &[Laws], wound: &[Opt
             for (other, ratio) in geared(law) {
                 q = q + links.input(Group::Position, other) * ratio;
             }
-            if let Some(by) = wound.get(k).copied().flatten() {
+            if let Some(by) = deflection.get(k).copied().flatten() {
                 q = q - by;
             }
             load[k] = load[k] + elastic(spring, law.rated, q);
@@ -131,7 +132,7 @@ fn elastic<'g>(spring: JointSpring, rated: f64, x: Ex<'g>) -> Ex<'g> {
 }
 
 /// How far a soft joint's link stands behind its motor.
-fn wound<'g>(law: &Laws, load: Ex<'g>) -> Option<Ex<'g>> {
+fn deflection<'g>(law: &Laws, load: Ex<'g>) -> Option<Ex<'g>> {
     let small = CHANGES_SIDE * law.rated;
     let zero = load.graph().constant(0.0);
     let side = if law.backlash() == 0.0 { zero } else { load / (load * load + small * small).call(Call::Sqrt) };
@@ -139,13 +140,13 @@ fn wound<'g>(law: &Laws, load: Ex<'g>) -> Option<Ex<'g>> {
     law.is_soft().then(|| spring + side * (0.5 * law.backlash()))
 }
 
-/// What the laws of one joint read.
+/// Inputs of the laws of one joint.
 struct Drive<'g> {
     /// True angle of the motor.
     q: Ex<'g>,
     v: Ex<'g>,
     sign: Ex<'g>,
-    /// What stands for the sign in a law with memory.
+    /// Substitute for the sign in a law with memory.
     bristle: Ex<'g>,
     warmth: Ex<'g>,
     load: Ex<'g>,
@@ -231,7 +232,7 @@ fn ripple<'g>(law: &Laws, q: Ex<'g>) -> Ex<'g> {
     law.ripple.iter().fold(zero, |sum, &[n, c, s]| sum + wave(q, n, c, s))
 }
 
-/// What the sensor says of the drive's torque.
+/// Sensor's reading of the drive's torque.
 fn measured<'g>(law: &Laws, tau: Ex<'g>) -> Ex<'g> {
     let number = |value: f64| tau.graph().constant(value);
     let clipped = law.limit.map_or(tau, |limit| tau.least(number(limit)).most(number(-limit)));

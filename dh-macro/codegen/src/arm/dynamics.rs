@@ -109,8 +109,8 @@ fn turned<'g>(t: Tensor<'g>, turn: impl Fn(Vec3<'g>) -> Vec3<'g>) -> Tensor<'g> 
     from_fn(|i| from_fn(|j| if i <= j { columns[j][i] } else { columns[i][j] }))
 }
 
-/// First moments and tensor about the origin from which the present one is seen at `s`:
-/// `l + m s`, `I + (2 l.s + m s.s) E - (l s' + s l') - m s s'`.
+/// First moments and tensor about the origin at which the present one has position `s`: `l + m s`,
+/// `I + (2 l.s + m s.s) E - (l s' + s l') - m s s'`.
 fn shifted<'g>(links: &Links<'g>, m: Ex<'g>, l: Vec3<'g>, t: Tensor<'g>, s: Vec3<'g>) -> (Vec3<'g>, Tensor<'g>) {
     let ls = l + s.scale(m);
     let trace = s.dot(l + ls);

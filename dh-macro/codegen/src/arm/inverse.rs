@@ -1,9 +1,9 @@
-//! Which inverse an arm has, from the lines of its joints: exact where they meet or are parallel,
-//! else that of a nominal arm nearby.
+//! Selects the inverse of an arm from the lines of its joints: exact where they meet or are
+//! parallel, else that of a nominal arm nearby.
 //!
-//! Lines and not table entries, because two tables of one arm differ: calibrated parallel axes have
-//! their common normal hundreds of metres away, and a fixed row in between hides that two axes
-//! meet.
+//! Lines are compared and not table entries, because two tables of one arm differ. Calibrated
+//! parallel axes have their common normal hundreds of metres away, and a fixed row in between hides
+//! that two axes meet.
 
 use super::chain::Chain;
 use crate::ik::{Arm, Axis, Displacement, Family, Method, Plane, Query, Reference, Regional, Six, Swivel};
@@ -21,7 +21,7 @@ pub struct Inverse {
     pub joints: String,
     /// Short name, `none` where no closed form is known.
     pub class: &'static str,
-    /// What in the geometry makes it so.
+    /// Geometric reason for the choice.
     pub reason: String,
     /// Lines of the joints that move, at `q = 0`.
     pub axes: Vec<Axis>,
@@ -34,7 +34,7 @@ pub struct Inverse {
     pub family: Family,
 }
 
-/// What a room of this module finds.
+/// Result of one submodule.
 pub(super) struct Found {
     class: &'static str,
     reason: String,

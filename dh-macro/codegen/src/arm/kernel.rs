@@ -1,4 +1,4 @@
-//! What is generated for each robot: functions with signatures, each a tape.
+//! Functions generated for each robot, with signatures, each a tape.
 
 use super::chain::{Group, Inputs};
 use crate::sym::{Ex, Operand, Tape};
@@ -12,7 +12,7 @@ pub enum Function {
     ForwardKinematics,
     /// The tool frame, `3 x 4`.
     ToolPose,
-    /// `6 x n`, linear part first, of the last DH frame's origin, base axes.
+    /// `6 x n`, linear part first, of the last DH frame's origin, world axes.
     Jacobian,
     /// `6 x n` of the tool frame's origin.
     ToolJacobian,
@@ -44,7 +44,7 @@ pub enum Function {
     PayloadRegressor,
     /// `tau` of the bodies and of rotors and plain friction, without the effects of the file.
     RigidDynamics,
-    /// What [`Function::InverseDynamics`] is for given states of the drives: bristles and warmth.
+    /// [`Function::InverseDynamics`] for given states of the drives: bristles and warmth.
     DriveTorques,
     /// Product with the transposed derivative of [`Function::BaseRegressor`] by `q`, `dq` and
     /// `ddq`, `3 x n`.
@@ -83,10 +83,10 @@ impl Function {
         Self::PayloadRegressor,
     ];
 
-    /// What is generated beside them where the file has effects.
+    /// Functions generated beside them if the file has effects.
     pub const WITH_EFFECTS: [Self; 2] = [Self::RigidDynamics, Self::DriveTorques];
 
-    /// What is generated on demand: derivatives for those who plan or calibrate by gradients.
+    /// Functions generated on demand: derivatives for planning or calibration by gradients.
     pub const ADJOINTS: [Self; 5] = [
         Self::BaseRegressorAdjoint,
         Self::PayloadRegressorAdjoint,
@@ -138,7 +138,7 @@ impl Function {
         }
     }
 
-    /// What it reads, in the order of its signature.
+    /// Inputs in the order of its signature.
     pub fn arguments(self) -> &'static [Argument] {
         use Argument::{
             Accelerations, BaseParameters, Bristles, Configuration, Seeds, StandardParameters, Torques, Velocities,
@@ -198,7 +198,7 @@ pub enum Argument {
 }
 
 impl Argument {
-    /// Which inputs it carries.
+    /// Inputs that it carries.
     pub fn groups(self) -> &'static [Group] {
         match self {
             Self::Configuration => &[Group::Position, Group::Sine, Group::Cosine],
@@ -215,11 +215,11 @@ impl Argument {
 /// A function with its tape.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kernel {
-    /// What it computes.
+    /// Quantity that it computes.
     pub function: Function,
     /// Extents of the result, outermost first; the tape's outputs are row-major.
     pub shape: Vec<usize>,
-    /// Where inputs stand.
+    /// Indices of the inputs.
     pub inputs: Inputs,
     /// The program.
     pub tape: Tape,

@@ -33,7 +33,7 @@ impl Model {
     /// [`Function::InverseDynamics`] has the laws of the drives in it. Without effects the same as
     /// [`Model::new`].
     pub fn with_effects(robot: &Robot) -> Self {
-        if robot.has_effects() { Self::of(&robot.as_it_is(), robot.laws()) } else { Self::new(robot) }
+        if robot.has_effects() { Self::of(&robot.effective(), robot.laws()) } else { Self::new(robot) }
     }
 
     fn of(robot: &Robot, laws: Vec<Laws>) -> Self {
@@ -75,7 +75,7 @@ impl Model {
     }
 
     /// Offsets that the gravity torque from base parameters has in it: degree of freedom, and
-    /// torque, N m. A prismatic joint's weight, rotor and offset can't be told apart, so there `FO`
+    /// torque, N m. A prismatic joint's weight, rotor and offset can't be separated, so there `FO`
     /// is grouped (see [`BaseParameters`]).
     pub fn offsets_in_gravity(&self, standard: &[f64]) -> Vec<(usize, f64)> {
         let grouped = |p: &Parameter| self.base.0.iter().all(|b| b.leader != *p);

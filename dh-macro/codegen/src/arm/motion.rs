@@ -19,7 +19,7 @@ pub(super) struct Motion<'g> {
     pub u: Mat3<'g>,
 }
 
-/// What a sweep takes into account.
+/// Terms that a sweep includes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Include {
     pub velocity: bool,
@@ -43,9 +43,9 @@ impl<'g> Motion<'g> {
         Self { w, dw, a, u: Mat3(u) }
     }
 
-    /// Where points on z move as they do for the frame before, whatever the joint does: `third` is
-    /// that frame's `U z`, in these axes. The rest of `U` follows from it, `w` and `dw_z` with
-    /// fewer operations than from `w` and `dw`.
+    /// True where points on z move as they do for the frame before, whatever the joint does:
+    /// `third` is that frame's `U z`, in these axes. The rest of `U` follows from it, `w` and
+    /// `dw_z` with fewer operations than from `w` and `dw`.
     fn about_z(w: Vec3<'g>, dz: Ex<'g>, a: Vec3<'g>, third: Vec3<'g>) -> Self {
         let ([x, y, z], [u02, u12, u22]) = (w.0, third.0);
         let (xx, zz, xy, xz, yz) = (x * x, z * z, x * y, x * z, y * z);
@@ -135,8 +135,8 @@ pub(super) fn can_shift(row: &Row) -> bool {
     row.body.is_none() && row.kind != JointKind::Prismatic && row.r != 0.0
 }
 
-/// What a joint feels of a wrench in its own frame: moment about z, force along z, nothing where it
-/// is fixed.
+/// Joint component of a wrench in its own frame: moment about z, force along z, zero where it is
+/// fixed.
 pub(super) fn along_axis<'g>(kind: JointKind, f: Vec3<'g>, n: Vec3<'g>) -> Option<Ex<'g>> {
     match kind {
         JointKind::Revolute => Some(n.0[2]),

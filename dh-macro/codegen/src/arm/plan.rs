@@ -1,4 +1,5 @@
-//! Where each column is computed: choices that change the number of operations, not the result.
+//! Frame in which each column is computed: choices that change the number of operations, not the
+//! result.
 
 use std::collections::BTreeSet;
 
@@ -53,8 +54,8 @@ pub fn search(start: Plan, rounds: usize, can_shift: impl Fn(usize) -> bool, cos
     let rows = start.len();
     let mut best = start;
     let mut best_cost = cost(&best);
-    // What was tried once was not better than the best of then, so it is not better than that of
-    // now.
+    // A choice that was tried once was no better than the best one then, so it is no better than
+    // the present best.
     let mut tried = BTreeSet::from([best.clone()]);
     let mut try_plan = |best: &mut Plan, trial: Plan| {
         if tried.insert(trial.clone()) {

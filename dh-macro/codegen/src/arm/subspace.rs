@@ -1,9 +1,9 @@
 //! Small linear subspaces in echelon form: which vectors are new, which are combinations.
 
-/// What counts as nothing, relative to the vector that came in. Calibrated arms differ from nominal
+/// Magnitude that counts as zero, relative to the input vector. Calibrated arms differ from nominal
 /// ones by 1e-4 and its square; rounding stays below 1e-14.
 const NOTHING: f64 = 1e-10;
-/// What elimination leaves of an exact zero.
+/// Rounding residue of an exact zero after elimination.
 const ROUNDING: f64 = 1e-14;
 /// How large a column must be in its row to be bound by it, relative to the row's largest entry:
 /// first clearly, then at all. A twist of 1.5716 is nearly a right angle, and binding the column

@@ -2,9 +2,9 @@
 //! enough than for any motion.
 //!
 //! With one direction only the rate counts. With two perpendicular ones, `e` (of the inner joints)
-//! and the link's own `z`, the angular velocity is `r e + s z` and `e` turns with the link's angle
-//! alone; so moments matter only along `e` and `z`, and Lagrange's equations of these two angles
-//! say them with fewer operations than Euler's of the body.
+//! and the link's own `z`, the angular velocity is `r e + s z`, and `e` turns with the link's angle
+//! alone. So moments matter only along `e` and `z`. Lagrange's equations of these two angles need
+//! fewer operations than Euler's of the body.
 
 use super::chain::Link;
 use crate::robot::JointKind;
@@ -83,9 +83,9 @@ impl<'g> Turning<'g> {
     }
 }
 
-/// Moments along `first` and `own` (the link's z) that a body's tensor about the origin takes, in N
-/// m: Lagrange's equations of `T = (e.I e) r^2 / 2 + (e.I z) r s + (z.I z) s^2 / 2` with `de/ds = e
-/// x z`.
+/// Moments along `first` and `own` (the link's z) that a body's tensor about the origin takes, N m.
+/// These are Lagrange's equations of `T = (e.I e) r^2 / 2 + (e.I z) r s + (z.I z) s^2 / 2` with
+/// `de/ds = e x z`.
 pub(super) fn moments<'g>(first: &Spin<'g>, own: &Spin<'g>, params: &[Ex<'g>; 10]) -> (Ex<'g>, Ex<'g>) {
     let [_, _, _, _, xx, yy, zz, xy, xz, yz] = *params;
     let [x, y, _] = first.axis.0;

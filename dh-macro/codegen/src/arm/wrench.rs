@@ -13,7 +13,7 @@ pub(super) struct Wrench<'g> {
 }
 
 impl<'g> Wrench<'g> {
-    /// What a body with this one parameter equal to one, all others zero, takes to move like that:
+    /// Wrench of a body with this one parameter equal to one and all others zero under this motion:
     /// `f = M a + U MS`, `n = MS x a + I dw + w x (I w)`.
     pub fn unit(m: &Motion<'g>, which: Inertial) -> Self {
         let g = m.w.0[0].graph();
@@ -51,7 +51,7 @@ impl<'g> Wrench<'g> {
         Self { n: n + point.n, ..point }
     }
 
-    /// What mass and first moments alone take.
+    /// Wrench of mass and first moments alone.
     pub fn of_moments(m: &Motion<'g>, params: &[Ex<'g>; 10]) -> Self {
         let [mass, lx, ly, lz, ..] = *params;
         let ms = Vec3([lx, ly, lz]);

@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_2, PI};
 
 use crate::runtime::Scalar;
 
-/// An angle in rad that remembers whether it is an exact multiple of pi.
+/// An angle in rad with its exact multiple of pi, if it has one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Angle {
     /// Value, rad.

@@ -3,6 +3,7 @@
 mod body;
 mod drive;
 mod joint;
+mod log;
 mod provenance;
 mod simulation;
 
@@ -21,13 +22,13 @@ use super::{Collision, Convention, Cuboid, Effect, Joint, JointKind, Pose, Robot
 pub struct Reading {
     /// The robot.
     pub robot: Robot,
-    /// Where the numbers come from, if the file says so.
+    /// Origin of the numbers, if the file names it.
     pub source: Option<String>,
     /// Decimals that were read as exact angles, values that look like another unit, ...
     pub notes: Vec<Note>,
 }
 
-/// Gravity where the file gives none, m/s^2: the contract's value.
+/// Default gravity of a robot file, m/s^2.
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
 impl Robot {
@@ -104,8 +105,9 @@ fn robot(top: &Fields<'_>, files: &dyn Fn(&str) -> Result<String, String>, to: &
         .map(|(node, path)| drive::effects(node, &path, drive::Origin::Robot, to))
         .unwrap_or_default();
     numbers_in_effects(top, &joints, &effects, to);
+    let log = top.map("log", to).map(|fields| log::mapping(&fields, to));
     let constants = to.scope.constants();
-    Robot { name, convention, constants, gravity, base, joints, links, tool, collision, effects }
+    Robot { name, convention, constants, gravity, base, joints, links, tool, collision, effects, log }
 }
 
 /// Joints and links that effects name must be there.
@@ -135,8 +137,8 @@ fn numbers_in_effects(top: &Fields<'_>, joints: &[Joint], whole: &[Effect], to: 
     }
 }
 
-/// Where a key of an effect stands: in the drive of a row (or in its friction), or among the
-/// effects at the top. The effect itself where it is a bare number or does not have the key.
+/// Place of an effect's key: in the drive of a row (or in its friction), or among the effects at
+/// the top. The effect itself where it is a bare number or does not have the key.
 fn written(top: &Fields<'_>, row: Option<usize>, effect: &str, key: &str) -> Option<(Mark, String)> {
     fn child<'n>((node, path): (&'n yaml::Node, String), name: &str) -> Option<(&'n yaml::Node, String)> {
         let Kind::Map(fields) = &node.kind else { return None };
@@ -258,7 +260,7 @@ fn collision(top: &Fields<'_>, rows: usize, to: &mut Findings) -> Collision {
     Collision { ground, spheres, boxes }
 }
 
-/// Where a mapping starts, for problems of the whole of it.
+/// Start of a mapping, for problems of the whole of it.
 fn place(fields: &Fields<'_>) -> (Mark, String) {
     (fields.mark, fields.path.clone())
 }

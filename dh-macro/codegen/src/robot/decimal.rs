@@ -11,7 +11,7 @@ const ENOUGH: usize = 4;
 /// Beyond this many quarter turns four digits match by chance too often.
 const MOST_TURNS: f64 = 64.0;
 
-/// What a decimal says about quarter turns.
+/// Relation of a decimal to quarter turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum QuarterTurns {
     /// Every digit is that of this many quarter turns.

@@ -1,8 +1,8 @@
 //! The effects beyond the rigid body, a type each: fields, keys, units, ranges, scope, defaults.
 //!
-//! A law is what is *added* to the torque of the rigid model, `tau` being the torque of the actuator
-//! on the link. For a prismatic joint read N for N m, and m for rad. The types are data: generated
-//! code, simulator and diagnosis have laws of their own.
+//! A law is what is *added* to the torque of the rigid model, `tau` being the torque of the
+//! actuator on the link. For a prismatic joint read N for N m, and m for rad. The types are data:
+//! generated code, simulator and diagnosis have laws of their own.
 
 mod asymmetric_friction;
 mod backlash;
@@ -72,7 +72,7 @@ macro_rules! vocabulary {
             $(#[doc = concat!("See [`", stringify!($Type), "`].")] $Type($Type),)+
         }
 
-        /// Which effect.
+        /// The effect.
         #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum EffectKind {
             $(#[doc = concat!("See [`", stringify!($Type), "`].")] $Type,)+
@@ -90,7 +90,7 @@ macro_rules! vocabulary {
                 }
             }
 
-            /// What its type says of itself.
+            /// Description of the effect's type.
             #[must_use]
             pub fn description(self) -> &'static Description {
                 match self {
@@ -107,7 +107,7 @@ macro_rules! vocabulary {
         }
 
         impl Effect {
-            /// Which effect it is.
+            /// Kind of the effect.
             #[must_use]
             pub fn kind(&self) -> EffectKind {
                 match self {
@@ -183,7 +183,7 @@ pub enum EffectError {
     Key {
         /// Of this effect.
         effect: EffectKind,
-        /// As it was given.
+        /// As given.
         key: String,
     },
     /// A key that must be there.
@@ -201,7 +201,7 @@ pub enum EffectError {
         effect: EffectKind,
         /// Its name.
         key: &'static str,
-        /// As it was given.
+        /// As given.
         value: f64,
     },
 }
@@ -211,9 +211,9 @@ pub enum EffectError {
 pub struct OutOfRange {
     /// Name of the key, with its number where keys repeat.
     pub key: String,
-    /// As it is stated.
+    /// As stated.
     pub value: f64,
-    /// What it must be: `be greater than 0`.
+    /// Condition on the value: `be greater than 0`.
     pub must: String,
 }
 
@@ -273,7 +273,7 @@ impl Effect {
         self.kind().name()
     }
 
-    /// What is stated behind a key.
+    /// Value stated for a key.
     #[must_use]
     pub fn get(&self, key: &str) -> Option<f64> {
         let (key, number) = self.kind().description().place(key)?;

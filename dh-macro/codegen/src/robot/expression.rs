@@ -40,7 +40,7 @@ impl Scope {
         self.names.iter().map(|(name, value)| (name.clone(), value.number)).collect()
     }
 
-    /// What a text means.
+    /// Value of an expression.
     pub(super) fn evaluate(&self, text: &str) -> Result<Value, ExpressionError> {
         let characters: Vec<char> = text.chars().collect();
         if characters.len() > LONGEST {
@@ -341,7 +341,7 @@ mod tests {
         assert_eq!(note("1.5708"), "1.5708 read as pi/2");
         assert_eq!(note("-1.5708"), "-1.5708 read as -pi/2");
         assert_eq!(note("B"), "B = 1.5708 read as pi/2");
-        assert_eq!(note("1.57"), "1.57 is not exact and was read as it stands; if pi/2 is meant, write pi/2");
+        assert_eq!(note("1.57"), "1.57 is not exact and was read as that decimal; if pi/2 is meant, write pi/2");
         assert_eq!(note("1.5712") + &note("pi/2") + &note("1.5708 + 0"), "");
     }
 

@@ -22,7 +22,7 @@ pub(super) struct Key {
     pub(super) required: bool,
 }
 
-/// What stands behind a key.
+/// Value of a key.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Shape {
     Text,
@@ -49,6 +49,10 @@ pub(super) enum Shape {
     RowsOrNull(&'static Table),
     /// Only names of the effects vocabulary.
     Effects,
+    /// A number, or a list of them.
+    Numbers,
+    /// Columns of a log, each with the name of a channel or a mapping.
+    Columns(&'static Table),
 }
 
 impl Shape {
@@ -73,6 +77,13 @@ impl Shape {
             Self::Rows(table) => format!("a list with one mapping per {}", table.what),
             Self::RowsOrNull(table) => format!("a list with one mapping (or null) per {}", table.what),
             Self::Effects => "a mapping of effects to numbers".to_string(),
+            Self::Numbers => "a number, or a list with one for each joint".to_string(),
+            Self::Columns(table) => {
+                format!(
+                    "a mapping of columns to channels: a name, or a mapping with the keys {}",
+                    table.names().join(", ")
+                )
+            }
         }
     }
 }
@@ -95,8 +106,8 @@ const fn required(name: &'static str, shape: Shape, unit: &'static str, doc: &'s
     Key { name, shape, unit, doc, required: true }
 }
 
-use Shape::{Angle, Angles, Choice, Constants, Count, Effects, Flag, Length, Map, MapOrFile};
-use Shape::{Number, Positive, Rows, RowsOrNull, Text, Texts, Vector};
+use Shape::{Angle, Angles, Choice, Columns, Constants, Count, Effects, Flag, Length, Map, MapOrFile};
+use Shape::{Number, Numbers, Positive, Rows, RowsOrNull, Text, Texts, Vector};
 
 pub(super) static ROBOT: Table = Table {
     what: "robot",
@@ -114,6 +125,33 @@ pub(super) static ROBOT: Table = Table {
         key("tool", MapOrFile(&TOOL), "", "Body fixed to the last frame."),
         key("collision", Map(&COLLISION), "", "What must not be hit."),
         key("effects", Effects, "", "Effects beyond the rigid body that concern the whole robot."),
+        key("log", Map(&LOG), "", "Which channel of this robot's logs is which column; `--map` goes before it."),
+    ],
+};
+
+/// Also the file of `--map`.
+pub(super) static LOG: Table = Table {
+    what: "mapping of a log",
+    effects: false,
+    keys: &[
+        key(
+            "clock",
+            Choice(&["header", "arrival"]),
+            "",
+            "Stamp of a message, or time of the recorder; default header.",
+        ),
+        required("columns", Columns(&CHANNEL), "", "Column (t, q1, or q* for all joints) and its channel."),
+    ],
+};
+
+pub(super) static CHANNEL: Table = Table {
+    what: "channel",
+    effects: false,
+    keys: &[
+        required("channel", Text, "", "Its name in the log; {joint}, {number} from 1 and {index} from 0 are replaced."),
+        key("unit", Text, "", "Its unit in the log; default SI."),
+        key("gain", Numbers, "", "Factor after the unit; default 1."),
+        key("offset", Numbers, "", "What is added then, in SI; default 0."),
     ],
 };
 
@@ -139,7 +177,7 @@ pub(super) static RUN_FILE: Table = Table {
     ],
 };
 
-/// Where a joint was imported from.
+/// Origin of an imported joint.
 pub(super) static JOINT_SOURCE: Table = Table {
     what: "source of a joint",
     effects: false,

@@ -50,7 +50,7 @@ pub struct Laws {
     pub backlash: Option<Backlash>,
     /// A spring in q.
     pub spring: Option<JointSpring>,
-    /// Where this joint's motor turns with others.
+    /// Coupling of this joint's motor with others.
     pub couplings: Vec<Coupling>,
     /// `TM`, N m.
     pub limit: Option<f64>,
@@ -105,7 +105,7 @@ impl Laws {
     }
 
     /// One effect of the joint of this row. Bodies and geometry are no laws of a drive: see
-    /// [`Robot::as_it_is`]; nor is what belongs to one recording.
+    /// [`Robot::effective`]; nor is what belongs to one recording.
     fn apply(&mut self, robot: &Robot, row: usize, effect: &Effect) {
         let rated = self.rated;
         match effect {
@@ -181,13 +181,13 @@ impl Robot {
     /// The arm as its effects of geometry and bodies say that it is: zeros of joints, rows of the
     /// table, base, links. Drives stay.
     #[must_use]
-    pub fn as_it_is(&self) -> Self {
-        super::real::as_it_is(self)
+    pub fn effective(&self) -> Self {
+        super::real::effective(self)
     }
 
-    /// Makes row, link or base the true one, as one effect of geometry or bodies says that it is:
-    /// `geometric_error`, `link_inertia_error` (at the joint of `row`, or of the whole robot),
-    /// `base_tilt`, `payload`. Any other effect changes nothing.
+    /// Applies one effect of geometry or bodies, so that row, link or base become the true ones.
+    /// These are `geometric_error`, `link_inertia_error` (at the joint of `row`, or of the whole
+    /// robot), `base_tilt` and `payload`. Any other effect changes nothing.
     ///
     /// # Errors
     /// Where the effect means a link that is not there, or whose parameters are not known.

@@ -1,4 +1,4 @@
-//! Lengths that remember which named constants they are made of.
+//! Lengths with the polynomial in the named constants from which they are made.
 
 use std::collections::BTreeMap;
 

@@ -25,7 +25,7 @@ pub(super) fn is_well_formed(name: &str) -> bool {
     name.starts_with(|c: char| c.is_ascii_lowercase()) && name.chars().all(is_good)
 }
 
-/// The nearest name that a crate may have; a good name stays as it is.
+/// The nearest name that a crate may have; a valid name is not changed.
 pub fn crate_name(name: &str) -> String {
     if is_reserved(name) {
         return format!("{name}-robot");

@@ -1,4 +1,4 @@
-//! What can be wrong with a robot file: where, what, and how to mend it.
+//! Mistakes in a robot file: where, what, and how to mend them.
 
 use core::fmt;
 
@@ -14,7 +14,7 @@ pub struct Problem {
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// What is wrong, with the figures.
+    /// Description of the mistake, with the figures.
     pub what: String,
     /// How to mend it. May be empty.
     pub mend: String,
@@ -28,7 +28,7 @@ impl fmt::Display for Problem {
     }
 }
 
-/// Something that the reader did or saw that the author of the file should know. Not a mistake.
+/// A note to the author of the file about something that the reader did or found. Not a mistake.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Note {
     /// File, when known; see [`Problem::file`].
@@ -39,7 +39,7 @@ pub struct Note {
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// What was done or seen.
+    /// Description of the action or finding.
     pub what: String,
 }
 

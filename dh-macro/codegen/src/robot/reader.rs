@@ -7,7 +7,7 @@ use super::value::Value;
 use super::yaml::{Kind, Mark, Node, Word, shortened};
 use super::{Angle, EffectKind, Length};
 
-/// What was found so far.
+/// Problems found so far.
 #[derive(Debug, Default)]
 pub(super) struct Findings {
     /// The file being read, when it is not the robot file.
@@ -78,7 +78,7 @@ impl Findings {
         None
     }
 
-    /// What the expression at `node` means, and its text.
+    /// Value of the expression at `node`, and its text.
     pub(super) fn value<'a>(&mut self, node: &'a Node, path: &str, expected: &str) -> Option<(Value, &'a str)> {
         let Kind::Scalar { text, quoted } = &node.kind else {
             self.problem(node.mark, path, format!("{} stands here", node.kind.describe()), format!("write {expected}"));
@@ -274,6 +274,15 @@ impl<'a> Fields<'a> {
         let items = self.items::<N>(name, to)?;
         let angles = items.map(|(node, path, about)| to.angle(node, &path, &about));
         angles.iter().all(Option::is_some).then(|| angles.map(|angle| angle.unwrap_or_else(Angle::zero)))
+    }
+
+    /// A number, or a list of them; none where the key is absent.
+    pub(super) fn numbers(&self, name: &str, to: &mut Findings) -> Vec<f64> {
+        let Some((node, path, about, _)) = self.get(name) else { return Vec::new() };
+        match &node.kind {
+            Kind::List(items) => items.iter().filter_map(|item| to.number(item, &path, &about)).collect(),
+            _ => to.number(node, &path, &about).into_iter().collect(),
+        }
     }
 
     /// The mapping behind a key.

@@ -5,9 +5,9 @@ use super::laws::shift_zero;
 use super::{Angle, Inertia, Joint, JointKind, Length, NoLink, Robot};
 use crate::runtime::Scalar;
 
-/// True zeros, rows, base and links. A change of a link that the file does not know changes
+/// True zeros, rows, base and links. A change of a link that the file does not define changes
 /// nothing.
-pub(super) fn as_it_is(robot: &Robot) -> Robot {
+pub(super) fn effective(robot: &Robot) -> Robot {
     let mut real = robot.clone();
     for (row, effect) in robot.effects_by_row() {
         if let Effect::EncoderOffset(e) = effect
@@ -74,7 +74,7 @@ pub(super) fn change(real: &mut Robot, row: Option<usize>, effect: &Effect) -> R
     Ok(())
 }
 
-/// What is not in error stays exact.
+/// Entries without an error stay exact.
 fn change_row(joint: &mut Joint, error: &GeometricError) {
     let angle = |slot: &mut Angle, error: f64| {
         if error != 0.0 {
@@ -92,7 +92,7 @@ fn change_row(joint: &mut Joint, error: &GeometricError) {
     length(&mut joint.r, error.r());
 }
 
-/// What the true link has more than the given one; where no size is written, a fifth of it.
+/// Difference between the true link and the given one; where no size is written, a fifth of it.
 fn link_error(link: &Inertia, error: &LinkInertiaError) -> Inertia {
     let stated = error.body().iter().any(|p| *p != 0.0);
     Inertia::from_array(if stated { error.body() } else { link.to_array().map(|p| 0.2 * p) })

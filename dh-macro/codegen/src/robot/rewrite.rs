@@ -1,5 +1,5 @@
-//! A changed robot into the text of its file: what did not change stays as it was written,
-//! comments, order and format too.
+//! Writes a changed robot into the text of its file: unchanged parts keep their text, comments,
+//! order and format.
 
 use core::ops::Range;
 
@@ -26,7 +26,7 @@ pub struct Run {
     pub options: Vec<String>,
     /// Files that were read: what for, path, SHA-256.
     pub files: Vec<[String; 3]>,
-    /// What was found, a sentence each.
+    /// Findings, a sentence each.
     pub found: Vec<String>,
 }
 

@@ -127,6 +127,14 @@ fn shape(shape: &Shape) -> Vec<(&'static str, Json)> {
         Shape::Positive => with("exclusiveMinimum", 0),
         Shape::Vector(count) | Shape::Angles(count) => items(count),
         Shape::Constants => vec![kind("object"), ("additionalProperties", Json::Map(number()))],
+        Shape::Numbers => {
+            let list = Json::Map(vec![kind("array"), ("items", Json::Map(number()))]);
+            vec![("anyOf", Json::List(vec![Json::Map(number()), list]))]
+        }
+        Shape::Columns(inner) => {
+            let channel = Json::List(vec![Json::Map(vec![kind("string")]), Json::Map(table(inner))]);
+            vec![kind("object"), ("additionalProperties", Json::Map(vec![("anyOf", channel)]))]
+        }
         Shape::Map(inner) => table(inner),
         Shape::MapOrFile(inner) => {
             let file = Json::Map(vec![kind("string"), ("pattern", Json::Text("\\.ya?ml$".to_string()))]);

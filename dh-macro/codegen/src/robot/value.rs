@@ -1,5 +1,4 @@
-//! What a number of the file is known to be: a fraction, a fraction of pi, a polynomial in the
-//! constants.
+//! Exact form of a number of the file: a fraction, a fraction of pi, a polynomial in the constants.
 
 use core::f64::consts::PI;
 
@@ -112,7 +111,7 @@ impl Value {
                 (
                     plain,
                     Some(format!(
-                        "{written} is not exact and was read as it stands; if {exact} is meant, write {exact}"
+                        "{written} is not exact and was read as that decimal; if {exact} is meant, write {exact}"
                     )),
                 )
             }

@@ -3,7 +3,9 @@
 use super::effects::{CoulombFriction, RotorInertia, ViscousFriction};
 use super::expression::Scope;
 use super::yaml::{self, Kind};
-use super::{Angle, Collision, Convention, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, Robot, Tool};
+use super::{
+    Angle, Collision, Convention, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, LogMapping, Robot, Tool,
+};
 
 /// Widest line before a row of the table is broken.
 const WIDTH: usize = 110;
@@ -62,8 +64,27 @@ impl Robot {
                 out += &format!("  {name}: {parameters}\n");
             }
         }
+        out += &self.log.as_ref().map_or(String::new(), log_lines);
         out
     }
+}
+
+/// The section `log`.
+fn log_lines(log: &LogMapping) -> String {
+    let mut out = String::from("\nlog:\n");
+    if log.arrival {
+        out += "  clock: arrival\n";
+    }
+    out += "  columns:\n";
+    for (column, channel) in &log.columns {
+        let mut fields = vec![field("channel", text(&channel.name))];
+        fields.extend(channel.unit.iter().map(|unit| field("unit", text(unit))));
+        for (key, values) in [("gain", &channel.gain), ("offset", &channel.offset)] {
+            fields.extend((!values.is_empty()).then(|| field(key, list(values))));
+        }
+        out += &format!("    {}: {}\n", text(column), flow(&fields, 6));
+    }
+    out
 }
 
 /// The section `collision`; nothing where there is nothing in it.
@@ -117,7 +138,7 @@ impl Robot {
     }
 }
 
-/// What stands at the top in one line each.
+/// Top-level entries of one line each.
 pub(super) fn head_fields(robot: &Robot) -> Vec<Field> {
     let convention = if robot.convention == Convention::Modified { "modified" } else { "standard" };
     vec![field("name", word(&robot.name)), field("convention", convention), field("gravity", list(&robot.gravity))]
@@ -127,7 +148,7 @@ fn field(key: &str, value: impl Into<String>) -> Field {
     (key.to_string(), value.into())
 }
 
-/// What the joint is, and its row of the table.
+/// Type of the joint and its row of the table.
 pub(super) fn row_fields(joint: &Joint, scope: &Scope) -> Vec<Field> {
     let kind = match joint.kind {
         JointKind::Revolute => "revolute",
@@ -198,7 +219,7 @@ pub(super) fn drive_fields(drive: &Drive) -> Vec<Field> {
     fields
 }
 
-/// Plain friction, as it stands under `friction`.
+/// Plain friction, the entry `friction`.
 pub(super) fn friction_fields(drive: &Drive) -> Vec<Field> {
     let laws = [
         (ViscousFriction::NAME, drive.viscous_friction),
@@ -315,7 +336,7 @@ fn constant(value: f64) -> String {
         }
     }
     let decimal = number(value);
-    // Fewer digits are a decimal that somebody wrote, and exact as it is.
+    // Fewer digits are a decimal that a person wrote, and exact.
     if decimal.chars().filter(char::is_ascii_digit).count() >= 16 {
         for q in 2..=1000i64 {
             let Some(p) = fraction(1.0, q, 1e6) else { continue };

@@ -1,4 +1,4 @@
-//! Text to a tree in which every node knows its line and column. The only file that knows the YAML
+//! Text to a tree in which every node has its line and column. The only file that uses the YAML
 //! library.
 
 use core::ops::Range;
@@ -33,7 +33,7 @@ pub(super) struct Node {
     pub(super) kind: Kind,
 }
 
-/// What stands there.
+/// Content of the node.
 #[derive(Debug, Clone)]
 pub(super) enum Kind {
     /// Nothing, `null` or `~`.
@@ -50,7 +50,7 @@ pub(super) enum Kind {
 #[derive(Debug, Clone)]
 pub(super) struct Word {
     pub(super) mark: Mark,
-    /// Where it begins, in characters.
+    /// Start, in characters.
     pub(super) start: usize,
     pub(super) text: String,
 }
@@ -133,7 +133,7 @@ fn mend_for(info: &str) -> &'static str {
     }
 }
 
-/// What the YAML library would refuse late, or with words that help nobody.
+/// Mistakes that the YAML library would refuse late, or with unhelpful words.
 fn refuse_unreadable(text: &str) -> Result<(), Vec<Problem>> {
     let start = Mark { line: 1, column: 1 };
     if text.len() > LARGEST {
@@ -314,7 +314,7 @@ impl Tree {
     }
 }
 
-/// Where a list or mapping ends: at its bracket, or, in lines, with its last entry.
+/// End of a list or mapping: its bracket, or, in lines, its last entry.
 fn closed(last: usize, end: &Range<usize>) -> usize {
     if end.is_empty() { last } else { end.end }
 }

@@ -1,4 +1,4 @@
-//! What each generated function computes, for its comment: a title, and shape, unit and source.
+//! Comment of each generated function: a title, and shape, unit and source.
 
 use crate::arm::Function;
 
@@ -103,7 +103,7 @@ const TOOL_POSE_ADJOINT: Doc = (
     "`out = sum of seed[k] d(entry k)/d(q, dq, ddq)`, one row each (only the first is not zero); entries row-major without the structural zeros. Griewank and Walther, 3.2.",
 );
 
-/// What a function computes; `effects`: for a robot whose file has some.
+/// Quantity that a function computes; `effects`: for a robot whose file has some.
 pub(super) fn doc(function: Function, effects: bool) -> Doc {
     match function {
         Function::Frames => FRAMES,

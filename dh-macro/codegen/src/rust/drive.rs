@@ -1,4 +1,4 @@
-//! What a crate with effects has beside its functions: constants of the drives, and their state.
+//! Further items of a crate with effects: constants of the drives, and their state.
 
 use core::fmt::Write;
 
@@ -6,7 +6,7 @@ use crate::arm::Model;
 use crate::arm::param::Parameter;
 
 impl crate::robot::Laws {
-    /// What its drive remembers by.
+    /// Constants of the memory of its drive.
     pub fn memory(&self) -> crate::drive::Memory {
         let travel = self.hysteresis.map_or(0.0, |law| law.travel());
         let [cold, time, per_kelvin, reference] =
@@ -36,7 +36,7 @@ fn print(model: &Model) -> String {
     let delays: Vec<String> = model.laws().iter().map(|l| format!("{:?}", l.delay)).collect();
     let _ = writeln!(
         t,
-        "/// How late each joint's torque is, s: what is measured at `t` belongs to the motion at `t - TIME_DELAY`. Of a negative entry it is\n/// early. No function here waits.\npub const TIME_DELAY: [f64; DOF] = [{}];\n",
+        "/// Delay of each joint's torque, s: the torque measured at `t` belongs to the motion at `t - TIME_DELAY`.\n/// A negative entry is an early torque. No function here waits.\npub const TIME_DELAY: [f64; DOF] = [{}];\n",
         delays.join(", ")
     );
     let memory: String = model
@@ -52,19 +52,19 @@ fn print(model: &Model) -> String {
         .collect();
     let _ = writeln!(
         t,
-        "/// What each joint's drive remembers by; zeros: nothing.\npub const DRIVE_MEMORY: [drive::Memory; DOF] = [\n{memory}];\n"
+        "/// Constants of the memory of each joint's drive; zeros: none.\npub const DRIVE_MEMORY: [drive::Memory; DOF] = [\n{memory}];\n"
     );
     let swings = model.laws().iter().any(|l| l.elasticity.is_some());
     if swings {
         springs(model, &mut t);
     }
     let with = |text: &'static str| if swings { text } else { "" };
-    let drive = r#"/// Torques at the sensors along a motion, with what the drives remember: bent bristles near reversals, gears that warm.
+    let drive = r#"/// Torques at the sensors along a motion, with the memory of the drives: bent bristles, warming gears.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive<S> {
-    /// Where the joints were last, rad or m.
+    /// Positions of the joints at the last step, rad or m.
     pub q: [S; DOF],
-    /// What stands for the sign of each velocity in friction with memory, in [-1, 1].
+    /// Substitute for the sign of each velocity in friction with memory, in [-1, 1].
     pub bristle: [S; DOF],
     /// Time since the start, s.
     pub since: S,
@@ -90,7 +90,7 @@ impl<S: Real> Drive<S> {
         core::array::from_fn(|k| DRIVE_MEMORY[k].warmth(self.since, self.temperature[k]))
     }
 
-    /// Goes on by `dt`, s, to this state of motion, and gives the torques there, N m.
+    /// Advances by `dt`, s, to this state of motion, and returns the torques there, N m.
     pub fn step(&mut self, dt: S, q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD]) -> [S; DOF] {
         let (old, bent) = (self.q, self.bristle);
         self.bristle = core::array::from_fn(|k| DRIVE_MEMORY[k].bent(bent[k], q[k] - old[k]));
@@ -98,7 +98,7 @@ impl<S: Real> Drive<S> {
 @STEP        self.torques(dq, ddq, phi)
     }
 
-    /// Torques where the joints are, N m.
+    /// Torques at the present positions, N m.
     #[must_use]
     pub fn torques(&self, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD]) -> [S; DOF] {
 @TORQUES
@@ -109,36 +109,35 @@ impl<S: Real> Drive<S> {
     let plain = "        drive_torques(&self.q, dq, ddq, phi, &self.bristle, &self.warmth())";
     t += &drive
         .replace("@FIELDS", with(FIELDS))
-        .replace("@NEW", with("            behind: None,\n            swings: false,\n"))
+        .replace("@NEW", with("            deflection: None,\n            swings: false,\n"))
         .replace("@STEP", with(STEP))
         .replace("@TORQUES", if swings { TORQUES } else { plain });
     t
 }
 
-const FIELDS: &str =
-    "    /// Where the links stand behind their motors; `None` before the first step, and taken to hang at ease then.
-    pub behind: Option<[drive::Behind<S>; DOF]>,
+const FIELDS: &str = "    /// Deflections of the links; `None` before the first step, and quasi-static then.
+    pub deflection: Option<[drive::Deflection<S>; DOF]>,
     /// Whether the links swing: from the second step on.
     pub swings: bool,
 ";
 
 const STEP: &str =
-    "        let mut bodies = |behind: &[drive::Behind<S>], out: &mut [S]| bodies(q, dq, ddq, phi, behind, out);
-        let mut room = [S::default(); DOF * (DOF + 2)];
-        let mut behind = self.behind.unwrap_or_default();
-        match self.behind {
-            None => drive::at_ease(&SPRINGS, &mut behind, &mut room[..DOF], &mut bodies),
-            Some(_) if self.swings => drive::swing(&SPRINGS, dt, &mut behind, &mut room, &mut bodies),
-            Some(_) => drive::let_go(&SPRINGS, dt, &mut behind, &mut room[..2 * DOF], &mut bodies),
+    "        let mut bodies = |deflection: &[drive::Deflection<S>], out: &mut [S]| bodies(q, dq, ddq, phi, deflection, out);
+        let mut scratch = [S::default(); DOF * (DOF + 2)];
+        let mut deflection = self.deflection.unwrap_or_default();
+        match self.deflection {
+            None => drive::quasi_static(&SPRINGS, &mut deflection, &mut scratch[..DOF], &mut bodies),
+            Some(_) if self.swings => drive::swing(&SPRINGS, dt, &mut deflection, &mut scratch, &mut bodies),
+            Some(_) => drive::start_swing(&SPRINGS, dt, &mut deflection, &mut scratch[..2 * DOF], &mut bodies),
         }
-        (self.swings, self.behind) = (self.behind.is_some(), Some(behind));
+        (self.swings, self.deflection) = (self.deflection.is_some(), Some(deflection));
 ";
 
 const TORQUES: &str = "        let mut torques = drive_torques(&self.q, dq, ddq, phi, &self.bristle, &self.warmth());
-        if let Some(behind) = &self.behind {
-            let mut bodies = |behind: &[drive::Behind<S>], out: &mut [S]| bodies(&self.q, dq, ddq, phi, behind, out);
-            let (mut still, mut room) = ([[S::default(); 3]; DOF], [S::default(); 2 * DOF]);
-            drive::swung(&SPRINGS, behind, &mut still, &mut room, &mut torques, &mut bodies);
+        if let Some(deflection) = &self.deflection {
+            let mut bodies = |deflection: &[drive::Deflection<S>], out: &mut [S]| bodies(&self.q, dq, ddq, phi, deflection, out);
+            let (mut still, mut scratch) = ([[S::default(); 3]; DOF], [S::default(); 2 * DOF]);
+            drive::elastic_torque(&SPRINGS, deflection, &mut still, &mut scratch, &mut torques, &mut bodies);
         }
         torques";
 
@@ -163,7 +162,7 @@ fn springs(model: &Model, t: &mut String) {
     );
     let _ = writeln!(
         t,
-        "/// Torques of the bodies alone where links stand behind their motors.\nfn bodies<S: Real>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD], behind: &[drive::Behind<S>], out: &mut [S]) {{\n    let mut links = *phi;\n    for k in [{}] {{\n        links[k] = S::default();\n    }}\n    let less = |x: &[S; DOF], which: usize| -> [S; DOF] {{ core::array::from_fn(|k| x[k] - behind[k][which]) }};\n    out.copy_from_slice(&rigid_dynamics(&less(q, 0), &less(dq, 1), &less(ddq, 2), &links));\n}}\n",
+        "/// Torques of the bodies alone, with deflected links.\nfn bodies<S: Real>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD], deflection: &[drive::Deflection<S>], out: &mut [S]) {{\n    let mut links = *phi;\n    for k in [{}] {{\n        links[k] = S::default();\n    }}\n    let less = |x: &[S; DOF], which: usize| -> [S; DOF] {{ core::array::from_fn(|k| x[k] - deflection[k][which]) }};\n    out.copy_from_slice(&rigid_dynamics(&less(q, 0), &less(dq, 1), &less(ddq, 2), &links));\n}}\n",
         of_drives.join(", ")
     );
 }

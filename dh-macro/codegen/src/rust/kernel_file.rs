@@ -12,7 +12,7 @@ use crate::arm::{Argument, Function, Kernel};
 use crate::robot::Robot;
 use crate::sym::Operand;
 
-/// What the printer has to know of the robot.
+/// Data of the robot that the printer needs.
 pub(super) struct Context<'a> {
     pub robot: &'a Robot,
     pub constants: &'a [Constant],
@@ -74,7 +74,7 @@ pub(super) fn signature(function: Function, configuration: &str) -> String {
     function.arguments().iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// The arguments as they are handed on.
+/// The arguments as passed on.
 pub(super) fn call(function: Function, configuration: &str) -> String {
     let one = |a: &Argument| match a {
         Argument::Configuration => configuration,
@@ -90,7 +90,7 @@ pub(super) fn call(function: Function, configuration: &str) -> String {
     function.arguments().iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// What the numbers of a kernel must be able to do.
+/// Trait bounds on the numbers of a kernel.
 pub(super) fn bound(kernel: &Kernel) -> &'static str {
     if kernel.tape.code.iter().any(|step| step.kind.is_elementary()) { "Real" } else { "Scalar" }
 }
@@ -208,7 +208,7 @@ impl File<'_> {
         text
     }
 
-    /// Where the entries stand that are not structurally zero.
+    /// Positions of the entries that are not structurally zero.
     fn pattern(&self) -> String {
         let row = self.row();
         let places: Vec<String> = self.nonzeros.iter().map(|&o| format!("({}, {})", o / row, o % row)).collect();
@@ -353,7 +353,7 @@ fn inputs(kernel: &Kernel, names: &Names) -> String {
                 Argument::Warmth => names.parameters() + kernel.inputs.dof,
                 _ => 0,
             };
-            // Which argument a parameter's input belongs to, by that argument's first input.
+            // Argument to which a parameter's input belongs, by that argument's first input.
             let behind = |at: usize| {
                 let second = if kernel.function.primal().is_some() { 0 } else { kernel.inputs.dof };
                 let starts = [0, names.parameters(), names.parameters() + second];

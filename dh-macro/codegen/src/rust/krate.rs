@@ -30,7 +30,7 @@ pub(super) struct Parts {
     pub files: BTreeMap<String, String>,
 }
 
-/// Where generated code takes its runtime from.
+/// Source of the runtime of generated code.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum Runtime {
     /// A copy of its modules inside the crate, as far as the robot needs them.
@@ -45,8 +45,8 @@ pub enum Runtime {
 /// `further`: functions that are generated on demand.
 pub(super) fn parts(robot: &Robot, source: &str, further: &[Function], runtime: &Runtime) -> Parts {
     let model = Model::with_effects(robot);
-    // What is generated is the arm as it is, where the file says that it is another than its table.
-    let real = if robot.has_effects() { robot.as_it_is() } else { robot.clone() };
+    // Generated code is that of the true arm, if the file states errors of its own table.
+    let real = if robot.has_effects() { robot.effective() } else { robot.clone() };
     let robot = &real;
     let mut functions: Vec<Function> = Function::ALL.to_vec();
     if robot.has_effects() {

@@ -4,7 +4,7 @@ use super::implementations;
 use super::krate::{Runtime, parts};
 use crate::robot::Robot;
 
-/// What the macro expands to.
+/// Expansion of the macro.
 pub struct Module {
     /// Body of the module: the crate's files folded into nested inline modules, tests left out.
     pub body: String,

@@ -7,7 +7,7 @@ use super::words::LOCAL;
 use crate::arm::chain::{Group, Inputs};
 use crate::sym::{Operand, Tape};
 
-/// What every operand of a tape is called.
+/// Name of every operand of a tape.
 pub(super) struct Names {
     inputs: Inputs,
     parameters: Vec<String>,

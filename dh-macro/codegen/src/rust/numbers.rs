@@ -33,7 +33,7 @@ fn turned_back(lift: [f64; 3]) -> [f64; 3] {
     lift.map(|x| if x == 0.0 { 0.0 } else { -x })
 }
 
-/// Which text stands for which number, by its bits.
+/// Text of each number, by its bits.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Numbers {
     named: BTreeMap<u64, String>,

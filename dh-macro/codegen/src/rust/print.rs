@@ -86,7 +86,7 @@ fn needed_later(tape: &Tape, outputs: &[usize], emitted: &[bool], at: usize) -> 
     outputs.iter().zip(emitted).any(|(&o, done)| !done && tape.outputs[o] == Operand::Temp(at as u32))
 }
 
-/// Where a step's text ends up, following the expressions that it is printed inside of.
+/// Position of a step's text, following the expressions inside of which it is printed.
 fn statement_of(at: usize, inlined: &[bool], last_use: &[usize]) -> usize {
     let mut at = at;
     while inlined[at] {
@@ -118,8 +118,8 @@ fn blocks(tape: &Tape) -> Vec<(usize, usize, String)> {
     blocks
 }
 
-/// Which steps are printed inside the only expression that reads them: unnamed, used once, in the
-/// same block, not too long.
+/// Steps printed inside the only expression that reads them: unnamed, used once, in the same block,
+/// not too long.
 fn inlined(tape: &Tape) -> Vec<bool> {
     let n = tape.code.len();
     let mut uses = vec![0u32; n];

@@ -6,7 +6,7 @@ use super::{inverse, parameters};
 use crate::arm::{Kernel, Model};
 use crate::robot::Robot;
 
-/// FNV-1a of a text: tells whether a crate was made from this file.
+/// FNV-1a of a text: identifies the file from which a crate was made.
 pub(super) fn digest(text: &str) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3))
 }

@@ -43,7 +43,7 @@ pub(super) fn print(model: &Model, interpreter: &Interpreter) -> String {
         return t + &dynamics;
     }
     // Springs as the static law has them.
-    let stiff = if model.laws().iter().any(|l| l.elasticity.is_some()) { "    drive.behind = None;\n" } else { "" };
+    let stiff = if model.laws().iter().any(|l| l.elasticity.is_some()) { "    drive.deflection = None;\n" } else { "" };
     t + &dynamics.replace("inverse_dynamics(&", "rigid_dynamics(&") + &EFFECTS.replace("@STIFF", stiff)
 }
 

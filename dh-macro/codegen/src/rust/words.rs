@@ -32,7 +32,8 @@ pub(super) struct Constant {
     pub value: f64,
 }
 
-/// Distinct identifiers for the constants of a file: a word that is one stays as it is.
+/// Distinct identifiers for the constants of a file: a word that is a valid identifier is not
+/// changed.
 pub(super) fn constants(named: &[(String, f64)]) -> Vec<Constant> {
     let is_own = |word: &str| identifier(word) == word;
     let mut taken: BTreeSet<String> = named.iter().map(|(word, _)| word.clone()).filter(|word| is_own(word)).collect();

@@ -41,8 +41,8 @@ impl Evaluator {
     /// needs fewer slots: what fits into the nearest cache runs faster.
     pub fn of(tape: &Tape, wanted: &[usize]) -> Self {
         let late = Self::in_order(tape, wanted, &just_in_time(tape, wanted));
-        let as_it_is = Self::in_order(tape, wanted, &(0..tape.code.len()).collect::<Vec<_>>());
-        if (late.steps.len(), late.slots) < (as_it_is.steps.len(), as_it_is.slots) { late } else { as_it_is }
+        let in_order = Self::in_order(tape, wanted, &(0..tape.code.len()).collect::<Vec<_>>());
+        if (late.steps.len(), late.slots) < (in_order.steps.len(), in_order.slots) { late } else { in_order }
     }
 
     /// Gives every operand a slot. `order`: steps of the tape, readers behind what they read.
@@ -184,7 +184,7 @@ impl Evaluator {
 
 impl Evaluator {
     /// Runs one state: `inputs[i]` is input `i`, output `o` goes to `out[o]`. `room` is working
-    /// memory that calls may share; what stands in it does not matter. The same bits as
+    /// memory that calls may share; its content on entry does not matter. The same bits as
     /// [`Evaluator::run`].
     ///
     /// # Panics

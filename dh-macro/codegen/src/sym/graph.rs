@@ -20,7 +20,7 @@ impl Node {
     }
 }
 
-/// What a node computes.
+/// Operation of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Op {
     /// A number, by its bits (so that equal numbers are one node).
@@ -135,7 +135,7 @@ impl Graph {
     fn note(&self, value: f64, from: [f64; 2], how: impl FnOnce([Formula; 2]) -> Formula) {
         let (value, from) = ((value + 0.0).to_bits(), from.map(|x| (x + 0.0).to_bits()));
         let mut arena = self.0.borrow_mut();
-        // Zeros of the structure are nobody's product.
+        // Structural zeros are not the product of anything.
         if value != 0 && from.iter().any(|x| arena.formulas.contains_key(x)) {
             let origins = from.map(|x| arena.formulas.get(&x).cloned().unwrap_or(Formula::Number(x)));
             arena.formulas.entry(value).or_insert_with(|| how(origins));
@@ -198,7 +198,7 @@ impl Graph {
         self.0.borrow().index.get(&op).copied()
     }
 
-    /// What the node computes.
+    /// Operation of the node.
     pub fn op(&self, node: Node) -> Op {
         self.0.borrow().ops[node.index()]
     }

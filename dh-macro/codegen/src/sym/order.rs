@@ -50,8 +50,8 @@ pub(super) fn just_in_time(tape: &Tape, wanted: &[usize]) -> Vec<usize> {
 /// Values that a section may leave waiting and still come early.
 const FEW: isize = 8;
 
-/// The same tape with its sections in another order: next comes the first that is ready and after
-/// which but [`FEW`] more values wait, else the one that leaves the fewest. So what is made of one
+/// The same tape with its sections in another order. Next comes the first that is ready and leaves
+/// at most [`FEW`] more values waiting, else the one that leaves the fewest. So what is made of one
 /// motion stands before the next motion. Steps keep their order within a section; a change of sign
 /// goes to the section of its operand.
 pub(super) fn few_waiting(tape: &Tape) -> Tape {

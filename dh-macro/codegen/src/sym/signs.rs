@@ -16,7 +16,7 @@ const ROUNDS: usize = 30_000;
 /// The same roots in a new graph where `Neg` stands at roots only.
 pub(super) fn settled(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>) {
     let ops: Vec<Op> = (0..graph.len()).map(|i| graph.op(Node(i as u32))).collect();
-    // What a function or a choice reads must have its own sign, like a root.
+    // An argument of a function or of a choice must have its own sign, like a root.
     let read = ops.iter().filter(|op| needs_own_sign(op)).flat_map(|op| op.operands());
     let counted: Vec<Node> = roots.iter().copied().chain(read).collect();
     let mut signs = Signs::new(&ops, &counted);
@@ -60,7 +60,7 @@ pub(super) fn settled(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>) {
     rebuild(graph, &ops, roots, &signs.turned, &signs.negative)
 }
 
-/// Which way round each difference is taken, with what follows from it.
+/// Direction in which each difference is taken, and its consequences.
 struct Signs<'a> {
     ops: &'a [Op],
     /// The nodes that each node is an operand of.

@@ -9,7 +9,7 @@ use super::formula::Formula;
 use super::graph::{Ex, Graph, Op};
 use super::signs::settled;
 
-/// Where an operand comes from.
+/// Source of an operand.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Operand {
     /// A number.
@@ -20,7 +20,7 @@ pub enum Operand {
     Temp(u32),
 }
 
-/// What an instruction does with its operands.
+/// Operation of an instruction on its operands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// `a + b`
@@ -71,7 +71,7 @@ pub struct Instruction {
 pub struct Section {
     /// Index of its first instruction.
     pub start: usize,
-    /// What it computes, in words.
+    /// Result in words.
     pub title: String,
 }
 
@@ -97,7 +97,7 @@ impl OperationCount {
 pub struct Tape {
     /// Steps; operands point backwards.
     pub code: Vec<Instruction>,
-    /// What comes out, in the order of the roots.
+    /// Results in the order of the roots.
     pub outputs: Vec<Operand>,
     /// Names that a book would use for some of the steps.
     pub labels: Vec<Option<String>>,

@@ -1,4 +1,4 @@
-//! Where the robot files are.
+//! Folder of the robot files.
 #![allow(dead_code, unreachable_pub)] // each test file uses its part
 
 use std::path::{Path, PathBuf};

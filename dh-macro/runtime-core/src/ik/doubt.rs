@@ -1,6 +1,6 @@
 //! Singular more than once: each sine is small but counts, and together they leave nothing of a
-//! joint's digits. The pose is solved again with its last digits changed, and what moves is not
-//! told by the pose.
+//! joint's digits. The pose is solved again with its last digits changed; what moves is not
+//! determined by the pose.
 
 use super::arm::{Arm, Query, Work};
 use super::axis::{Axis, Value};
@@ -23,8 +23,8 @@ const TRIES: usize = 6;
 const WAY: f64 = 1e-2;
 
 impl<const N: usize> Arm<N> {
-    /// Adds to each branch in doubt the joints that the pose does not tell, and takes the doubt
-    /// away.
+    /// Adds to each doubtful branch the joints that the pose does not determine, and clears the
+    /// doubt.
     #[cold]
     #[inline(never)]
     pub(super) fn settle(&self, g: &Displacement, query: &Query<'_, N>, near: &[Value; N], all: &mut Candidates<N>) {
@@ -72,8 +72,8 @@ impl<const N: usize> Arm<N> {
         other
     }
 
-    /// Where two double roots follow each other, rounding of the first one may take the second out
-    /// of reach, by its square root, and Newton's steps hardly come back. A pose beside has the
+    /// If two double roots follow each other, rounding of the first may take the second out of
+    /// reach, by its square root. Newton's steps hardly come back from there. A pose beside has the
     /// first root exactly. Called where nothing was found and little is missing.
     #[cold]
     #[inline(never)]
@@ -98,7 +98,7 @@ impl<const N: usize> Arm<N> {
         out.lost = lost.saturating_sub(out.as_slice().len() as u32);
     }
 
-    /// The joints of a posture that can move together and leave the pose as it is: not at a turning
+    /// The joints of a posture that can move together without changing the pose: not at a turning
     /// point, where they can't go on.
     pub(super) fn freedom(&self, g: &Displacement, query: &Query<'_, N>, v: &[Value; N]) -> u32 {
         if self.family.is_searched() {
@@ -114,8 +114,8 @@ impl<const N: usize> Arm<N> {
         if !(slack(&columns, size) < FREE) {
             return 0;
         }
-        // What a motion of all joints does, undone by the least motion: the difference does
-        // nothing.
+        // A motion of all joints, minus the least motion with the same effect: the difference has
+        // no effect on the pose.
         let any: [f64; N] = each(0.0, |i| [1.0, -0.7, 0.9, 0.6, -0.8, 1.1, -0.5, 0.75][i & 7]);
         let done: Rows = each(0.0, |k| columns.iter().zip(&any).fold(0.0, |s, (c, x)| s + c[k] * x));
         let undone = step(&columns, &done, 1e-13);

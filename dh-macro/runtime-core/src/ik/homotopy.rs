@@ -1,7 +1,7 @@
-//! From a posture that misses the pose to those that meet it, past turning points: the curve on
-//! which what is left to the pose is a multiple of what it is at the start (Newton homotopy by arc
-//! length; Branin 1972, Allgower and Georg, 2.1). Where Newton's steps end at one posture of
-//! several, or between two, the curve goes on.
+//! From a posture that misses the pose to those that meet it, past turning points. The curve is the
+//! one on which the pose error is a multiple of its initial value (Newton homotopy by arc length;
+//! Branin 1972, Allgower and Georg, 2.1). Where Newton's steps end at one posture of several, or
+//! between two, the curve goes on.
 
 use super::arm::{Arm, Query};
 use super::axis::Value;
@@ -70,7 +70,7 @@ struct Walk<'a, const N: usize> {
 }
 
 impl<const N: usize> Walk<'_, N> {
-    /// What is left, and the bordered matrix with a last row.
+    /// Pose error, and the bordered matrix with a last row.
     fn system(&self, v: &[Value; N], s: f64, last: &Row) -> (Row, [Row; ROWS]) {
         let (left, columns) = equations(self.arm, self.g, self.query, v);
         let mut a = [[0.0; ROWS]; ROWS];
@@ -115,9 +115,9 @@ impl<const N: usize> Walk<'_, N> {
     }
 }
 
-/// Where the multiple is zero between two points of the curve that are one step apart, as parts of
-/// the step: by the cubic through both values with both slopes. Also where it only comes near zero,
-/// since a pair of postures may lie between.
+/// Zero of the multiple between two points of the curve that are one step apart, as parts of the
+/// step. It is that of the cubic through both values with both slopes. Also where it only comes
+/// near zero, since a pair of postures may lie between.
 fn crossings(length: f64, (s0, d0): (f64, f64), (s1, d1): (f64, f64)) -> [Option<f64>; 2] {
     let (d0, d1) = (d0 * length, d1 * length);
     let at = |x: f64| {

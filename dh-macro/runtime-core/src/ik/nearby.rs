@@ -1,9 +1,9 @@
 //! Arms that are only nearly of their family. Each posture of the nominal arm is refined to one of
-//! the real arm. Away from singularities that is all. Near one, two may run into one or end
-//! between, and the real arm may have other postures than the nominal one: there every nominal
-//! posture is also followed to the real arm's along a curve that goes past turning points, and
-//! around the curve that is left of the singular arm's family of postures; so is every branch that
-//! was found there, and postures at other swivel angles or at poses beside.
+//! the real arm. Away from singularities that is all. Near a singularity two postures may merge or
+//! vanish, and the real arm may have other postures than the nominal one. There every nominal
+//! posture is also followed to the real arm's along a curve that passes turning points, and around
+//! the curve that remains of the singular arm's family of postures. The same is done for every
+//! branch found there, for postures at other swivel angles and at poses beside.
 
 use super::arm::{Arm, Family, Query, Work};
 use super::axis::{Axis, Value};
@@ -22,7 +22,7 @@ const ELSEWHERE: usize = 15;
 const EVERY: usize = 5;
 /// Below this a Jacobian (of the arm's own size) is near a singularity.
 const REGULAR: f64 = 0.04;
-/// What the nominal arm misses by where it has no posture, parts of its size and rad; beyond it,
+/// Pose error beyond which the nominal arm has no posture, parts of its size and rad; beyond it,
 /// the real one has none either.
 const OUT_OF_REACH: f64 = 0.15;
 
@@ -35,7 +35,8 @@ fn missing<const N: usize>(wanted: usize, out: &Solutions<N>) -> u32 {
 }
 
 impl<const N: usize> Arm<N> {
-    /// What the nominal postures lead to beside what was found. `lost`: how many are [`missing`].
+    /// Postures reached from the nominal ones, beside those already found. `lost`: how many are
+    /// [`missing`].
     #[cold]
     #[inline(never)]
     pub(super) fn search_nearby(
@@ -51,7 +52,7 @@ impl<const N: usize> Arm<N> {
         let size = self.axes.iter().fold(norm(self.home.shift), |m, a| m.max(norm(a.c)));
         let mut opposite: Candidates<N> = Candidates::new();
         if self.family.is_swivel() {
-            // Where the elbow passes through the line from shoulder to wrist its swivel angle jumps
+            // As the elbow passes through the line from shoulder to wrist, its swivel angle jumps
             // by half a turn.
             let half = query.redundancy + core::f64::consts::PI;
             self.candidates(g, query, half, near, &mut opposite);
@@ -76,7 +77,7 @@ impl<const N: usize> Arm<N> {
                 }
             }
         }
-        // What was found beside a singularity is followed around it, too.
+        // A posture found beside a singularity is followed around it, too.
         let mut at = 0;
         while let Some(found) = out.list.as_slice().get(at).copied() {
             let start = values(self, &found.q);

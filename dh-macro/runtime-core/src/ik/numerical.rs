@@ -1,4 +1,4 @@
-//! Where no closed form is known: damped least squares (Levenberg-Marquardt; Buss 2004) from many
+//! Arms without a closed form: damped least squares (Levenberg-Marquardt; Buss 2004) from many
 //! starts.
 
 use super::arm::{Arm, Query};
@@ -13,7 +13,7 @@ use super::solution::{Branch, CAPACITY};
 const STARTS: u64 = 48;
 const STEPS: usize = 80;
 
-/// What different starts come to. The first is the near posture, or the middle; the others are the
+/// Results of different starts. The first is the near posture, or the middle; the others are the
 /// same for every pose.
 pub(super) fn search<const N: usize>(
     arm: &Arm<N>,

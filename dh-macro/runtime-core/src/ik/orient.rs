@@ -10,7 +10,7 @@ pub(super) struct Three {
     pub h: [Vector; 3],
     pub first: [Vector; 3],
     pub last: [Vector; 3],
-    /// Where the middle joint brings the outer axes together, if it is square to both.
+    /// Rotation at which the middle joint brings the outer axes together, if it is square to both.
     square: Option<Turn>,
 }
 

@@ -84,7 +84,7 @@ fn jacobian_about<const N: usize>(arm: &Arm<N>, v: &[Value; N], tip: Vector) -> 
     })
 }
 
-/// What is left, and what each joint does to it: six rows of the pose, a seventh for what a
+/// Pose error, and its derivatives by the joints: six rows of the pose, a seventh for what a
 /// redundant arm keeps (zero for others).
 pub(super) type Rows = [f64; 7];
 
@@ -106,7 +106,7 @@ pub(super) fn equations<const N: usize>(
     ([a, b, c, d, e, f, left], all)
 }
 
-/// How near a Jacobian is to a singularity: what is left of the last column when it is made square
+/// Distance of a Jacobian from a singularity: the rest of the last column after it is made square
 /// to the others, the longest first (Gram and Schmidt with pivots). Lengths count in parts of
 /// `size`.
 pub(super) fn slack<const N: usize>(columns: &[Rows; N], size: f64) -> f64 {

@@ -107,7 +107,7 @@ pub(super) fn roots(a: &[f64; 5]) -> List<f64, 4> {
         }
     } else {
         // y y - sign s y + (p/2 + m + sign half) = 0: half the difference of the constants is q/(2
-        // s), and the constants' product is r, which tells it where s is small.
+        // s). The constants' product is r, which determines it where s is small.
         let half = if m > 1e-4 * scale {
             q / (2.0 * s)
         } else {
@@ -145,7 +145,8 @@ fn polished(a: &[f64; 5], mut t: f64) -> f64 {
 }
 
 /// The outermost root that Newton's steps find of `k[0] + k[1] t + k[2] t t + t t t` on one side of
-/// zero, where there is one: between bounds, because beside a complex pair they jump far off.
+/// zero, where there is one. Steps stay between bounds, because beside a complex pair they jump far
+/// off.
 fn zero(k: &[f64; 3], side: f64) -> f64 {
     let bound = side * (1.0 + k[0].abs().max(k[1].abs()).max(k[2].abs()));
     // The sign at `outer` is that of `side`, at `inner` the other.

@@ -85,7 +85,7 @@ impl Circle {
         if !(r > 1e-14 * size) {
             return BLIND;
         }
-        // What is out of reach is not in doubt.
+        // A goal out of reach is not in doubt.
         let reached = d.abs() < r + NARROW * size;
         let d = if below < 0.0 {
             r
@@ -114,7 +114,7 @@ pub(super) fn reach(axis: &Axis, w: Vector, x: Vector, length2: f64) -> Pair {
 /// The part of [`reach`] that does not change with the distance.
 pub(super) struct Reach {
     circle: Circle,
-    /// What the squared distance is in the middle, where it is least and where it is most.
+    /// Squared distance in the middle, at its minimum and at its maximum.
     middle: f64,
     ends: [f64; 2],
 }

@@ -57,8 +57,8 @@ fn turned(h: Vector, c: Block, s: Block, [x, y, z]: Vectors) -> Vectors {
     }
 }
 
-/// What cosine and sine of joint `j` count in a branch's mark: any numbers do that are not
-/// multiples of each other.
+/// Weights of cosine and sine of joint `j` in a branch's mark: any numbers that are not multiples
+/// of each other.
 #[inline(always)]
 pub(super) fn weights(j: usize) -> [f64; 2] {
     [1.0 + 0.37 * j as f64, 0.73 + 0.29 * j as f64]
@@ -69,7 +69,7 @@ pub(super) struct Eight<const N: usize> {
     /// Squares of what is left to the pose, m^2 and (for small angles) rad^2.
     pub ways: [f64; 8],
     pub turns: [f64; 8],
-    /// A number that tells branches apart; infinite where there is none.
+    /// A number that distinguishes branches; infinite where there is none.
     pub marks: [f64; 8],
     /// By joint: positions, rad or m, whole turns chosen.
     pub q: [[f64; 8]; N],

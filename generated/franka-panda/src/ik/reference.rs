@@ -8,7 +8,7 @@ pub struct Reference {
     /// The paper's vector b: at swivel angle zero the elbow lies on its side of the line from
     /// shoulder to wrist.
     pub b: Vector,
-    /// What takes its place where b is parallel to that line.
+    /// Substitute where b is parallel to that line.
     pub second: Vector,
 }
 

@@ -23,7 +23,7 @@ pub enum Family {
 }
 
 impl Family {
-    /// Whether postures are searched for, in want of a closed form.
+    /// Whether postures are searched for, if there is no closed form.
     pub(super) fn is_searched(&self) -> bool {
         false
     }
@@ -53,7 +53,7 @@ pub struct Arm<const N: usize> {
     pub family: Family,
 }
 
-/// What is asked beside the pose.
+/// Options of a query beside the pose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Query<'a, const N: usize> {
     /// Of a redundant arm: swivel angle, rad, or position of the locked joint, rad or m.
@@ -63,7 +63,7 @@ pub struct Query<'a, const N: usize> {
     /// A posture: free joints take their positions from it, whole turns are chosen near it (near
     /// zero where it is beyond 1000 rad), and nearest solutions stand first.
     pub near: Option<&'a [f64; N]>,
-    /// What may be left to the pose, m and rad. The default is `1e-12`: rounding.
+    /// Tolerated pose error, m and rad. The default is `1e-12`: rounding.
     pub tolerance: f64,
     /// Newton's steps at most on a branch whose closed form leaves more than rounding (singular, or
     /// out of reach, where they find how far off the pose is). The default is 40: at a double root
@@ -78,9 +78,9 @@ impl<const N: usize> Default for Query<'_, N> {
     }
 }
 
-/// What goes along while solutions are gathered.
+/// State carried along while solutions are gathered.
 pub(super) struct Work {
-    /// Of the solutions, to tell equal ones.
+    /// Marks of the solutions, to detect equal ones.
     marks: [f64; CAPACITY],
     /// The nearest miss, m and rad.
     best: [f64; 2],
@@ -95,7 +95,7 @@ const STEPS: usize = 40;
 /// Branches whose marks differ by less may be equal.
 const SAME: f64 = 1e-7;
 
-/// What is left of a pose below this is rounding, m and rad.
+/// Pose error below which only rounding is left, m and rad.
 const EXACT: f64 = 1e-13;
 
 impl<const N: usize> Arm<N> {
@@ -183,7 +183,7 @@ impl<const N: usize> Arm<N> {
         result
     }
 
-    /// What the closed form gives at a redundancy; true: counted from the second plane.
+    /// Closed-form solutions at a redundancy; true: counted from the second plane.
     #[inline(never)]
     pub(super) fn candidates(
         &self,
@@ -315,13 +315,13 @@ impl<const N: usize> Arm<N> {
                     }
                     continue;
                 }
-                // What rounding does grows with each singularity.
+                // Rounding errors grow with each singularity.
                 let nearly = if free == 0 { nearly } else { nearly.max(1e-3) };
                 if p2 <= nearly * nearly && r2 <= nearly * nearly {
                     alike = true;
                     self.refine(g, query, all.values(place, slides), (branch, free), out, work);
                 } else {
-                    // No posture, or of a joint that was added: tried only in want of others.
+                    // No posture, or one of an added joint: tried only if there are no others.
                     far_off |= 1 << place;
                 }
             }
@@ -429,8 +429,8 @@ impl<const N: usize> Arm<N> {
         }
     }
 
-    /// What is left to the redundancy that is kept, and how fast the joints bring it there; zeros
-    /// where none is kept.
+    /// Error of the redundancy that is kept, and its derivatives by the joints; zeros where none is
+    /// kept.
     pub(super) fn held(&self, query: &Query<'_, N>, v: &[Value; N]) -> (f64, [f64; N]) {
         if self.holds() { self.kept(query, v) } else { (0.0, [0.0; N]) }
     }
@@ -451,8 +451,8 @@ impl<const N: usize> Arm<N> {
         }
     }
 
-    /// Is the redundancy the one that was asked for? The equation does not tell half turns of a
-    /// swivel angle.
+    /// Is the redundancy the one that was asked for? The equation does not determine half turns of
+    /// a swivel angle.
     fn keeps(&self, query: &Query<'_, N>, v: &[Value; N]) -> bool {
         if let Family::Swivel(swivel) = &self.family {
             let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
@@ -578,7 +578,7 @@ fn nearer(r: &Matrix, rr: &Matrix) -> Matrix {
     product(r, &[k(0), k(1), k(2)])
 }
 
-/// Which entry is not finite.
+/// Index of the entry that is not finite.
 #[cold]
 #[inline(never)]
 fn not_finite(pose: &[[f64; 4]; 3]) -> PoseError {

@@ -1,9 +1,9 @@
-//! Where the swivel angle may lie under the joint limits (Shimizu, Kakuya, Yoon, Kitagaki and
-//! Kosuge 2008).
+//! Intervals of the swivel angle under the joint limits (Shimizu, Kakuya, Yoon, Kitagaki and Kosuge
+//! 2008).
 //!
-//! The upper arm's rotation is `Rot(n, phi) R0`, so that every condition "joint j stands at its
-//! limit" reads `a cos phi + b sin phi = d`: two roots in closed form. Between neighbouring roots
-//! nothing changes; one look at the middle of each gap tells whether it is allowed.
+//! The upper arm's rotation is `Rot(n, phi) R0`, so every condition "joint j stands at its limit"
+//! reads `a cos phi + b sin phi = d`. It has two roots in closed form. Between neighbouring roots
+//! nothing changes, so one test at the middle of each gap decides whether it is allowed.
 
 use super::super::runtime::Scalar;
 use super::arm::{Arm, Family, checked, fitted};
@@ -56,7 +56,7 @@ impl Turning {
 struct Pencil {
     shoulder: Three,
     wrist: Three,
-    /// What the two make of the swivel angle.
+    /// Interval of the swivel angle that results from the two.
     first: Turning,
     last: Turning,
     /// From shoulder to wrist.
@@ -67,7 +67,7 @@ struct Pencil {
     fore: Matrix,
     hand: Matrix,
     v4: Value,
-    /// Which signs.
+    /// Signs of the branch.
     signs: [bool; 2],
 }
 
@@ -227,7 +227,7 @@ impl<const N: usize> Arm<N> {
                     }
                 }
             }
-            // Where the middle joint is singular its neighbours jump.
+            // At a singularity of the middle joint its neighbours jump.
             let (c, s) = (dot(h1, h2) * dot(h2, h3), norm(cross(h1, h2)) * norm(cross(h2, h3)));
             cut(h1, h3, c - s);
             cut(h1, h3, c + s);

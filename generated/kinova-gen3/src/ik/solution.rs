@@ -1,9 +1,9 @@
-//! What a solver returns.
+//! Results of a solver.
 
 use super::list::List;
 
-/// Which of the arm's postures a solution is. Signs are those of the square roots: they do not
-/// change along a path that meets no singularity.
+/// Identifies the posture of a solution. Signs are those of the square roots: they do not change
+/// along a path that meets no singularity.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Branch {
     /// `1` or `-1`; 0: the arm has no such choice.
@@ -51,10 +51,10 @@ impl core::fmt::Display for Branch {
 /// One posture.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solution<const N: usize> {
-    /// Positions, rad or m; whole turns are chosen so that the limits hold, if they can, else
+    /// Positions, rad or m. Whole turns are chosen so that the limits hold, if they can, else
     /// within half a turn of zero (or of the posture that was named as near).
     pub q: [f64; N],
-    /// Which posture it is.
+    /// The posture.
     pub branch: Branch,
     /// Distance of its last frame's origin from the pose's, m.
     pub position_error: f64,
@@ -64,7 +64,7 @@ pub struct Solution<const N: usize> {
     pub within_limits: bool,
     /// Distance to the nearest limit, rad or m, negative beyond it; infinite where there is none.
     pub margin: f64,
-    /// Bit `j`: joint `j` (from 0) can move, with others, and leave the pose as it is: a
+    /// Bit `j`: joint `j` (from 0) can move together with others without changing the pose: a
     /// singularity. The solution is one member of that family.
     pub free: u32,
 }
@@ -81,7 +81,7 @@ impl<const N: usize> Solution<N> {
     };
 }
 
-/// What became of a pose.
+/// Outcome for a pose.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Status {
     /// Postures are returned: all, unless [`Solutions::lost`] or [`Solutions::uncertain`] says that
@@ -102,15 +102,15 @@ pub const CAPACITY: usize = 16;
 pub struct Solutions<const N: usize> {
     /// In the order of their branches.
     pub list: List<Solution<N>, CAPACITY>,
-    /// What became of the pose.
+    /// Outcome for the pose.
     pub status: Status,
     /// Of an unreachable pose: how far off the nearest posture that was found is, m and rad. Zero
     /// otherwise.
     pub distance: [f64; 2],
-    /// How many branches are missing at least. Of an arm that is only nearly of its family: how
-    /// many fewer were found than the nominal arm has (the real arm may have fewer), and one where
-    /// their number is odd. Of a numerical search: one where six joints have an odd number of
-    /// postures.
+    /// How many branches are missing at least. For an arm that is only nearly of its family: how
+    /// many fewer were found than the nominal arm has (the real arm may have fewer). One more is
+    /// counted where their number is odd. Of a numerical search: one where six joints have an odd
+    /// number of postures.
     pub lost: u32,
     /// Whether postures may be missing that `lost` does not count. Of a numerical search: always.
     /// Of an arm that is only nearly of its family: where some posture lies beside a singularity,

@@ -1,6 +1,6 @@
-//! Seven joints with a spherical shoulder, an elbow and a spherical wrist, at a given swivel angle
-//! of the elbow about the line from shoulder to wrist (the paper's equation 1; Tolani, Goswami and
-//! Badler 2000).
+//! Seven joints with a spherical shoulder, an elbow and a spherical wrist. The swivel angle of the
+//! elbow about the line from shoulder to wrist is given (the paper's equation 1; Tolani, Goswami
+//! and Badler 2000).
 
 use super::super::runtime::Scalar;
 use super::axis::{Axis, Value};
@@ -18,11 +18,11 @@ use super::vector::{Matrix, Turn, Vector, add, cross, dot, nearly_unit, norm, sc
 pub struct Swivel {
     /// Base to tip.
     pub axes: [Axis; 7],
-    /// Where axes 1 to 3 meet, m.
+    /// Intersection of axes 1 to 3, m.
     pub shoulder: Vector,
-    /// Where axes 3, 4 and 5 meet, m.
+    /// Intersection of axes 3, 4 and 5, m.
     pub elbow: Vector,
-    /// Where axes 5 to 7 meet, m.
+    /// Intersection of axes 5 to 7, m.
     pub wrist: Vector,
 }
 
@@ -34,8 +34,8 @@ fn from_to(from: &Frame, to: &Frame) -> Matrix {
     super::vector::product(&transposed(to), from)
 }
 
-/// What the pose alone says: the direction from shoulder to wrist, and for each elbow its angle and
-/// the upper arm's frame.
+/// Quantities of the pose alone: the direction from shoulder to wrist, and for each elbow its angle
+/// and the upper arm's frame.
 pub(super) struct Elbows {
     pub n: Vector,
     pub both: [(Value, Frame); 2],
@@ -45,8 +45,8 @@ pub(super) struct Elbows {
 
 impl Swivel {
     /// In the upper arm's frame at `q = 0`: direction to the wrist, and beside it direction to the
-    /// elbow, for an angle of joint 4. `per`: the reciprocal of the way to the wrist, as far as it
-    /// is known.
+    /// elbow, for an angle of joint 4. `per`: the reciprocal of the distance to the wrist, as
+    /// computed so far.
     fn upper(&self, v4: Value, per: f64, side: f64) -> (Frame, f64) {
         let to = sub(self.axes[3].point(v4, self.wrist), self.shoulder);
         let w = nearly_unit(scale(per, to));
@@ -129,9 +129,9 @@ impl Swivel {
         second
     }
 
-    /// What is left of the swivel angle of a posture to another one, and how fast each joint brings
-    /// it there: its sine, for which half turns do not count, because the angle jumps by one where
-    /// the arm is stretched.
+    /// Difference of a posture's swivel angle to another one, and its derivatives by the joints. It
+    /// is measured by its sine, for which half turns do not count, because the angle jumps by one
+    /// where the arm is stretched.
     pub(super) fn left(&self, values: &[Value; 7], reference: &Reference, goal: f64) -> (f64, [f64; 7]) {
         let [a1, a2, a3, a4, ..] = &self.axes;
         let [v1, v2, v3, v4, ..] = *values;

@@ -1,7 +1,7 @@
 //! Eight states side by side, in one or two registers where the target has them.
 //!
 //! LLVM takes an array of eight apart and does not put it together again in a long straight line of
-//! code (measured: 150 ns a state against 17), so the registers are asked for by name. No fused
+//! code, so the registers are requested by name. (Measured: 150 ns a state against 17.) No fused
 //! multiply-add: lane and scalar agree bit for bit.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -167,7 +167,7 @@ mod lanes {
     pub(super) type Lanes = __m512d;
 
     // SAFETY, for all of this module: it is compiled only where AVX-512F is enabled for the whole
-    // build, and touches no memory but whole arrays of eight through unaligned loads and stores.
+    // build. It touches no memory but whole arrays of eight through unaligned loads and stores.
     macro_rules! two {
         ($($name:ident = $intrinsic:ident;)*) => {
             $(#[inline(always)] pub(super) fn $name(a: Lanes, b: Lanes) -> Lanes { unsafe { $intrinsic(a, b) } })*
@@ -227,8 +227,7 @@ mod lanes {
     pub(super) struct Lanes(__m256d, __m256d);
 
     // SAFETY, for all of this module: it is compiled only where AVX2 is enabled for the whole
-    // build, and touches no memory but halves of arrays of eight through unaligned loads and
-    // stores.
+    // build. It touches no memory but halves of arrays of eight through unaligned loads and stores.
     macro_rules! two {
         ($($name:ident = $intrinsic:ident;)*) => {
             $(#[inline(always)] pub(super) fn $name(a: Lanes, b: Lanes) -> Lanes {

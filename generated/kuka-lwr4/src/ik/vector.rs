@@ -1,8 +1,8 @@
 //! Vectors and rotations of three dimensions.
 //!
-//! What a closed form passes through for every pose is written out here and in its neighbours:
-//! closures over arrays (`map`, `from_fn`, zipped iterators) stay calls that pass everything
-//! through memory, a third of the time.
+//! Every pose passes through these closed forms, so they are written out here and in the
+//! neighbouring files. Closures over arrays (`map`, `from_fn`, zipped iterators) stay calls that
+//! pass everything through memory, a third of the time.
 
 use super::real::root;
 

@@ -1,12 +1,12 @@
 //! Sine and cosine of many angles together: one polynomial for all, no branch but for angles beyond
 //! half a million.
 //!
-//! Reduction by quarter turns with pi/2 in three pieces (Cody and Waite; the first two have 33
-//! bits, so their products with a quarter-turn count below 2^20 are exact) and a carried tail; then
-//! the polynomials of fdlibm's `k_sin.c` and `k_cos.c`. Beyond that range: Payne and Hanek, with
-//! integers. Only additions and multiplications, each rounded: the same bits on every machine, for
-//! one angle or for eight. Within 1 ulp: 0.63 at most against 40-digit values (`tests/sincos.rs` of
-//! dh-codegen).
+//! Reduction by quarter turns with pi/2 in three pieces and a carried tail (Cody and Waite). The
+//! first two pieces have 33 bits, so their products with a quarter-turn count below 2^20 are exact.
+//! Then the polynomials of fdlibm's `k_sin.c` and `k_cos.c`. Beyond that range: Payne and Hanek,
+//! with integers. Only additions and multiplications, each rounded: the same bits on every machine,
+//! for one angle or for eight. Within 1 ulp: 0.63 at most against 40-digit values
+//! (`tests/sincos.rs` of dh-codegen).
 
 use super::{Pack, Scalar};
 

@@ -1,4 +1,4 @@
-//! What the families hand on: for each joint the values it takes, for each branch which of them.
+//! Result of the families: for each joint the values it takes, for each branch which of them.
 //! Branches share values (eight branches of a swivel arm have two angles of joint 4).
 
 use super::super::runtime::Block;
@@ -85,13 +85,13 @@ impl<const N: usize> Candidates<N> {
         }
     }
 
-    /// Which value a joint takes in a branch.
+    /// Value of a joint in a branch.
     #[inline(always)]
     pub fn at(&self, place: usize, joint: usize) -> usize {
         self.at.get(joint).map_or(0, |row| usize::from(row[place & MASK])) & MASK
     }
 
-    /// Which branch, and which of its joints are free.
+    /// The branch, and its free joints.
     #[inline(always)]
     pub fn kind(&self, place: usize) -> (Branch, u32) {
         (self.branch[place & MASK], self.free[place & MASK])

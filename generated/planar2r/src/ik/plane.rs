@@ -15,7 +15,7 @@ pub struct Plane {
     pub h: Vector,
     /// The three in the plane, base to tip; one that stays at zero completes an arm with fewer.
     pub axes: [Axis; 3],
-    /// Which joint of the arm each is, from 0.
+    /// Index of each joint in the arm, from 0.
     pub joints: [Option<u8>; 3],
     /// The one out of the plane: its line, which joint it is, and how many of the three stand
     /// before it.
@@ -62,7 +62,7 @@ impl Plane {
 
     fn turns(&self, axes: &[Axis; 3], g: &Displacement, sum: Turn, near: &[Value; 3]) -> List<([Value; 3], u8), 2> {
         let mut found = List::new(([Value::ZERO; 3], 0));
-        // What a direction of length `sqrt(known / size)` tells, and whether anything.
+        // Information in a direction of length `sqrt(known / size)`, and whether there is any.
         let loose = |joint: u8, known: f64, size: f64| {
             u8::from(!(known > FREE * FREE * size)) << joint | doubt(!(known > NARROW * NARROW * size))
         };

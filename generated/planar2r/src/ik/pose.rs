@@ -7,7 +7,7 @@ use super::vector::{IDENTITY, Matrix, Vector, add, product, sub, times, transpos
 pub struct Displacement {
     /// Rotation.
     pub rotation: Matrix,
-    /// Where the origin goes, m.
+    /// Image of the origin, m.
     pub shift: Vector,
 }
 

@@ -113,7 +113,7 @@ mod lanes {
     pub(super) const WIDTH: usize = 8;
 
     // SAFETY, for all of this module: it is compiled only where AVX-512F is enabled for the whole
-    // build, and touches no memory but a whole array of eight or both halves of one of sixteen.
+    // build. It touches no memory but a whole array of eight or both halves of one of sixteen.
     macro_rules! two {
         ($($name:ident = $intrinsic:ident;)*) => {
             $(#[inline(always)] pub(super) fn $name(a: Lanes, b: Lanes) -> Lanes { unsafe { $intrinsic(a, b) } })*

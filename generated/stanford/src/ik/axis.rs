@@ -68,13 +68,13 @@ impl Axis {
         }
     }
 
-    /// Where the joint takes a point.
+    /// Image of a point under the joint.
     #[inline(always)]
     pub(super) fn point(&self, v: Value, x: Vector) -> Vector {
         if self.slides { add(x, scale(v.way, self.h)) } else { add(self.c, self.spun(v.turn, sub(x, self.c))) }
     }
 
-    /// Where it takes a direction.
+    /// Image of a direction.
     #[inline(always)]
     pub(super) fn direction(&self, v: Value, x: Vector) -> Vector {
         if self.slides { x } else { self.spun(v.turn, x) }

@@ -20,14 +20,14 @@ use super::vector::{Turn, Vector, beside, cross, dot, norm, scale, sub, times};
 pub enum Method {
     /// Axes 4, 5 and 6 meet.
     Wrist {
-        /// Where, m.
+        /// Position, m.
         center: Vector,
         /// The first three.
         regional: Regional,
     },
     /// Axes 2, 3 and 4 are parallel.
     ThreeParallel {
-        /// Where axes 5 and 6 meet, if they do, m.
+        /// Intersection of axes 5 and 6, if there is one, m.
         meet: Option<Vector>,
     },
 }
@@ -37,7 +37,7 @@ pub enum Method {
 pub struct Six {
     /// In the order in which they are solved, lines already reversed where the arm is.
     pub axes: [Axis; 6],
-    /// Which joint of the arm each is, from 0; `None`: one that stays at zero.
+    /// Index of each joint in the arm, from 0; `None`: one that stays at zero.
     pub joints: [Option<u8>; 6],
     /// From the tip?
     pub reversed: bool,
@@ -54,7 +54,7 @@ struct Start {
     sixth: Value,
     /// The turn of the three axes together.
     sum: Turn,
-    /// Where axis 4 is to be, seen from axis 2, m.
+    /// Required position of axis 4, seen from axis 2, m.
     to: Vector,
     /// Of the two roots; from 4: which zero of a quartic.
     signs: [u8; 2],
@@ -66,7 +66,7 @@ impl Start {
         Self { at: 0, fifth: Value::ZERO, sixth: Value::ZERO, sum: Turn::NONE, to: [0.0; 3], signs: [0; 2], free: 0 };
 }
 
-/// Where what is found of six joints goes: into the columns of the arm's own joints.
+/// Destination of the solutions of six joints: the columns of the arm's own joints.
 struct Into<'a, const N: usize> {
     six: &'a Six,
     all: &'a mut Candidates<N>,
@@ -134,7 +134,7 @@ impl Six {
             regional::solve(regional, &[*one, *two, *three], center, g.point(center), &[near[0], near[1], near[2]]);
         let wrist = Three::new([four.h, five.h, six.h]);
         let goal = wrist.goal(&g.rotation);
-        // What joint 1 leaves of the goal, and its value's name: often the same for two places.
+        // Remainder of the goal after joint 1, and its value's name: often the same for two places.
         let (mut last, mut y1, mut z1, mut a) = (Value::way(f64::NAN), goal[1], goal[2], 0);
         for place in places.iter() {
             let [v1, v2, v3] = place.values;
@@ -155,7 +155,8 @@ impl Six {
         }
     }
 
-    /// What the three parallel axes leave alone gives joints 1 and 5; then they are a planar arm.
+    /// The part that the three parallel axes leave alone gives joints 1 and 5; then they are a
+    /// planar arm.
     #[inline(always)]
     fn three_parallel<const N: usize>(
         &self,
@@ -349,8 +350,8 @@ impl Six {
         let [a, b] = reach(&six.reversed(), hand, shoulder, goal * goal + lift * lift).both;
         let like = |t: Turn| t.c * near.turn.c + t.s * near.turn.s;
         let mut turn = if seen && like(b) > like(a) { b } else { a };
-        // That was about axis 6; what counts is the distance across the plane, and the two differ
-        // by their angle.
+        // That was about axis 6; decisive is the distance across the plane, and the two differ by
+        // their angle.
         let distance = |t: Turn| there(six.point(Value::turn(t.back()), hand));
         let by = |t: Turn, angle: f64| t.then(Turn::along(1.0, angle).0);
         for _ in 0..3 {

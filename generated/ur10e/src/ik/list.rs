@@ -7,8 +7,8 @@ pub struct List<T, const K: usize> {
     len: usize,
 }
 
-/// An array place by place: in a loop, where the compiler sees that no index is out of bounds
-/// (`core::array::from_fn` may leave its closure a call, and the check in it).
+/// Builds an array place by place, in a loop, where the compiler sees that no index is out of
+/// bounds. (`core::array::from_fn` may leave its closure a call, and the check in it.)
 #[inline(always)]
 pub(super) fn each<T: Copy, const K: usize>(filler: T, mut f: impl FnMut(usize) -> T) -> [T; K] {
     let mut out = [filler; K];

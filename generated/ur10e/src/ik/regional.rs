@@ -15,7 +15,7 @@ pub enum Regional {
     Meet {
         /// From the far end.
         mirrored: bool,
-        /// Where they meet, m.
+        /// Intersection, m.
         at: Vector,
     },
     /// Two turns about parallel axes, then any joint.

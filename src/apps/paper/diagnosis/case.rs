@@ -11,7 +11,7 @@ use super::super::ReproduceError;
 use super::Settings;
 use super::hidden::{About, Draft, FRICTION, Hidden, Outside, SAME_JOINT, Wanted, effects};
 use crate::data::log::{Acceptance, Log, Quantity, csv, open};
-use crate::data::signal::{Prepare, PrepareError, central, central_second, each_motion};
+use crate::data::signal::{Prepare, central, central_second, each_motion, lower_cutoff};
 use crate::diagnose::{self, Diagnosis, Recording};
 use crate::model::perturbable_robot::PerturbableRobot;
 use crate::model::{Arm, States};
@@ -33,7 +33,7 @@ const PUMA: [f64; 6] = [97.6, 186.4, 89.4, 24.2, 20.1, 21.3];
 /// Noise of a joint's torque by its limit.
 const NOISE: f64 = 1e-3;
 
-/// What kind of case.
+/// Kind of case.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Task {
     /// Nothing is hidden.
@@ -52,8 +52,8 @@ pub enum Task {
     Outside(usize),
 }
 
-/// How many cases of a round hide two effects on one joint, two on two joints, a law and a wrong
-/// link, a law in a file without links, and what no vocabulary has.
+/// Number of cases of a round with two effects on one joint, two on two joints, a law and a wrong
+/// link, a law in a file without links, and structure outside the vocabulary.
 const SEVERAL: [usize; 5] = [3, 3, 2, 2, 3];
 
 /// Cases go round in this many kinds: nothing, every single effect, and the rest.
@@ -87,7 +87,7 @@ impl Task {
         }
     }
 
-    /// What is hidden on which joint, from 0: a first one, another, and that of a wrong link.
+    /// Hidden joints, from 0: a first one, another, and that of a wrong link.
     fn effects(self, joint: usize, apart: usize, link: usize) -> Vec<(Wanted, usize)> {
         match self {
             Self::Nothing | Self::Outside(_) => Vec::new(),
@@ -110,16 +110,16 @@ pub struct Outcome {
     pub seed: u64,
     /// The arm.
     pub robot: &'static str,
-    /// What kind of case.
+    /// Kind of case.
     pub task: Task,
-    /// What was hidden.
+    /// Hidden effects.
     pub hidden: Vec<Hidden>,
     /// Standard deviation of each joint's torque noise with the step of the sensor, N m.
     pub noise: Vec<f64>,
-    /// What the file misses of the validating motion where nothing is hidden, N m: what is
-    /// attainable; of all samples and where the joint moves.
+    /// Error of the file on the validating motion where nothing is hidden, N m, the attainable
+    /// error; of all samples and where the joint moves.
     pub attainable: [Vec<f64>; 2],
-    /// What was found.
+    /// Found causes.
     pub found: Diagnosis,
 }
 
@@ -217,7 +217,7 @@ fn rms(x: &[f64]) -> f64 {
     (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt()
 }
 
-/// What a simulation of the given file misses of a log without noise, per joint.
+/// Error of a simulation of the given file on a log without noise, per joint.
 fn missed(log: &Log, plant: &PerturbableRobot, standard: &[f64], rate: f64) -> Vec<Vec<f64>> {
     let (dof, len) = (plant.dof(), log.len());
     let row = |quantity: Quantity, j: usize| log.joint(quantity, j).map(<[f64]>::to_vec).unwrap_or_default();
@@ -329,24 +329,20 @@ fn record(name: &str, bytes: &[u8], dof: usize) -> Result<Recording, ReproduceEr
     record_keeping(name, bytes, dof, Acceptance::default())
 }
 
-/// Reads a log as the command does, a slow one with as much of the band as it has.
+/// Reads a log in the way of the command, a slow one with a lower cutoff.
 pub(super) fn record_keeping(
     name: &str,
     bytes: &[u8],
     dof: usize,
     keep: Acceptance,
 ) -> Result<Recording, ReproduceError> {
-    let mut cutoff = diagnose::HIGHEST;
-    loop {
+    let (recording, _) = lower_cutoff(diagnose::HIGHEST, |cutoff| {
         let prepare = Prepare { keep, ..diagnose::preparation(cutoff) };
         let mut recording = Recording::new(name);
-        let mut source = open(name, bytes).map_err(PrepareError::from)?;
-        match each_motion(source.as_mut(), dof, &prepare, |motion| recording.absorb(motion)) {
-            Ok(_) => return Ok(recording),
-            Err(PrepareError::Cutoff { .. }) if cutoff > 1.0 => cutoff *= 0.6,
-            Err(error) => return Err(error.into()),
-        }
-    }
+        each_motion(open(name, bytes)?.as_mut(), dof, &prepare, |motion| recording.absorb(motion))?;
+        Ok(recording)
+    })?;
+    Ok(recording)
 }
 
 /// Draws, hides, records, diagnoses.
@@ -430,9 +426,8 @@ fn attempt(
         desired: false,
         ..Sensors::default()
     };
-    // A torque that is clipped, or lost in a gap, in a loop is a motion that is not the wanted one,
-    // and the recorded torque is right for it: to be an error of the torque, the motion must come
-    // from elsewhere.
+    // A torque that is clipped, or lost in a gap, in a loop changes the motion, and the recorded
+    // torque is right for it. To be an error of the torque, the motion must come from elsewhere.
     let open = sized.iter().any(|(d, _)| matches!(d.cause, EffectKind::TorqueSaturation | EffectKind::Backlash));
     let control = Control { mode: if open { Mode::Exact } else { settings.control }, ..Control::default() };
     let mut scale = None;

@@ -1,5 +1,5 @@
-//! What a case hides: effects of the vocabulary with drawn shapes, before they have their size; and
-//! what no vocabulary has.
+//! Hidden effects of a case: effects of the vocabulary with drawn shapes, before they have their
+//! size, and structure outside the vocabulary.
 
 use dh_codegen::robot::effects::RotorInertia;
 use dh_codegen::robot::{Effect, EffectKind, Effects, Robot};
@@ -15,7 +15,7 @@ pub(super) struct Draft {
     /// The other joint of a coupling, from 0.
     pub other: Option<usize>,
     keys: Vec<(String, f64, f64)>,
-    /// Where the search for the size begins.
+    /// Start of the search for the size.
     pub start: f64,
     /// Beyond this it is no longer an effect of this kind.
     pub most: f64,
@@ -31,8 +31,7 @@ pub struct Hidden {
     pub cause: &'static str,
     /// Joints, from 1; empty for the whole robot.
     pub joints: Vec<usize>,
-    /// What a diagnosis should find, by symbol, where the law that looks for it has the same
-    /// parameter.
+    /// Expected parameters of a diagnosis, by symbol, where its law has the same parameter.
     pub truth: Vec<(String, f64)>,
     /// Root mean square of what it does to the torque, by the noise, on the joint that it was made
     /// for.
@@ -96,7 +95,7 @@ pub(super) const FRICTION: [EffectKind; 7] = [
     EffectKind::TorqueRipple,
 ];
 
-/// What the given model says of a joint, for sizes that are shares of it.
+/// Torque scales of a joint in the given model, for sizes that are shares of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct About {
     /// Torque limit, N m.
@@ -251,7 +250,7 @@ impl Draft {
         effect.unwrap_or_else(|error| unreachable!("a draft has the keys of its effect: {error}"))
     }
 
-    /// What a diagnosis should find.
+    /// Expected result of a diagnosis.
     pub fn hidden(&self, x: f64, about: &[About], size: f64) -> Hidden {
         let suffix = self.joint.map(|j| (j + 1).to_string()).unwrap_or_default();
         let given = |key: &str| {
@@ -301,12 +300,12 @@ pub(super) fn effects(robot: &Robot, sized: &[(Draft, f64)]) -> Effects {
     effects
 }
 
-/// What no listed cause explains; added to the recorded torque of one joint.
+/// Structure outside the vocabulary, added to the recorded torque of one joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Outside {
     /// A tone in time, Hz and phase.
     Tone(f64, f64),
-    /// What another joint's torque sensor shows leaks in.
+    /// Cross talk from another joint's torque sensor.
     CrossTalk(usize),
     /// The sensor's zero wanders: four slow waves with these phases.
     Wander([f64; 4]),

@@ -1,11 +1,11 @@
 //! The diagnosis put to the test on real recordings: known causes are added to measured torques,
 //! and the diagnosis sees the changed logs.
 //!
-//! `recordings of an arm -> identification -> residual -> a drawn cause of 3, 1 or 0.5 times that
-//! residual, added -> bytes of a log -> diagnosis -> figures`, beside the diagnosis of the
-//! untouched logs. Noise, friction and clock are those of the recordings; labels are exact. What is
-//! added is written here, with the numeric recursion, and shares no law with `simulate` or
-//! `diagnose`.
+//! The chain is `recordings of an arm -> identification -> residual -> a drawn cause, added ->
+//! bytes of a log -> diagnosis -> figures`. The cause has 3, 1 or 0.5 times the size of that
+//! residual. The untouched logs are diagnosed as well. Noise, friction and clock are those of the
+//! recordings; labels are exact. What is added is written here, with the numeric recursion, and
+//! shares no law with `simulate` or `diagnose`.
 
 mod addition;
 mod arms;
@@ -28,7 +28,7 @@ pub use addition::Added;
 pub use arms::{ARMS, ArmData};
 pub use figures::{Figures, Stability, calibration_error, reliability};
 
-/// Which cases.
+/// The cases.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RealSettings {
     /// How many causes are drawn; each is added in every size.
@@ -48,10 +48,10 @@ impl Default for RealSettings {
     }
 }
 
-/// Recordings of an arm, as they are in their files.
+/// Recordings of an arm, unchanged.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recorded {
-    /// What is known of the arm and its recordings.
+    /// Data of the arm and its recordings.
     pub arm: ArmData,
     /// Bytes of the fitted logs, in the order of [`ArmData::fit`].
     pub fit: Vec<Vec<u8>>,
@@ -66,11 +66,11 @@ pub struct RealCase {
     pub arm: String,
     /// Wanted size, in residuals.
     pub size: f64,
-    /// What was added.
+    /// The addition.
     pub added: Added,
-    /// Size that a fit finds which knows the form, by the true one.
+    /// Size found by a fit of the true form, by the true one.
     pub informed: f64,
-    /// What was found.
+    /// Found causes.
     pub found: Diagnosis,
     /// Causes (index into those found) that the untouched logs do not have.
     pub new: Vec<usize>,
@@ -92,7 +92,7 @@ pub struct Untouched {
 /// All cases.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RealBattery {
-    /// Which.
+    /// The kind.
     pub settings: RealSettings,
     /// One per arm.
     pub untouched: Vec<Untouched>,
@@ -176,7 +176,7 @@ fn case(
     let named = |joints: &[usize]| plain.causes.iter().any(|c| c.cause == form.cause() && c.joints == joints);
     let drawn = (0..20).find_map(|_| {
         let addition = Addition::draw(form, session, &mut random)?;
-        // What the untouched logs are said to have already could not be seen to be new.
+        // A cause that the untouched logs already have can't be recognised as new.
         (!named(&addition.joints)).then_some(addition)
     });
     let Some((addition, x)) = drawn.and_then(|a| Some((a.sized(session, size)?, a)).map(|(x, a)| (a, x))) else {

@@ -7,7 +7,7 @@ use crate::diagnose::{Cause, Verdict};
 /// So many of so many.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Share {
-    /// That hold.
+    /// Number that hold.
     pub good: usize,
     /// Of these.
     pub all: usize,
@@ -39,7 +39,7 @@ pub struct Claim {
 pub struct Scores {
     /// One effect: the right cause first.
     pub first: Share,
-    /// The same, where what was hidden may also stand beside the first as not told apart from it,
+    /// The same, but the hidden cause may also stand beside the first as not distinguished from it,
     /// provided that the extended model leaves nothing but noise.
     pub first_or_named: Share,
     /// Of those with the right cause first: in the right place.
@@ -53,9 +53,9 @@ pub struct Scores {
     pub outside: Share,
     /// Wrong causes beside the right ones, per case with something of the vocabulary hidden.
     pub beside: f64,
-    /// Share of what could be gained on the validating log, mean over cases with something of the
-    /// vocabulary hidden: RMS that went by RMS above what the file misses where nothing is hidden,
-    /// on the joint with the largest error, where it moves.
+    /// Attained share of the possible gain on the validating log, mean over cases with a hidden
+    /// effect of the vocabulary. It is the RMS removed by the RMS above the file's error where
+    /// nothing is hidden, on the joint with the largest error, where it moves.
     pub gain: f64,
     /// The same of all samples.
     pub gain_of_all: f64,
@@ -103,7 +103,7 @@ fn gained(before: &[f64], after: &[f64], attainable: &[f64]) -> Option<f64> {
 }
 
 impl Outcome {
-    /// What was hidden, in a word.
+    /// Hidden effect, in a word.
     pub fn label(&self) -> String {
         match self.task {
             Task::Nothing => "nothing_wrong".into(),
@@ -127,8 +127,8 @@ impl Outcome {
         }
     }
 
-    /// The same where what was hidden stands beside the first as not told apart, and nothing but
-    /// noise is left.
+    /// The same, but the hidden cause may stand beside the first as not distinguished, if nothing
+    /// but noise is left.
     pub fn right_or_named(&self) -> bool {
         let (Some(first), Some(hidden)) = (self.found.causes.first(), self.hidden.first()) else { return self.right() };
         self.right() || first.not_distinguished_from.contains(&hidden.cause) && only_noise(self)
@@ -139,7 +139,7 @@ impl Outcome {
         self.hidden.iter().all(|h| self.found.causes.iter().any(|c| same(c, h)))
     }
 
-    /// What the case asks for: the right cause first, of several all of them.
+    /// Criterion of the case: the right cause first, of several all of them.
     pub fn good(&self) -> bool {
         if self.hidden.len() > 1 { self.complete() } else { self.right() && self.complete() }
     }

@@ -49,21 +49,22 @@ pub fn planned(
     seconds: f64,
     tell: Watch<'_>,
 ) -> Result<Plan, ReproduceError> {
-    let failed = |why: String| ReproduceError::Design { what: "the plan".into(), why };
-    let geometry = robot.tool.as_ref().and_then(|t| t.geometry).ok_or_else(|| failed("the tool has no size".into()))?;
+    let failed = |why: &dyn std::fmt::Display| ReproduceError::Design { what: "the plan".into(), why: why.to_string() };
+    let geometry = robot.tool.as_ref().and_then(|t| t.geometry).ok_or_else(|| failed(&"the tool has no size"))?;
     let arm = Interpreted::new(robot, &Interpreted::PLACED);
-    let inverse = Kinematics::new(robot, arm.model()).ok_or_else(|| failed("too many joints".into()))?;
+    let inverse = Kinematics::new(robot, arm.model()).ok_or_else(|| failed(&"too many joints"))?;
     let center = [0, 1, 2].map(|k| CENTER[k] - ROOM * NORMAL[k]);
-    let surface = Surface::new(center, NORMAL, [0.0, 0.0, 1.0], extent.size[0], extent.size[1]).map_err(failed)?;
+    let surface =
+        Surface::new(center, NORMAL, [0.0, 0.0, 1.0], extent.size[0], extent.size[1]).map_err(|e| failed(&e))?;
     let roller = Roller { length: geometry.length, width: geometry.width, turned: false };
-    let mut task = Task::new(&arm, &inverse, robot, surface, roller, ACCELERATION_TIME).map_err(failed)?;
+    let mut task = Task::new(&arm, &inverse, robot, surface, roller, ACCELERATION_TIME).map_err(|e| failed(&e))?;
     task.standard = Some(standard.to_vec());
     task.duration = Some(seconds);
     if extent.plain {
         (task.cover, task.swivel) = (Cover::Whole, Swivel::Constant);
     }
     task.force = force;
-    plan(&task, &|what, share| tell(what, share)).map_err(|why| failed(why.to_string()))
+    plan(&task, &|what, share| tell(what, share)).map_err(|why| failed(&why))
 }
 
 /// A motion `off` (m) before the wall.

@@ -46,7 +46,7 @@ const EXPLAINED: f64 = 1.25;
 /// How far before the wall a dry run passes, m.
 const DRY: f64 = 0.05;
 
-/// The arm with a roller, as it is and as it is known.
+/// The arm with a roller, the true one and its model.
 pub struct Roller {
     /// With the tool's frame; its inertia is a part of `standard`.
     robot: Robot,
@@ -78,8 +78,8 @@ impl Roller {
         seed: u64,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Run, ReproduceError> {
-        // Equation (14) as it stands; what is known of a roller's contact and what is not of
-        // friction is ours.
+        // Equation (14) of the paper; the prior on a roller's contact and the uncertainty of
+        // friction are ours.
         let paper = law == Law::PAPER;
         let known = Known {
             robot: &self.robot,
@@ -202,8 +202,8 @@ impl Stand {
             Some(plans) => plans.to_vec(),
             None => plan_all(&identified, &weighed, extent, tell)?,
         };
-        // Where torque errors are more than noise the model lacks something, and friction that
-        // takes its way to turn round may be it.
+        // If torque errors exceed noise the model lacks something, which may be friction that needs
+        // some way to turn round.
         let gain = Filter::default().noise_gain(Lwr::sensors().rate);
         let noise = |j: usize| gain * Lwr::sensors().torque_noise.get(j).copied().unwrap_or(0.0);
         let doubtful = |(j, rms): (usize, &f64)| if *rms > EXPLAINED * noise(j) { f64::INFINITY } else { 0.0 };
@@ -240,8 +240,8 @@ impl Stand {
         let robot = diagnose::extended(self.identified.clone(), &found);
         let rms = &found.extended.validate;
         let plans: Vec<Plan> = self.rollers.iter().map(|r| r.plan.clone()).collect();
-        // A diagnosis tells the size of friction rather than where it turns round: what was in
-        // doubt stays so.
+        // A diagnosis finds the size of friction rather than its course at a reversal, so the
+        // uncertainty there remains.
         let rollers = rollers(&robot, &self.tools, &plans, lwr, &self.effects, [rms, &self.doubt], self.settle)?;
         let extended = Self {
             torque: fig6::mean(rms),
@@ -267,7 +267,7 @@ fn bodies(lwr: &Lwr, fitted: Factors, held_out: Factors) -> Result<(Vec<f64>, Ve
     let found = fit(lwr, &fitted, &held_out)?;
     let prior = prior_bodies(&[], &geometric_bodies(&lwr.arm.ends()));
     let drives = vec![0.0; lwr.arm.standard_names().len()];
-    // What possibility costs is in the table, as torque errors.
+    // The cost of possibility is in the table, as torque errors.
     let settings = ConsistentSettings { most_cost_percent: f64::INFINITY, ..ConsistentSettings::default() };
     let rms = |of: &Option<Accuracy>| of.as_ref().map_or_else(Vec::new, |v| v.rms.clone());
     if let Ok(same) = possible_bodies(&lwr.arm, &found.values(), &prior, &drives, &settings)
@@ -281,7 +281,7 @@ fn bodies(lwr: &Lwr, fitted: Factors, held_out: Factors) -> Result<(Vec<f64>, Ve
     Ok((possible.standard, errors))
 }
 
-/// The robot with a tool's frame, and its parameters with the tool as it was weighed.
+/// The robot with a tool's frame, and its parameters with the weighed tool.
 fn holding(known: &Robot, tool: &Tool, weighed: &[f64; 10]) -> Result<(Robot, Vec<f64>), ReproduceError> {
     let mut robot = known.clone();
     robot.tool = None;
@@ -310,7 +310,7 @@ fn plan_all(
     many(jobs.len(), &one, &|_, _| {})
 }
 
-/// The arm as it is known, with each roller as it was weighed.
+/// The model of the arm, with each weighed roller.
 fn rollers(
     known: &Robot,
     tools: &[(Tool, [f64; 10])],
@@ -324,8 +324,8 @@ fn rollers(
     for ((tool, weighed), plan) in tools.iter().zip(plans) {
         let (robot, standard) = holding(known, tool, weighed)?;
         let drives = Simulator::new(&robot, &Effects::default())?.drives().to_vec();
-        let mut as_it_is = lwr.robot.clone();
-        as_it_is.tool = Some(tool.clone());
+        let mut with_tool = lwr.robot.clone();
+        with_tool.tool = Some(tool.clone());
         let arm = Interpreted::new(&robot, &Interpreted::BODIES);
         let motion = {
             let kinematics = Kinematics::new(&robot, arm.model());
@@ -338,7 +338,7 @@ fn rollers(
             motion,
             settle,
             plan: plan.clone(),
-            real: Simulator::new(&as_it_is, effects)?,
+            real: Simulator::new(&with_tool, effects)?,
             robot,
             standard,
             drives,

@@ -11,10 +11,10 @@ use crate::model::interpreted::Interpreted;
 use crate::model::rigid_body::Numeric;
 use crate::numerics::prng::Random;
 
-/// White noise of the LWR's torques at 1 kHz, N m, joint by joint: what gives the base parameters
-/// the standard deviations of the paper's Table II (`MSY2R` 0.05 % of 3.43, `MSY4R` 0.05 % of 1.34,
-/// `MSY5R` 0.86 % of 0.047, `MSY6R` 0.50 % of 0.034, `MSY7` 13.3 % of 0.001 kg m) when they are
-/// found from 10 s with an empty hand and 10 s with the tool. After the 10 Hz low-pass 0.05 to
+/// White noise of the LWR's torques at 1 kHz, N m, joint by joint. It gives the base parameters the
+/// standard deviations of the paper's Table II when they are found from 10 s with an empty hand and
+/// 10 s with the tool. These are `MSY2R` 0.05 % of 3.43, `MSY4R` 0.05 % of 1.34, `MSY5R` 0.86 % of
+/// 0.047, `MSY6R` 0.50 % of 0.034, `MSY7` 13.3 % of 0.001 kg m. After the 10 Hz low-pass 0.05 to
 /// 0.013 N m are left. The paper's own residuals (0.42 N m) are larger: they are model error, which
 /// is not noise.
 pub const PAPER_TORQUE_NOISE: [f64; 7] = [0.4, 0.4, 0.4, 0.2, 0.2, 0.1, 0.1];
@@ -28,7 +28,7 @@ pub struct Bench {
     phi: Vec<f64>,
     noise: SensorNoise,
     empty: Recording,
-    /// What a unit of each of the ten parameters adds.
+    /// Torque of a unit of each of the ten parameters.
     units: Vec<Recording>,
 }
 

@@ -61,8 +61,8 @@ impl Recording {
         all
     }
 
-    /// What the sensors say, prepared and stacked as the equations of `arm`. Every tenth sample
-    /// after the low-pass, which leaves nothing between them.
+    /// Sensor readings, prepared and stacked as the equations of `arm`. Every tenth sample after
+    /// the low-pass, which leaves nothing between them.
     pub fn factors(
         &self,
         name: &str,

@@ -63,7 +63,7 @@ pub struct Column {
     pub center_error: f64,
     /// Standard deviation of the centre, root of the sum of squares over the axes, m.
     pub center_std: f64,
-    /// What was identified.
+    /// Identified parameters.
     pub carried: Carried,
 }
 

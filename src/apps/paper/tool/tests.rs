@@ -45,9 +45,9 @@ fn tell(t: &Trials) {
     }
 }
 
-/// Table III: mass of the large roller within 2 %, standard deviations of what is well known no
-/// worse than the paper's; its centre within 2 mm from four motions of 10 s each way, and from one
-/// as its stated deviation (2.2 mm) says.
+/// Table III: mass of the large roller within 2 %, standard deviations of well-determined
+/// parameters no worse than the paper's. Its centre is within 2 mm from four motions of 10 s each
+/// way, and from one within its stated deviation (2.2 mm).
 #[test]
 fn table_three_of_the_paper() {
     let bench = bench(1.0);

@@ -12,14 +12,14 @@ use crate::identify::tool::{
 };
 use crate::numerics::prng::Random;
 
-/// What to try.
+/// Settings of a trial.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TrialSettings {
     /// Trials with a tool of the table.
     pub known: usize,
     /// Trials with none of them: rollers of other sizes and random bodies by turns.
     pub unknown: usize,
-    /// How far tools in the hand differ from their entries, and what recognition knows of it.
+    /// Spread of the tools in the hand about their entries, as given to recognition.
     pub tolerance: Tolerance,
     /// Share and level.
     pub recognise: RecogniseSettings,
@@ -44,7 +44,7 @@ pub struct SizeTrial {
     pub fits: bool,
 }
 
-/// What came out.
+/// Result of a trial.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Trials {
     /// The table's names; answers have one more: none.
@@ -150,7 +150,7 @@ pub fn trials(
             out.nearest_right[1] += usize::from(space.is_some_and(|c| c.entry == row));
             out.nearest_right[2] += usize::from(answer.by_plain_distance == table[row].name);
             if let Some(own) = answer.candidates.iter().find(|c| c.entry == row) {
-                out.mean_square += own.distance.powi(2) / (answer.told.max(1) * settings.known.max(1)) as f64;
+                out.mean_square += own.distance.powi(2) / (answer.determined.max(1) * settings.known.max(1)) as f64;
             }
             continue;
         }

@@ -26,7 +26,7 @@ pub struct Waves {
 const HARMONICS: usize = 10;
 /// Share of the limits that is used.
 const SHARE: f64 = 0.8;
-/// Where the robot file has no limit, rad and rad/s.
+/// Defaults where the robot file has no limit, rad and rad/s.
 const POSITION: [f64; 2] = [-2.5, 2.5];
 const SPEED: f64 = 1.5;
 
@@ -45,7 +45,7 @@ impl Waves {
             };
             let half = 0.5 * SHARE * (high - low);
             let scale = (half / largest(0)).min(SHARE * speed / largest(1));
-            // What is left of the range, the middle may wander.
+            // The middle may wander over the rest of the range.
             let free = (half - scale * largest(0)).max(0.0);
             waves.rest.push(0.5 * (low + high) + random.even(1.0) * free);
             waves.terms.push(one.terms[0].iter().map(|[a, phase]| [scale * a, *phase]).collect());
@@ -53,8 +53,8 @@ impl Waves {
         waves
     }
 
-    /// The best of `tries` for mass and first moments of what is carried, where each joint's torque
-    /// has this noise: largest `log det` of their inverse covariance, all other unknowns of
+    /// The best of `tries` for mass and first moments of the load, where each joint's torque has
+    /// this noise. It has the largest `log det` of their inverse covariance, all other unknowns of
     /// equation (7) being unknown (D_s-optimal: Atkinson and Donev, *Optimum Experimental Designs*,
     /// 1992).
     pub fn exciting(robot: &Robot, arm: &dyn Payload, noise: &[f64], period: f64, tries: usize, seed: u64) -> Self {

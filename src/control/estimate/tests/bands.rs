@@ -1,4 +1,4 @@
-//! Bands against known wrenches, with the model identified anew in every run.
+//! Bands against known wrenches, with a new identification of the model in every run.
 
 use crate::apps::paper::force::{Case, Stage, alone, coverage};
 use crate::apps::paper::lwr::Unmodelled;

@@ -104,7 +104,7 @@ fn equation_14_finds_a_wrench_of_all_six_components() {
             let share = (found.std(i) / Scale::default().each()[i]).powi(2);
             assert!((found.wrench[i] - f[i]).abs() < 1e-9 + 20.0 * share.max(1e-5) * 60.0, "{found:?} {f:?}");
         }
-        // As it stands: nalgebra's pseudo-inverse, by singular values.
+        // Plain formula: nalgebra's pseudo-inverse, by singular values.
         residual.weights = Weights::Equal { damping: 1e-7 };
         let transposed = DMatrix::from_fn(7, 6, |j, i| sample.jacobian[i][j]);
         let external = DVector::from_fn(7, |j, _| sample.model[j] - sample.tau[j]);
@@ -184,7 +184,7 @@ fn the_observer_is_a_low_pass_of_the_external_torque() {
 #[test]
 fn the_observer_is_as_unsure_as_its_noise_makes_it() {
     // One joint, nothing touches, white noise on torque and velocity: standard deviation of the
-    // estimate against what it says of itself.
+    // estimate against its reported value.
     let mut oracle = Oracle::new(14);
     for (dt, gain) in [(1e-3, 30.0), (1e-2, 62.8)] {
         for (torque, speed) in [(0.3, 0.0), (0.0, 1e-3), (0.2, 1e-3)] {
@@ -225,8 +225,8 @@ fn the_filter_is_as_sure_as_it_may_be() {
     for k in 0..6000 {
         let t = f64::from(k) * dt;
         let [q, dq, ddq] = Oracle::wave(t);
-        // The wrench is constant for the observer, whose band knows no change, and wanders as it
-        // may for the filter.
+        // The wrench is constant for the observer, whose band allows no change, and a random walk
+        // for the filter.
         let paces = WANDER.each();
         (0..6).for_each(|i| walk[i] += paces[i] * dt.sqrt() * oracle.normal());
         let mut sample = oracle.sample(dt, [&q, &dq, &ddq], &WRENCH);

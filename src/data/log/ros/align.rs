@@ -4,8 +4,8 @@ use std::collections::VecDeque;
 
 /// Longest gap over which a stream is interpolated, in its own mean periods.
 const LONGEST_GAP: f64 = 5.0;
-/// Rows that wait for a slower stream at most.
-const LONGEST_WAIT: usize = 1 << 16;
+/// Rows that wait for a slower stream at most, and samples that wait for a row.
+const LONGEST_WAIT: usize = 1 << 15;
 
 /// Samples of a stream, until no row needs them.
 struct Stream {
@@ -77,6 +77,9 @@ impl Aligner {
         stream.count += 1;
         stream.last = time;
         stream.samples.push_back((time, values));
+        if stream.samples.len() > LONGEST_WAIT {
+            stream.samples.pop_front();
+        }
     }
 
     /// No more samples come.

@@ -4,7 +4,7 @@
 pub(super) struct Cdr<'a> {
     bytes: &'a [u8],
     at: usize,
-    /// Where alignment counts from.
+    /// Origin of the alignment.
     origin: usize,
     little: bool,
     /// Largest alignment: 8 in XCDR1, 4 in XCDR2.

@@ -174,8 +174,8 @@ fn field<'a>(definition: &Definition, node: &'a Node, name: &str) -> Option<&'a 
 }
 
 impl Flat {
-    /// Names of the numbers: the topic, then the path in the message; elements of an array that is
-    /// as long as the names beside it by these names, others by their index.
+    /// Names of the numbers: the topic, then the path in the message. Elements of an array that is
+    /// as long as the names beside it get these names, others their index.
     pub(super) fn names(&self, definition: &Definition, topic: &str) -> Vec<String> {
         let mut names = Vec::new();
         name(definition, &self.root, topic, &[], &mut names);

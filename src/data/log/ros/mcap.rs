@@ -1,7 +1,7 @@
 //! MCAP: the container in which ROS 2 records. Read as a stream, a record at a time.
 //!
-//! Records are an opcode, a length and fields of fixed order (mcap.dev/spec); the few that matter
-//! here are read without the crate `mcap`, whose twenty dependencies (two of them C) do the rest of
+//! Records are an opcode, a length and fields of fixed order (mcap.dev/spec). The few needed here
+//! are read without the crate `mcap`, whose twenty dependencies (two of them C) serve the rest of
 //! the format. Nothing behind the data section is needed, so a file that was cut is read as far as
 //! it goes.
 
@@ -10,10 +10,12 @@ use std::io::Read;
 
 use super::recording::{Message, Messages};
 
-/// Longest record (a chunk as it is stored, or a message), bytes.
-const LONGEST_RECORD: u64 = 64 << 20;
+/// Longest record (a compressed chunk, or a message), bytes.
+const LONGEST_RECORD: u64 = 48 << 20;
 /// Longest chunk once it is unpacked, bytes.
-const LONGEST_CHUNK: u64 = 128 << 20;
+const LONGEST_CHUNK: u64 = 64 << 20;
+/// Longest message that is decoded, bytes: images and point clouds are passed over.
+const LONGEST_MESSAGE: usize = 1 << 20;
 
 const MAGIC: &[u8; 8] = b"\x89MCAP0\r\n";
 const FOOTER: u8 = 0x02;
@@ -122,7 +124,7 @@ impl<R: Read> McapMessages<R> {
 
     fn cut(&mut self) -> Result<(), String> {
         self.done = true;
-        self.note("the file has no end: what stands before it is read".into());
+        self.note("the file has no end: the part before it is read".into());
         Ok(())
     }
 
@@ -171,7 +173,8 @@ impl<R: Read> McapMessages<R> {
                 fields.u32()?; // sequence
                 let arrival = i64::try_from(fields.u64()?).unwrap_or(i64::MAX);
                 fields.u64()?; // time of publication
-                if let Some(channel) = self.channels.get(&id).filter(|c| c.readable) {
+                let decoded = |c: &&Channel| c.readable && fields.0.len() <= LONGEST_MESSAGE;
+                if let Some(channel) = self.channels.get(&id).filter(decoded) {
                     let message = Message { topic: channel.topic.clone(), arrival, bytes: fields.0.to_vec() };
                     self.queue.push_back(message);
                 }

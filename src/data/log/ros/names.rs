@@ -2,7 +2,7 @@
 
 use crate::data::log::{Quantity, Role, SourceJoint};
 
-/// What the last parts of a channel's name stand for.
+/// Roles of the last parts of a channel's name.
 fn quantity(part: &str) -> Option<Quantity> {
     Some(match part {
         "position" | "positions" => Quantity::Q,

@@ -11,11 +11,11 @@ use crate::data::log::{BadCell, Block, ChannelSummary, LogError, Table};
 /// Recorded time that is looked through for topics and joints, ns.
 const PREVIEW_TIME: i64 = 3_000_000_000;
 /// Messages and bytes that are looked through at most.
-const PREVIEW: (usize, usize) = (20_000, 32 << 20);
+const PREVIEW: (usize, usize) = (20_000, 8 << 20);
 /// Messages that may be damaged before the recording is refused.
 const MOST_DAMAGED: usize = 100;
 
-/// A message as it was recorded.
+/// A message of the recording.
 pub struct Message {
     /// Topic.
     pub topic: String,
@@ -36,7 +36,7 @@ pub trait Messages {
     /// Type and definition of a topic's messages.
     fn definition(&self, topic: &str) -> Option<(&str, &str)>;
 
-    /// What was passed over: topics that can't be decoded, an end that is missing.
+    /// Skipped parts: topics that can't be decoded, an end that is missing.
     fn passed_over(&self) -> Vec<String>;
 }
 
@@ -45,7 +45,7 @@ struct Topic {
     definition: Definition,
     names: Vec<String>,
     signature: u64,
-    /// Where the numbers that are read stand in a message; `None`: not there in the last message.
+    /// Positions in a message of the numbers that are read; `None`: absent in the last message.
     wanted: Vec<(usize, Option<usize>)>,
     /// Index in the aligner; `None`: the base.
     stream: Option<usize>,

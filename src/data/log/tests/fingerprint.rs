@@ -2,8 +2,7 @@
 
 use super::*;
 
-/// Rows made as they are asked for: a noisy motion whose sample `k` depends on `seed` and `k`
-/// alone.
+/// Rows made on request: a noisy motion whose sample `k` depends on `seed` and `k` alone.
 struct Endless {
     layout: Layout,
     next: u64,
@@ -123,4 +122,16 @@ fn a_copy_with_fewer_digits_is_found() {
     let [fine, coarse] = [prints[0], prints[1]]
         .map(|print| fingerprint_of(&mut Printed { inner: Endless::new(1, 0..30_000, 1), print }));
     assert!(matches!(fine.common(&coarse), Some(Common::Rounded(_))));
+}
+
+#[test]
+fn copies_are_recognised_in_a_hundredth_of_the_memory() {
+    let mut minute = fingerprint(Endless::new(1, 0..60_000, 1));
+    let mut copy = fingerprint(Endless::new(1, 0..60_000, 1));
+    let mut part = fingerprint(Endless::new(1, 20_000..50_000, 1));
+    let mut other = fingerprint(Endless::new(2, 0..60_000, 1));
+    [&mut minute, &mut copy, &mut part, &mut other].into_iter().for_each(|print| print.shrink(1 << 10));
+    assert_eq!(minute.common(&copy), Some(Common::All));
+    assert!(matches!(minute.common(&part), Some(Common::Stretch(s)) if (s - 30.0).abs() < 1.0));
+    assert_eq!(minute.common(&other), None);
 }

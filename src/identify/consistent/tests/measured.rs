@@ -42,7 +42,7 @@ fn fits((robot, arm): &(Robot, Interpreted), fit: Factors, validate: Factors) ->
     let found = solve(arm, &fit, &validate, &IdentifySettings::default()).unwrap();
     let known: Vec<Option<[f64; 10]>> = robot.links.iter().map(|l| l.as_ref().map(|l| l.to_array())).collect();
     let prior = prior_bodies(&known, &geometric_bodies(&arm.ends()));
-    // Held-out errors tell here, not what the fit pays.
+    // Held-out errors decide here, not the cost of the fit.
     let settings = ConsistentSettings { most_cost_percent: 1e3, ..ConsistentSettings::default() };
     let drives = vec![0.0; arm.standard_names().len()];
     let bodies = consistent(arm, &fit, &validate, &found, &prior, &drives, &settings).unwrap();

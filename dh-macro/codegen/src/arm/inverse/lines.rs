@@ -86,7 +86,7 @@ impl Lines {
         norm(cross(a.h, b.h)) <= self.angle
     }
 
-    /// Where two lines that are not parallel come nearest, if that is near enough.
+    /// Nearest point of two lines that are not parallel, if it is near enough.
     pub fn meet(&self, a: &Axis, b: &Axis) -> Option<Vector> {
         if a.slides || b.slides {
             return None;
@@ -106,7 +106,7 @@ impl Lines {
         Some(if self.exact { p } else { scale(0.5, add(p, q)) })
     }
 
-    /// Where three neighbouring lines meet.
+    /// Intersection of three neighbouring lines.
     pub fn meet_of(&self, a: &Axis, b: &Axis, c: &Axis) -> Option<Vector> {
         let (p, q) = (self.meet(a, b)?, self.meet(b, c)?);
         let gap = norm(sub(p, q));

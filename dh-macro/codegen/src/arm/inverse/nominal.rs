@@ -20,7 +20,7 @@ fn towards(axis: Axis, direction: Vector) -> Axis {
 /// Shoulder, elbow and wrist where they are nearly.
 pub(super) fn swivel(a: [Axis; 7], shoulder: Vector, elbow: Vector, wrist: Vector) -> [Axis; 7] {
     let (upper, fore) = (sub(elbow, shoulder), sub(wrist, elbow));
-    // Across both where they are not in line, else as it was, squared.
+    // Across both where they are not in line; otherwise the previous direction, squared.
     let normal = if norm(cross(upper, fore)) > 0.1 * norm(upper) * norm(fore) {
         cross(upper, fore)
     } else {

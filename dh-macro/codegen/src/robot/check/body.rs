@@ -30,9 +30,9 @@ pub(super) fn links(top: &Fields<'_>, rows: usize, to: &mut Findings) -> Vec<Opt
         .collect()
 }
 
-/// `M`, `MS`, `I`; a body that can't be is a problem, unless its values were identified. Where mass
-/// and tensor could each be a body's and only do not go with the first moments, it is a note: data
-/// sheets round, and their tensors are often about another point.
+/// `M`, `MS`, `I`; a body that can't be is a problem, unless its values were identified. It is a
+/// note where mass and tensor could each belong to a body and only contradict the first moments.
+/// Data sheets round, and their tensors are often about another point.
 fn inertia(fields: &Fields<'_>, what: &str, to: &mut Findings) -> Option<Inertia> {
     let (m, ms, i) = (fields.number("M", to), fields.vector("MS", to), fields.vector("I", to));
     let identified = fields.flag("identified", to).unwrap_or(false);

@@ -8,7 +8,7 @@ use super::super::problem::closest;
 use super::super::reader::{Fields, Findings, join};
 use super::super::yaml::{Kind, Mark, Node, Word, shortened};
 
-/// Where an effect is written.
+/// Place of an effect in the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Origin {
     /// A robot file.

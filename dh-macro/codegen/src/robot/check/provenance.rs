@@ -1,4 +1,4 @@
-//! Where a file and its joints come from: read by people, checked for its form.
+//! Source of a file and of its joints: for people to read, checked for its form.
 
 use super::super::JointSource;
 use super::super::reader::{Fields, Findings};

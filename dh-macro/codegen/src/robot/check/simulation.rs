@@ -6,7 +6,7 @@ use super::super::yaml::{self, Kind, Mark, Node, Word, shortened};
 use super::super::{Effect, EffectKind, Effects, JointKind, Note, Robot};
 use super::drive;
 
-/// What such a file says. Every part may be left out.
+/// Content of such a file. Every part may be left out.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SimulationFile {
     /// Effects beyond those of the robot file.
@@ -14,7 +14,7 @@ pub struct SimulationFile {
     /// Of `sensors`, `control`, `solver`: section, key (`torque_noise_color.std` of a mapping) and
     /// value.
     pub settings: Vec<(&'static str, &'static str, Setting)>,
-    /// What the reader did or saw.
+    /// Action or observation of the reader.
     pub notes: Vec<Note>,
 }
 
@@ -29,7 +29,7 @@ pub enum Setting {
     Word(&'static str),
 }
 
-/// What stands behind a key of a section.
+/// Value of a key of a section.
 enum Form {
     Number,
     /// A number, or a list with one for each joint.

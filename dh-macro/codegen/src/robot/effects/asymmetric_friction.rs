@@ -1,4 +1,5 @@
-//! `asymmetric_friction`: `FCA |sign(v)| + FVA |v|`: forward the levels are `FC + FCA`, backward `FC - FCA`.
+//! `asymmetric_friction`: `FCA |sign(v)| + FVA |v|`: forward the levels are `FC + FCA`, backward
+//! `FC - FCA`.
 
 use super::key::{Range, Scope, effect};
 

@@ -1,4 +1,5 @@
-//! `friction_drift`: friction times `1 + DA exp(-t / DT) + DK (temp - T0)`, a factor not less than 0.
+//! `friction_drift`: friction times `1 + DA exp(-t / DT) + DK (temp - T0)`, a factor not less than
+//! 0.
 
 use super::key::{Range, Scope, effect};
 

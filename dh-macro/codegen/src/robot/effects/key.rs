@@ -1,14 +1,14 @@
-//! What an effect's type says of itself: its keys with units, defaults and ranges.
+//! Description of an effect's type: its keys with units, defaults and ranges.
 
-/// Where an effect may stand in a file.
+/// Places in a file where an effect is allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
     /// In `drive` (or `drive.friction`) of one joint.
     Joint,
     /// In `drive` of one joint, or under `effects` at the top of the file: then at every joint.
     EveryJoint,
-    /// In `drive` of one joint, meaning its link, or under `effects` at the top of the file with the
-    /// number of the link.
+    /// In `drive` of one joint, meaning its link, or under `effects` at the top of the file with
+    /// the number of the link.
     Link,
     /// Under `effects` at the top of the file.
     Robot,
@@ -57,7 +57,7 @@ pub struct Range {
     /// An identified value may lie below `least`, but above this: data that hardly show a size may
     /// make it negative.
     pub identified: f64,
-    /// What happens outside, for messages; empty where that is plain.
+    /// Consequence of a value outside, for messages; empty where that is plain.
     pub beyond: &'static str,
 }
 
@@ -98,7 +98,7 @@ impl Range {
         self.holds(value) || (value > self.identified && value < self.least)
     }
 
-    /// What a value must be, in words.
+    /// Condition on a value, in words.
     #[must_use]
     pub fn words(&self, unit: &str) -> String {
         let unit = if unit.is_empty() { String::new() } else { format!(" {unit}") };
@@ -140,18 +140,18 @@ pub struct EffectKey {
 pub struct Description {
     /// Its name in files and diagnoses.
     pub name: &'static str,
-    /// What it is, in a sentence.
+    /// Description in one sentence.
     pub sentence: &'static str,
-    /// Where it may stand.
+    /// Allowed places.
     pub scope: Scope,
     /// Its keys; a bare number is the first.
     pub keys: &'static [EffectKey],
     /// How often the keys may stand: again with 2, 3, ... behind them.
     pub repeats: usize,
-    /// What is added to the torque of the rigid model, the actuator's on the link; `v` is the
-    /// joint's velocity.
+    /// Torque added to that of the rigid model, the actuator's on the link; `v` is the joint's
+    /// velocity.
     pub law: &'static str,
-    /// Where the default magnitudes come from.
+    /// Source of the default magnitudes.
     pub source: &'static str,
 }
 
@@ -187,7 +187,7 @@ impl Description {
 
 /// An effect's type: its description, and its fields by the keys of that.
 pub(super) trait Keys: Default {
-    /// What the type says of itself.
+    /// Description of the type.
     const DESCRIPTION: Description;
 
     /// The value that is stated for a key (index into the description's), of the keys of this

@@ -1,4 +1,5 @@
-//! `load_dependent_friction`: `FL |tau_load| sign(v)`, `FLB` in place of `FL` where the load drives.
+//! `load_dependent_friction`: `FL |tau_load| sign(v)`, `FLB` in place of `FL` where the load
+//! drives.
 
 use super::key::{Range, Scope, effect};
 
@@ -19,7 +20,7 @@ impl LoadDependentFriction {
     }
 }
 
-/// A gear takes energy, and locks where it loses as much as it transmits. From data that hardly show
-/// it an identification may give a small factor of the other sign.
+/// A gear takes energy, and locks where it loses as much as it transmits. From data that hardly
+/// show it an identification may give a small factor of the other sign.
 const EFFICIENCY: Range =
     Range { with_most: false, identified: -1.0, beyond: "beyond, the gear locks", ..Range::within(0.0, 1.0) };

@@ -1,4 +1,4 @@
-//! What is added to measured torques: one law of the vocabulary each, from the measured motion.
+//! Additions to measured torques: one law of the vocabulary each, from the measured motion.
 
 use super::session::{Excerpt, Session, torques};
 use crate::data::log::{Log, Quantity, Role};
@@ -65,8 +65,8 @@ impl Form {
         }
     }
 
-    /// Whether a refit of all base parameters says the same, so that only a fit with the file's
-    /// bodies can tell its size.
+    /// Whether a refit of all base parameters explains the same, so that only a fit with the file's
+    /// bodies can find its size.
     pub(super) fn within_bodies(self) -> bool {
         matches!(self, Self::Payload | Self::Link | Self::Gain)
     }
@@ -92,7 +92,7 @@ impl Form {
     }
 }
 
-/// What was added, with its exact label.
+/// The addition, with its exact label.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Added {
     /// Name of the cause.
@@ -187,7 +187,7 @@ impl Addition {
         Some(Self { form, joints, joint, fastest, shape, window: [start, start + contact] })
     }
 
-    /// What size `x` adds to each joint's torque, N m.
+    /// Torque that size `x` adds to each joint, N m.
     pub(super) fn signal(&self, session: &Session, e: &Excerpt, x: f64, first: bool) -> Vec<Vec<f64>> {
         let (dof, len, j) = (session.numeric.dof(), e.states.len, self.joint);
         let mut out = vec![vec![0.0; len]; dof];

@@ -5,7 +5,7 @@ use dh_codegen::robot::Robot;
 
 use crate::apps::paper::ReproduceError;
 use crate::data::log::{Acceptance, Log, Replay};
-use crate::data::signal::{Prepare, PrepareError, each_motion};
+use crate::data::signal::{Filter, Prepare, each_motion, lower_cutoff};
 use crate::identify::{
     AccumulatorSettings, ConsistentSettings, IdentifySettings, QrAccumulator, consistent, nonnegative_drives,
     recover_standard, solve,
@@ -28,18 +28,14 @@ pub(super) fn identified(file: &Robot, logs: &[Log]) -> Result<Robot, ReproduceE
     let arm = Interpreted::new(&robot, &[]);
     let mut factors = Vec::new();
     for log in logs {
-        let mut cutoff = 10.0;
-        loop {
-            let filter = crate::data::signal::Filter { order: 5, cutoff };
-            let prepare =
-                Prepare { filter: Some(filter), adaptive: true, keep: Acceptance::all(), ..Prepare::default() };
+        let (stack, _) = lower_cutoff(10.0, |cutoff| {
+            let filter = Some(Filter { order: 5, cutoff });
+            let prepare = Prepare { filter, adaptive: true, keep: Acceptance::all(), ..Prepare::default() };
             let mut stack = QrAccumulator::new("fit", &arm, AccumulatorSettings::default());
-            match each_motion(&mut Replay::new(log), robot.dof(), &prepare, |motion| stack.absorb(motion)) {
-                Ok(_) => break factors.push(stack.finish()),
-                Err(PrepareError::Cutoff { .. }) if cutoff > 1.0 => cutoff *= 0.6,
-                Err(error) => return Err(error.into()),
-            }
-        }
+            each_motion(&mut Replay::new(log), robot.dof(), &prepare, |motion| stack.absorb(motion))?;
+            Ok(stack)
+        })?;
+        factors.push(stack.finish());
     }
     let prior = param::standard_values(&robot);
     let settings = IdentifySettings { prior: prior.clone(), ..IdentifySettings::default() };

@@ -1,4 +1,4 @@
-//! A fit that knows the form: what the data can tell of a size at all.
+//! A fit of the true form: the size that the data can determine at best.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -33,9 +33,9 @@ fn averages(session: &Session, e: &Excerpt, added: &[Vec<f64>]) -> Averages {
 /// Normal matrix, right-hand side, sum of squares and number of samples of a joint.
 type Equations = (DMatrix<f64>, DVector<f64>, f64, f64);
 
-/// The size that least squares in all base parameters, friction and this form find in the fitted
-/// logs with the addition of size `x`, by `x`: 1 where it is found exactly. With the file's bodies
-/// where a refit of all of them would say the same.
+/// Relative size found by least squares in all base parameters, friction and this form, from the
+/// fitted logs with the addition of size `x`. It is 1 if the size is found exactly. With the file's
+/// bodies where a refit of all of them would say the same.
 pub(super) fn recovered(session: &Session, addition: &Addition, x: f64) -> f64 {
     let dof = session.numeric.dof();
     let base = session.plant.base_parameters();

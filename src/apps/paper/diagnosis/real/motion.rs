@@ -9,8 +9,8 @@ use crate::model::States;
 const HALF: f64 = 0.06;
 const LEAST: usize = 5;
 
-/// States of samples at `t` (s) whose positions are `q`, one row per joint; a segment begins at each
-/// of `starts`.
+/// States of samples at `t` (s) whose positions are `q`, one row per joint; a segment begins at
+/// each of `starts`.
 pub(super) fn states(t: &[f64], q: &[Vec<f64>], starts: &[usize]) -> States {
     let (len, dof) = (t.len(), q.len());
     let mut states = States { len, q: q.concat(), dq: vec![0.0; dof * len], ddq: vec![0.0; dof * len] };
@@ -50,7 +50,7 @@ pub(super) fn segments(starts: &[usize], len: usize) -> Vec<std::ops::Range<usiz
     edges.windows(2).map(|w| w[0]..w[1]).collect()
 }
 
-/// What each neighbour contributes to the linear and the quadratic coefficient of the cubic about
+/// Contribution of each neighbour to the linear and the quadratic coefficient of the cubic about
 /// sample `k`.
 fn slopes(t: &[f64], k: usize, at: &[usize], scale: f64) -> Option<Vec<[f64; 2]>> {
     let powers = |i: usize| {

@@ -141,7 +141,7 @@ impl Session {
         Ok(Self { name, robot, plant, numeric, fit, validate, residual })
     }
 
-    /// Diagnosis of the logs with something added, or as they are.
+    /// Diagnosis of the logs, with an addition or unchanged.
     pub(super) fn diagnose(&self, added: Option<(&Addition, f64)>) -> Result<Diagnosis, ReproduceError> {
         let logs = |excerpts: &[Excerpt], fitted: bool| -> Result<Vec<Recording>, ReproduceError> {
             let log = |(number, e): (usize, &Excerpt)| {

@@ -1,0 +1,29 @@
+//! A robot file checked, exported to URDF, and imported again.
+//!
+//! `cargo run --example import_and_check`
+
+use std::error::Error;
+use std::fs::read_to_string;
+
+use denavit::exchange::{ImportOptions, ModelFormat, export, import};
+use denavit::model::Arm;
+use denavit::model::interpreted::Interpreted;
+use dh_codegen::robot::Robot;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let text = read_to_string(format!("{}/robots/puma560.yaml", env!("CARGO_MANIFEST_DIR")))?;
+    let reading = Robot::from_yaml(&text, &|name| Err(format!("no file {name}")))?;
+    reading.notes.iter().for_each(|note| println!("{note}"));
+    let arm = Interpreted::new(&reading.robot, &[]);
+    for base in arm.base_parameters() {
+        println!("{}", base.grouping);
+    }
+
+    let urdf = export(&reading.robot, ModelFormat::Urdf);
+    let back = import(&urdf.text, &ImportOptions::default())?;
+    println!("{} from {} to {}", back.format, back.base, back.tip);
+    println!("left out: {}", urdf.left_out.join("; "));
+    println!("poses of both differ by {:.0e} m at most", back.error.position);
+    assert!(back.robot.dof() == arm.dof() && back.error.position < 1e-9);
+    Ok(())
+}

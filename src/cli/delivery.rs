@@ -1,0 +1,73 @@
+//! Outputs of a result: files, page, JSON and text, in one way for all verbs.
+
+use std::path::PathBuf;
+
+use serde_json::Value;
+
+use super::Failure;
+use super::files;
+use super::provenance::Provenance;
+
+/// Outputs that are being delivered. The text is printed unless another output goes to standard
+/// output.
+pub(super) struct Delivery<'a> {
+    provenance: &'a Provenance,
+    on_stdout: bool,
+    written: Vec<PathBuf>,
+}
+
+/// Begins the outputs of a result with this provenance.
+pub(super) fn deliver(provenance: &Provenance) -> Delivery<'_> {
+    Delivery { provenance, on_stdout: false, written: Vec::new() }
+}
+
+impl Delivery<'_> {
+    /// Writes a file, if it was named.
+    pub(super) fn file<B: AsRef<[u8]>>(
+        self,
+        path: Option<&PathBuf>,
+        content: impl FnOnce() -> B,
+    ) -> Result<Self, Failure> {
+        self.try_file(path, || Ok(content()))
+    }
+
+    /// Writes a file whose content can fail.
+    pub(super) fn try_file<B: AsRef<[u8]>>(
+        mut self,
+        path: Option<&PathBuf>,
+        content: impl FnOnce() -> Result<B, Failure>,
+    ) -> Result<Self, Failure> {
+        if let Some(path) = path {
+            files::write(path, content()?.as_ref())?;
+            self.wrote(path);
+        }
+        Ok(self)
+    }
+
+    /// Notes a file that was written already.
+    pub(super) fn wrote(&mut self, path: &PathBuf) {
+        self.on_stdout |= files::is_stdout([path]);
+        self.written.push(path.clone());
+    }
+
+    /// Writes the JSON, if it was asked for.
+    pub(super) fn json(mut self, path: Option<&PathBuf>, value: impl FnOnce() -> Value) -> Result<Self, Failure> {
+        if let Some(path) = path {
+            files::json(path, value(), self.provenance)?;
+            self.on_stdout |= files::is_stdout([path]);
+        }
+        Ok(self)
+    }
+
+    /// Prints the text, then the names of the files.
+    pub(super) fn text(self, text: impl FnOnce() -> String) -> Result<(), Failure> {
+        let written = self.written.iter().map(|path| format!("wrote {}\n", path.display()));
+        let written: String = written.collect();
+        self.only_text(|| text() + &written)
+    }
+
+    /// Prints the text alone.
+    pub(super) fn only_text(self, text: impl FnOnce() -> String) -> Result<(), Failure> {
+        if self.on_stdout { Ok(()) } else { files::print(&text()) }
+    }
+}

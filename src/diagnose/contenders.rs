@@ -1,0 +1,115 @@
+//! Models among which one is offered: with the file's links, with all base parameters refitted, and
+//! the plain refit beside which both have to hold on each validating log.
+
+use super::excess::{by_log, excess, with_excess};
+use super::measure::Meter;
+use super::model::{Fitted, Mode, ModelUnderTest};
+use super::model_choice::LeftOut;
+use super::recording::Recording;
+use super::refine_and_select::{Case, Settled};
+use super::result::Errors;
+use super::run::{DiagnoseError, Settings};
+use super::structure::{Structure, structure};
+use crate::identify::ConsistentError;
+use crate::model::PerturbableArm;
+
+/// A refit of all base parameters and friction, without any further cause: what remains is
+/// structure.
+pub(super) struct Refit<'a> {
+    pub(super) bench: ModelUnderTest<'a>,
+    /// Errors on stretches of the fitted logs that are left out in turn.
+    pub(super) left_out: LeftOut,
+    pub(super) errors: Errors,
+    /// Errors on each validating log, where joints move, N m; empty without such logs.
+    by_log: Vec<Vec<f64>>,
+}
+
+impl<'a> Refit<'a> {
+    pub(super) fn new(
+        plant: &'a dyn PerturbableArm,
+        fit: &'a [Recording],
+        validate: &'a [Recording],
+        own_validation: bool,
+        settings: &Settings,
+    ) -> Result<Self, DiagnoseError> {
+        let mut bench = ModelUnderTest::new(plant, fit, settings.rate, Mode::Refitted, &plant.delays(), false);
+        let (plain, left_out) = plainly(&mut bench)?;
+        let after = Meter::new(plant, validate, &bench).of(&bench, &plain, &[], true);
+        let fitted = Meter::new(plant, fit, &bench).of(&bench, &plain, &[], false).rms;
+        let by_log = if own_validation { by_log(plant, validate, &bench, &plain, &[]) } else { Vec::new() };
+        let errors = Errors { fit: fitted, validate: after.rms, moving: after.steady };
+        Ok(Self { bench, left_out, errors, by_log })
+    }
+}
+
+/// The fit without a cause, inside what is possible where that can be, and its errors on left-out
+/// stretches.
+fn plainly(refit: &mut ModelUnderTest<'_>) -> Result<(Fitted, LeftOut), DiagnoseError> {
+    let plain = refit.fit(&mut []);
+    Ok(match refit.possible(&mut [], &plain) {
+        Ok(possible) => {
+            let out = refit.possible_left_out(&[], &possible)?;
+            (possible, out)
+        }
+        // A refit that no arm can have is a yardstick; it is not offered.
+        Err(_) => {
+            let out = refit.left_out(&[], &plain);
+            (plain, out)
+        }
+    })
+}
+
+impl<'a> Case<'a> {
+    /// Part of a model's residual that is not noise. `torque`: root mean square of each joint's, N
+    /// m.
+    pub(super) fn left(&self, model: &Settled<'_>, torque: &[f64]) -> Vec<Structure> {
+        let found = structure(&model.bench.scene, &model.fitted.residual, self.noise, torque);
+        with_excess(found, excess(model, self.noise))
+    }
+
+    /// The models that were searched and hold, and sentences on those that do not.
+    pub(super) fn models(
+        &self,
+        has_links: bool,
+        refit: &Refit<'_>,
+        torque: &[f64],
+    ) -> Result<(Vec<Settled<'a>>, Vec<String>), ConsistentError> {
+        let (mut models, mut said) = (Vec::new(), Vec::new());
+        if has_links {
+            (self.progress)("the file's links unchanged");
+            models.push(self.searched(Mode::Trusted)?);
+        }
+        let refit_is_better = |m: &Settled<'_>| refit.left_out.less(&m.left_out, self.ground).worth_refit();
+        if !models.iter().any(|m| self.left(m, torque).is_empty() && !refit_is_better(m)) {
+            (self.progress)("all base parameters refitted");
+            match self.searched(Mode::Refitted) {
+                Ok(model) => models.push(model),
+                Err(error) => said.push(format!("Refitted parameters are not offered: {error}.")),
+            }
+        }
+        if self.own_validation {
+            models.retain(|model| match self.fails_on(model, refit) {
+                Some(sentence) => {
+                    said.push(sentence);
+                    false
+                }
+                None => true,
+            });
+            if models.is_empty() {
+                models.extend(self.plain().ok());
+            }
+        }
+        Ok((models, said))
+    }
+
+    /// Says so where a model with further causes errs more than a plain refit on a validating log.
+    /// Logs of different robots refute no model.
+    fn fails_on(&self, model: &Settled<'_>, refit: &Refit<'_>) -> Option<String> {
+        let logs = self.worse_on(model, &refit.by_log);
+        let holds = model.accepted.is_empty() || logs.is_empty() || !self.changed(model, self.noise).is_empty();
+        (!holds).then(|| {
+            let (count, logs) = (model.accepted.len(), logs.join(", "));
+            format!("A model with {count} further causes errs more than a plain refit on {logs}, and is not offered.")
+        })
+    }
+}
