@@ -11,6 +11,7 @@
 
 mod attribution;
 mod baseline_friction;
+mod beside;
 mod calibration;
 mod candidate;
 mod contenders;
@@ -20,6 +21,7 @@ mod excess;
 mod hypotheses;
 mod impacts;
 mod judge;
+mod likelihood;
 mod links;
 mod maps;
 mod measure;

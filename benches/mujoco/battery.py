@@ -38,6 +38,9 @@ RATES = [30, 60, 100, 200, 500, 1000]
 STEP = 1e-3
 # Standard deviation of the torque's noise by the joint's torque limit.
 NOISE = 1e-3
+# MuJoCo's dry friction is a steep viscous law up to some speed: 0.08 rad/s with its defaults, which a diagnosis rightly
+# finds where it should find nothing. This is as hard as the step allows.
+HARD = "solreffriction='0.002 1' solimpfriction='0.999 0.9999 0.001'"
 
 
 def number(value, constants):
@@ -143,7 +146,7 @@ def model(arm, effect=None, j=0, x=0.0):
             if effect == "joint_spring":
                 spring = f" stiffness='{x}' springref='{math.degrees(0.3)}'"
         lines.append(f"<body name='b{i}' pos='{position}' quat='{quat}'>")
-        lines.append(f"<joint name='j{i}' type='hinge' axis='0 0 1' damping='{damping}' frictionloss='{loss}' armature='{armature}'{spring}/>")
+        lines.append(f"<joint name='j{i}' type='hinge' axis='0 0 1' damping='{damping}' frictionloss='{loss}' armature='{armature}' {HARD}{spring}/>")
         if soft and i == j:
             if effect == "backlash":
                 lines.append(f"<joint name='gap' type='hinge' axis='0 0 1' damping='{0.1 * row['FV']}' limited='true' range='{-math.degrees(x / 2)} {math.degrees(x / 2)}' solreflimit='0.004 1'/>")

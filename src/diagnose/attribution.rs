@@ -33,12 +33,13 @@ pub(super) struct Attribution<'a> {
 
 impl Attribution<'_> {
     /// An item as a cause of the result: errors without it and with it, `on` the fitted logs
-    /// (`fit`) or the validating ones (`validate`).
+    /// (`fit`) or the validating ones (`validate`). Where it is measured on the fitted logs since
+    /// its joints differ on the others, the share that it takes there, `far`, counts half.
     pub(super) fn weigh(
         &self,
         item: &Item,
-        without: &Measured,
-        with: &Measured,
+        [without, with]: [&Measured; 2],
+        far: Option<f64>,
         interval: [f64; 2],
         on: &'static str,
     ) -> Cause {
@@ -59,7 +60,8 @@ impl Attribution<'_> {
             .collect();
         let elsewhere = elsewhere.iter().map(|p| format!("; the same {} would explain nearly as much", place_of(p)));
         let recurrence = self.recurrence(item);
-        let features = Features { support, margin, share: part, recurrence };
+        let counted = far.map_or(part, |far| 0.5 * (part + far));
+        let features = Features { support, margin, share: counted, recurrence };
         Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),

@@ -19,7 +19,7 @@ const ABOUT_REVERSALS: f64 = 2.5;
 
 /// Error on the validating logs by that on the worst left-out stretch of the fitted ones, above
 /// which the logs may be of different robots.
-const CHANGED: f64 = 1.6;
+pub(super) const CHANGED: f64 = 1.6;
 
 /// The same of one model that is fitted to all logs, above which they are.
 const APART: f64 = 1.3;

@@ -3,6 +3,7 @@
 //! large enough to matter beside the noise.
 
 use super::candidate::{logs, unknowns};
+use super::likelihood::gain as autoregressive_gain;
 use super::model::{Chosen, Fitted, ModelUnderTest};
 use super::moments::Solution;
 use super::search::SearchSettings;
@@ -82,9 +83,25 @@ impl Judge<'_> {
         joints.into_iter().any(|j| b.nearly_all(&a, j, NEARLY))
     }
 
+    /// Twice the gain in log-likelihood, in independent windows, less the cost of the unknowns and of
+    /// the choice; `None` where it is not enough. [`THROUGHOUT`] where correlated windows count for
+    /// too few and the errors of stretches, or innovations, decide.
+    fn support(&self, before: &Fitted, after: &Fitted, trial: &[Chosen], unknowns: f64) -> Option<f64> {
+        let counts = &before.solution.counts;
+        let windows = || counts.iter().zip(&after.memory).map(|(n, m)| n / m);
+        let gain: f64 = logs(&before.solution.rss, &after.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();
+        let independent: f64 = windows().sum();
+        let cost = unknowns * independent.max(2.0).ln() + 2.0 * (self.tried as f64).ln() + 6.0;
+        if gain > cost {
+            return Some(gain - cost);
+        }
+        let stands_out = || autoregressive_gain(&before.residual, &after.residual, &self.bench.scene.live) > cost;
+        (self.throughout(before, after, trial) || stands_out()).then_some(THROUGHOUT)
+    }
+
     /// Whether the last of `trial` is worth having.
     pub(super) fn judge(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> Option<Accepted> {
-        let Self { bench, settings, accepted, tried, .. } = *self;
+        let Self { bench, settings, accepted, .. } = *self;
         let last = trial.last()?;
         let terms = after.terms.last()?;
         let Chosen { cause, place, shape, x } = last;
@@ -95,21 +112,7 @@ impl Judge<'_> {
             return None;
         }
         let counts = &before.solution.counts;
-        let independent: f64 = counts.iter().zip(&after.memory).map(|(n, m)| n / m).sum();
-        let gain: f64 = logs(&before.solution.rss, &after.solution.rss)
-            .zip(counts.iter().zip(&after.memory))
-            .map(|(l, (n, m))| l * n / m)
-            .sum();
-        let cost = unknowns(last.cause, &last.shape, terms.len()) * independent.max(2.0).ln()
-            + 2.0 * (tried as f64).ln()
-            + 6.0;
-        let mut support = gain - cost;
-        if support <= 0.0 {
-            if !self.throughout(before, after, trial) {
-                return None;
-            }
-            support = THROUGHOUT;
-        }
+        let support = self.support(before, after, trial, unknowns(*cause, shape, terms.len()))?;
         // Large enough beside the noise, on some joint?
         let taken = variance_taken(before, after);
         let size = |j: usize| if counts[j] > 0.0 { before.solution.rss[j] / counts[j] } else { 0.0 };

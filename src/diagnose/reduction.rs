@@ -2,6 +2,7 @@
 //! stretches.
 
 use super::judge::{Accepted, SURE, adopt, chosen_of};
+use super::likelihood::gain;
 use super::measure::reduced;
 use super::model::{Fitted, Mode, ModelUnderTest, given_friction, local};
 use super::uncertainty::Uncertainty;
@@ -147,7 +148,10 @@ pub(super) fn fix_friction(bench: &mut ModelUnderTest<'_>, accepted: &mut [Accep
                 // the limits ends at zero.
                 let file = given[j][which].unwrap_or(0.0);
                 let drives = which < 2 && file <= 0.0 && file + value < 0.0;
-                let sure = if std > 0.0 { value.abs() / std } else { 0.0 };
+                let mut sure = if std > 0.0 { value.abs() / std } else { 0.0 };
+                if sure < SURE && effect >= 0.2 * noise[j] && !small && !drives {
+                    sure = sure.max(beside_slow(bench, &fitted, at));
+                }
                 if (sure < SURE || effect < 0.2 * noise[j] || small || drives) && least.is_none_or(|(_, s)| sure < s) {
                     least = Some((k, sure));
                 }
@@ -164,6 +168,18 @@ pub(super) fn fix_friction(bench: &mut ModelUnderTest<'_>, accepted: &mut [Accep
     }
     adopt(accepted, &chosen);
     fitted
+}
+
+/// Standard deviations from 0 of an unknown where errors are autoregressive.
+fn beside_slow(bench: &ModelUnderTest<'_>, fitted: &Fitted, at: usize) -> f64 {
+    let inverse = &fitted.solution.inverse;
+    let own = inverse[(at, at)];
+    if own <= 0.0 {
+        return 0.0;
+    }
+    // The solution with this unknown at 0.
+    let x = &fitted.solution.x - inverse.column(at) * (fitted.solution.x[at] / own);
+    gain(&fitted.moments.residual(&x), &fitted.residual, &bench.scene.live).max(0.0).sqrt()
 }
 
 /// If all base parameters are unknown so is friction. Terms that went back to the file's values

@@ -1,9 +1,11 @@
 //! From what a search found to a model that holds on data which were not used; and which of several
 //! such models is offered.
 
+use super::beside::{Beside, Without};
+use super::contenders::Refit;
 use super::evidence;
 use super::judge::{Accepted, adopt, chosen_of};
-use super::measure::{Measured, Meter, bootstrap, here, leave_out, matters, taken_of, takes};
+use super::measure::{Measured, Meter, matters, taken_of, takes};
 use super::model::{Fitted, Mode, ModelUnderTest};
 use super::result::{Cause, Offered};
 use super::run::Settings;
@@ -94,7 +96,7 @@ impl<'a> Case<'a> {
     }
 
     /// The unchanged file.
-    fn file(&self) -> Result<Settled<'a>, ConsistentError> {
+    pub(super) fn file(&self) -> Result<Settled<'a>, ConsistentError> {
         let mut bench = self.bench(Mode::Trusted);
         bench.frozen.iter_mut().for_each(|f| *f = true);
         let fitted = bench.fit(&mut []);
@@ -140,15 +142,8 @@ impl<'a> Case<'a> {
             let [mut far, mut near] = [self.validate, self.fit].map(|data| Meter::new(self.plant, data, &bench));
             let after = far.of(&bench, &fitted, &chosen, true);
             let after_fit = near.of(&bench, &fitted, &chosen, false);
-            let others: Vec<([f64; 2], Measured)> = items
-                .iter()
-                .map(|item| {
-                    let here = here(item, &after);
-                    let (meter, with) = if here { (&mut near, &after_fit) } else { (&mut far, &after) };
-                    let without = leave_out(self.plant, self.fit, meter, &mut bench, &chosen, item, !here);
-                    (bootstrap(&without, with, &item.place), without)
-                })
-                .collect();
+            let mut beside = Beside { case: self, far, near, after: &after, after_fit: &after_fit };
+            let others: Vec<Without> = items.iter().map(|item| beside.without(&mut bench, &chosen, item)).collect();
             fitted = without(&mut bench, &mut accepted, &[]);
             fitted = inside(&mut bench, &mut accepted, &fitted)?;
             let weighing = Attribution {
@@ -164,19 +159,23 @@ impl<'a> Case<'a> {
             let causes: Vec<Cause> = items
                 .iter()
                 .zip(&others)
-                .map(|(item, (interval, without))| {
-                    let (with, on) = if here(item, &after) { (&after_fit, "fit") } else { (&after, "validate") };
-                    weighing.weigh(item, without, with, *interval, on)
+                .map(|(item, other)| {
+                    let (with, on) = if other.near { (&after_fit, "fit") } else { (&after, "validate") };
+                    weighing.weigh(item, [&other.measured, with], other.far_share, other.interval, on)
                 })
                 .collect();
             // A cause that loses on data that was not used is no cause, and not in the model.
             let holds = |i: usize| {
-                let (without, with) = (&others[i].1.steady, &after.steady);
+                let (without, with) = (&others[i].alike(&after), &after.steady);
                 taken_of(without, with, self.scale) > 0.0 && matters(without, with, self.noise, self.motion)
             };
-            // A cause that acts in a part of a log must still stand out beside everything else.
-            let out = |i: usize| takes(&others[i].1.rms, &after_fit.rms, self.settings.search.least_gain);
-            let stands = |i: usize| !items[i].hypothesis.local() || causes[i].share >= LOCAL_SHARE && out(i);
+            // A cause that acts in a part of a log, or on joints that differ between the logs, must
+            // still stand out beside everything else.
+            let out = |i: usize| takes(&others[i].measured.rms, &after_fit.rms, self.settings.search.least_gain);
+            let stands = |i: usize| match items[i].hypothesis.local() {
+                true => causes[i].share >= LOCAL_SHARE && out(i),
+                false => !others[i].differs(&items[i].place) || out(i),
+            };
             let failed: Vec<usize> =
                 (0..causes.len()).filter(|&i| if causes[i].on == "fit" { !stands(i) } else { !holds(i) }).collect();
             if failed.is_empty() || round >= 3 {
@@ -195,14 +194,14 @@ impl<'a> Case<'a> {
 
     /// Choice of the offered model, by its predictions of stretches of the fitted logs that are
     /// left out in turn; and the reason. `models`: with the file's links, with all base parameters
-    /// refitted, either or both; `file`, `refit`: errors of the unchanged file and of a plain
-    /// refit.
+    /// refitted, either or both; `file`: errors of the unchanged file.
     pub(super) fn choose(
         &self,
         models: Vec<Settled<'a>>,
         file: &LeftOut,
-        refit: &LeftOut,
+        refitted: &Refit<'_>,
     ) -> Result<(Offered, Vec<String>, Settled<'a>), ConsistentError> {
+        let refit = &refitted.left_out;
         let [mut believing, mut free] = [None, None];
         for model in models {
             match model.bench.mode {
@@ -220,19 +219,7 @@ impl<'a> Case<'a> {
             ));
             free = Some(self.plain()?);
         }
-        let mut model = match (believing, free) {
-            (Some(few), Some(all)) if all.left_out.less(&few.left_out, self.ground).worth_refit() => {
-                said.push(self.says(
-                    "all base parameters refitted predict better than the file's links with further causes",
-                    &all.left_out,
-                    &few.left_out,
-                ));
-                all
-            }
-            (Some(few), _) => few,
-            (None, Some(all)) => all,
-            (None, None) => self.file()?,
-        };
+        let mut model = self.better_links(believing, free, refitted, &mut said)?;
         let refitted = model.bench.mode == Mode::Refitted;
         let changed = refitted || !model.accepted.is_empty() || model.bench.frozen.iter().any(|f| !f);
         let mut offered = match (changed, refitted && model.accepted.is_empty()) {
@@ -257,6 +244,39 @@ impl<'a> Case<'a> {
         let mut why = std::mem::take(&mut model.why);
         why.extend(said);
         Ok((offered, why, model))
+    }
+
+    /// The file's links with further causes, or all base parameters refitted with further causes.
+    fn better_links(
+        &self,
+        believing: Option<Settled<'a>>,
+        free: Option<Settled<'a>>,
+        refit: &Refit<'_>,
+        said: &mut Vec<String>,
+    ) -> Result<Settled<'a>, ConsistentError> {
+        Ok(match (believing, free) {
+            (Some(few), Some(all)) if all.left_out.less(&few.left_out, self.ground).worth_refit() => {
+                said.push(self.says(
+                    "all base parameters refitted predict better than the file's links with further causes",
+                    &all.left_out,
+                    &few.left_out,
+                ));
+                all
+            }
+            (Some(few), Some(all))
+                if self.worse_than(&few, refit) && !few.left_out.less(&all.left_out, self.ground).sure() =>
+            {
+                said.push(self.says(
+                    "all base parameters refitted predict as well as the file's links with further causes, and err less on a validating log",
+                    &all.left_out,
+                    &few.left_out,
+                ));
+                all
+            }
+            (Some(few), _) => few,
+            (None, Some(all)) => all,
+            (None, None) => self.file()?,
+        })
     }
 
     fn says(&self, what: &str, a: &LeftOut, b: &LeftOut) -> String {

@@ -206,7 +206,7 @@ fn once(
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
     let case = Case { plant, fit, validate, own_validation, noise: &noise, motion, ground, scale, settings, progress };
     let (models, said) = case.models(has_links, &refit, &torque_rms)?;
-    let (offered, mut why, settled) = case.choose(models, &file_out, &refit.left_out)?;
+    let (offered, mut why, settled) = case.choose(models, &file_out, &refit)?;
     why.extend(said);
     let changed = if own_validation { case.changed(&settled, &noise) } else { Vec::new() };
     let left = case.left(&settled, &torque_rms);

@@ -41,6 +41,9 @@ impl Default for SearchSettings {
 /// second.
 const SLOW: f64 = 10.0;
 
+/// Candidates that are tried, the best first, wherever they act.
+const BEST: usize = 4;
+
 /// Whether what is left of one of these joints is slow.
 fn slow(fitted: &Fitted, joints: &[usize]) -> bool {
     joints.iter().any(|&j| fitted.memory[j] > SLOW)
@@ -66,7 +69,7 @@ pub fn search(
         sparest_first(&mut ranked, bench, &chosen, &fitted);
         let tried = ranked.len().max(1);
         let mut taken = None;
-        for (rank, candidate) in ranked.iter().take(4).enumerate() {
+        for (rank, candidate) in in_turn(&ranked) {
             let mut trial = chosen.clone();
             trial.push(candidate.chosen());
             let delays = bench.scene.delays.clone();
@@ -128,6 +131,19 @@ pub fn search(
     stepwise_exchange(bench, &mut accepted, &mut fitted, noise, settings);
     simplify(bench, &mut accepted, &mut fitted);
     accepted
+}
+
+/// The order in which candidates are tried: the best, then the best of each further joint. What is
+/// slow and large on one joint says nothing of the others.
+fn in_turn(ranked: &[Candidate]) -> Vec<(usize, &Candidate)> {
+    let mut order: Vec<(usize, &Candidate)> = ranked.iter().enumerate().take(BEST).collect();
+    for (rank, candidate) in ranked.iter().enumerate().skip(BEST) {
+        let new = order.iter().all(|(_, known)| known.place.first() != candidate.place.first());
+        if new && candidate.score > 0.0 {
+            order.push((rank, candidate));
+        }
+    }
+    order
 }
 
 /// Bodies that are one body, delays that are one delay, and laws that are a simpler one.

@@ -162,7 +162,12 @@ impl Session {
                 let range = if which == 0 { 0..middle } else { middle..e.log.len() };
                 recording("half", &rows(&e.log, range), self.plant.dof())
             };
-            let logs: Vec<Recording> = self.fit.iter().chain(&self.validate).map(part).collect::<Result<_, _>>()?;
+            // Half of a short log may have no usable rows.
+            let long = |r: &Result<Recording, ReproduceError>| {
+                !matches!(r, Err(ReproduceError::Prepare(PrepareError::NothingLeft { .. })))
+            };
+            let logs = self.fit.iter().chain(&self.validate).map(part).filter(long);
+            let logs: Vec<Recording> = logs.collect::<Result<_, _>>()?;
             match diagnose::diagnose(&self.plant, &logs, &[], &diagnose::Settings::default(), &|_| {}) {
                 Ok(found) => Ok(Some(found)),
                 Err(DiagnoseError::TooShort { .. }) => Ok(None),
