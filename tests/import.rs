@@ -208,6 +208,59 @@ fn every_refusal_says_what_where_and_how_to_go_on() {
     assert!(unknown.contains("no link `flang`") && unknown.contains("flange"), "{unknown}");
 }
 
+#[test]
+fn a_link_with_two_parents_is_a_loop_wherever_it_hangs() {
+    let hung = |parents: [&str; 2]| {
+        let joint = |parent: &str, k: usize| {
+            format!(
+                "<joint name=\"strut{k}\" type=\"fixed\"><parent link=\"{parent}\"/><child link=\"strut\"/></joint>"
+            )
+        };
+        let more = format!("<link name=\"strut\"/>{}{}</robot>", joint(parents[0], 1), joint(parents[1], 2));
+        import(&ARM.replacen("</robot>", &more, 1), &gripping("flange"))
+    };
+    for parents in [["base", "l3"], ["l3", "base"], ["l1", "finger"]] {
+        let said = hung(parents).unwrap_err().to_string();
+        assert!(said.contains("`strut1` and `strut2` both move the link `strut`: a closed loop"), "{said}");
+    }
+}
+
+#[test]
+fn orientations_as_quaternions_are_those_of_angles() {
+    let angles = ARM.replacen("rpy=\"1.5707963267948966 0 0\"", "rpy=\"0.3 -0.4 1.2\"", 1);
+    let [(sr, cr), (sp, cp), (sy, cy)] = [0.3f64, -0.4, 1.2].map(|a| (0.5 * a).sin_cos());
+    let q = [
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+        cr * cp * cy + sr * sp * sy,
+    ];
+    let q = q.map(|c| (2.0 * c).to_string()).join(" ");
+    let quaternion = angles.replacen("rpy=\"0.3 -0.4 1.2\"", &format!("quat_xyzw=\"{q}\""), 1);
+    let [a, b] = [&angles, &quaternion].map(|text| Numeric::new(&import(text, &gripping("flange")).unwrap().robot));
+    let mut random = Random::new(3);
+    let at = random.vector(a.dof(), 2.0);
+    assert!((a.tool(&at) - b.tool(&at)).amax() < 1e-12);
+    let none = angles.replacen("rpy=\"0.3 -0.4 1.2\"", "quat_xyzw=\"0 0 0 0\"", 1);
+    let said = import(&none, &gripping("flange")).unwrap_err().to_string();
+    assert!(said.contains("no length"), "{said}");
+}
+
+#[test]
+fn files_that_no_arm_needs_are_refused_at_once() {
+    let far = ARM.replacen("xyz=\"0 0 0.3\"", "xyz=\"0 0 1e300\"", 1);
+    let attributes: String = (0..100_000).map(|k| format!(" a{k}=\"1\"")).collect();
+    let crowded = ARM.replacen("<link name=\"flange\"/>", &format!("<link name=\"flange\"{attributes}/>"), 1);
+    let long = ARM.replacen("</robot>", &format!("<!--{}--></robot>", "x".repeat(9 << 20)), 1);
+    for (text, words) in [(far, "beyond any arm"), (crowded, "attributes"), (long, "more than the 8388608")] {
+        let said = import(&text, &gripping("flange")).unwrap_err().to_string();
+        assert!(said.contains(words), "{said}");
+    }
+    let model = |body: &str| format!("<mujoco><worldbody><body name=\"a\">{body}<joint/></body></worldbody></mujoco>");
+    let said = import(&model("<geom class=\"steel\" size=\"1\"/>"), &ImportOptions::default()).unwrap_err().to_string();
+    assert!(said.contains("there is no default class `steel`"), "{said}");
+}
+
 /// Files of many makers, beside a checkout.
 fn corpus() -> Option<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/urdf");

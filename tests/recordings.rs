@@ -254,3 +254,26 @@ fn rows_are_the_same_in_groups_of_any_size() {
         assert_eq!(log.columns, columns);
     }
 }
+
+#[test]
+fn stamps_of_parquet_are_seconds_and_packings_are_unpacked_or_named() {
+    for name in ["stamps_gzip.parquet", "stamps_lz4.parquet"] {
+        let log = read(name, &Reading::default()).unwrap();
+        assert_motion(&log, 200, 1e-9);
+    }
+    match read("stamps_zstd.parquet", &Reading::default()) {
+        Ok(log) => assert_motion(&log, 200, 1e-9),
+        Err(error) => assert!(error.to_string().contains("--features parquet-zstd"), "{error}"),
+    }
+}
+
+#[test]
+fn a_damaged_chunk_is_refused_by_its_checksum() {
+    let mut bytes = std::fs::read(path("joint_state_big_endian.mcap")).unwrap();
+    // A digit of a position, so that the message is as long as before.
+    let middle = bytes.len() / 2;
+    bytes[middle] ^= 0x10;
+    let read = open_with("damaged.mcap", &bytes[..], &by_name())
+        .and_then(|mut source| Log::read(&mut *source, Quantity::Tau, Acceptance::all()));
+    assert!(read.unwrap_err().to_string().contains("checksum"));
+}

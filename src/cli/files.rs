@@ -77,10 +77,22 @@ fn refuse_xml(shown: &str, text: &str) -> Result<(), Failure> {
     )))
 }
 
+/// Longest text file, bytes: robot files, models, mappings and motions are held in memory.
+const LONGEST_TEXT: u64 = 64 << 20;
+
 /// Reads a text file.
 pub(super) fn text(path: &Path) -> Result<String, Failure> {
     let mut bytes = Vec::new();
-    open(path)?.read_to_end(&mut bytes).map_err(|e| unreadable(path, &e)).and_then(|_| {
+    let read = open(path)?.take(LONGEST_TEXT + 1).read_to_end(&mut bytes);
+    if bytes.len() as u64 > LONGEST_TEXT {
+        return Err(Failure::input(format!(
+            "{} has more than {} MiB; robot files, models, mappings and motions are held in memory: name the right file, or \
+             shorten it",
+            path.display(),
+            LONGEST_TEXT >> 20
+        )));
+    }
+    read.map_err(|e| unreadable(path, &e)).and_then(|_| {
         String::from_utf8(bytes).map_err(|e| {
             Failure::input(format!(
                 "{}: byte {} is not UTF-8 text; save the file as UTF-8",

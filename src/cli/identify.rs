@@ -532,6 +532,8 @@ impl Identify {
             read.prepared.push(warned(path, log));
             let factors = if purpose == Purpose::Fit { &mut read.fit } else { &mut read.validate };
             factors.push(stack.finish());
+            let share = MOST_BATCHES / (read.fit.len() + read.validate.len());
+            read.fit.iter_mut().chain(&mut read.validate).for_each(|log| log.shrink(share));
         }
         Ok(read)
     }
@@ -657,6 +659,10 @@ impl Solved {
         warnings
     }
 }
+
+/// Batches of each joint that are kept at most, of all logs together: 50 MB for seven joints. Four
+/// logs keep all of theirs.
+const MOST_BATCHES: usize = 256;
 
 /// Result of the first pass over the logs.
 #[derive(Default)]

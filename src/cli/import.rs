@@ -1,7 +1,6 @@
 //! `denavit import`: a robot file from a URDF or MJCF model.
 
-use std::io::Read;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
@@ -51,10 +50,10 @@ pub(super) struct Import {
 
 impl Import {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
-        let from_input = self.file == Path::new("-");
+        let from_input = files::is_stdin(&self.file);
         let read: &[PathBuf] = if from_input { &[] } else { std::slice::from_ref(&self.file) };
         files::check_outputs(&[("--out", &self.out), ("--json", &self.json)], read)?;
-        let text = if from_input { input()? } else { files::text(&self.file)? };
+        let text = files::text(&self.file)?;
         let shown = if from_input { "standard input".to_string() } else { self.file.display().to_string() };
         let made = import(&text, &self.options()?).map_err(|e| Failure::input(e.in_file(&shown)))?;
         let provenance = provenance.model(&shown, &text);
@@ -85,13 +84,6 @@ impl Import {
         (options.at, options.at_zero) = held(&self.at)?;
         Ok(options)
     }
-}
-
-/// All of standard input.
-fn input() -> Result<String, Failure> {
-    let mut bytes = Vec::new();
-    std::io::stdin().lock().read_to_end(&mut bytes).map_err(|e| Failure::input(format!("standard input: {e}")))?;
-    String::from_utf8(bytes).map_err(|_| Failure::input("standard input is not UTF-8 text"))
 }
 
 /// `joint=value` of all `--at`, and whether one is `zero`.

@@ -43,6 +43,9 @@ struct Entry {
 /// Rows by which logs are recognised, of all of them: 34 MB.
 const MOST_ROWS: usize = 1 << 19;
 
+/// Most logs of a command: each has its own factors, some 0.4 MB.
+const MOST_LOGS: usize = 200;
+
 /// The logs that were read so far.
 #[derive(Default)]
 pub(super) struct Logbook {
@@ -79,6 +82,11 @@ impl Logbook {
         prepare: &Prepare,
         sink: impl FnMut(&Motion),
     ) -> Result<Result<Prepared, PrepareError>, Failure> {
+        if self.entries.len() >= MOST_LOGS {
+            return Err(Failure::input(format!(
+                "more than {MOST_LOGS} logs: join recordings in one file, numbered in a column `seg`"
+            )));
+        }
         let Recognised { mut prepared, sha256, fingerprint } = recognised_pass(path, dof, prepare, sink)?;
         if let Ok(prepared) = &mut prepared {
             if purpose == Purpose::Validate {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::ImportError;
 use super::import::ImportOptions;
-use super::tree::{Tree, TreeJointKind};
+use super::tree::{Tie, Tree, TreeJointKind};
 
 /// The serial arm in a tree.
 #[derive(Debug, Clone, PartialEq)]
@@ -44,8 +44,8 @@ impl Chain {
                 format!("links with most moving joints above them: {}", candidates(tree, base_root(tree)).join(", ")),
             ));
         }
-        loops(tree, &path)?;
         let carried_by = carriers(tree, base, &moving);
+        loops(tree, &path, &carried_by)?;
         let mut chain = Self { base, tip, moving, carried_by, held: Vec::new(), positions: Vec::new() };
         chain.hold(tree, options)?;
         Ok(chain)
@@ -188,13 +188,18 @@ fn carriers(tree: &Tree, base: usize, moving: &[usize]) -> Vec<Option<usize>> {
 
 /// Refuses joints of the chain that a serial arm does not have.
 fn serial(tree: &Tree, path: &[usize]) -> Result<(), ImportError> {
-    for &index in path {
+    for (k, &index) in path.iter().enumerate() {
         let joint = &tree.joints[index];
         if let TreeJointKind::Other(kind) = joint.kind {
-            let child = &tree.bodies[joint.child].name;
+            let [parent, child] = [joint.parent, joint.child].map(|b| &tree.bodies[b].name);
+            let other = if path[..k].iter().any(|&j| tree.joints[j].moves()) {
+                format!(", or the part before it: --tip {parent}")
+            } else {
+                String::new()
+            };
             return Err(ImportError::arm(
                 format!("the joint `{}` is {kind}; an arm has joints that turn or slide", joint.name),
-                format!("import the part behind it: --base {child}"),
+                format!("import the part behind it: --base {child}{other}"),
             ));
         }
         if let Some(mimic) = &joint.mimic {
@@ -211,13 +216,20 @@ fn serial(tree: &Tree, path: &[usize]) -> Result<(), ImportError> {
     Ok(())
 }
 
-/// Refuses loops that the arm, or what it carries, is part of.
-fn loops(tree: &Tree, path: &[usize]) -> Result<(), ImportError> {
+/// Refuses loops that the arm is part of: with a body of the chain in them, or bodies that move
+/// against each other when the arm does.
+fn loops(tree: &Tree, path: &[usize], carried_by: &[Option<usize>]) -> Result<(), ImportError> {
     let on_path = |body: &str| {
         path.iter().any(|&j| tree.bodies[tree.joints[j].child].name == body || tree.joints[j].name == body)
     };
-    let tie = tree.ties.iter().find(|tie| tie.bodies.iter().chain(&tie.joints).any(|name| on_path(name)));
-    match tie {
+    // Bodies that do not hang below the base stand still with it.
+    let carrier = |name: &String| tree.body(name).map(|body| carried_by[body].unwrap_or(0));
+    let tied = |tie: &&Tie| {
+        let mut carriers = tie.bodies.iter().filter_map(carrier);
+        let first = carriers.next();
+        tie.bodies.iter().chain(&tie.joints).any(|name| on_path(name)) || carriers.any(|other| Some(other) != first)
+    };
+    match tree.ties.iter().find(tied) {
         Some(tie) => Err(ImportError::arm(
             format!("{}; a DH table describes a serial arm", tie.what),
             "choose --base and --tip beside the loop, or open it in the file",

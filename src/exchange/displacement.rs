@@ -35,6 +35,25 @@ impl Displacement {
         Self { rotation: Matrix3::identity() + k * s + k * k * (1.0 - c), origin: Vector3::zeros() }
     }
 
+    /// From a quaternion `w x y z` of any length; no rotation where that is zero.
+    pub fn quaternion([w, x, y, z]: [f64; 4]) -> Self {
+        let square = w * w + x * x + y * y + z * z;
+        let two = |a: f64, b: f64| 2.0 * a * b / square;
+        Self::new(
+            [
+                [1.0 - two(y, y) - two(z, z), two(x, y) - two(w, z), two(x, z) + two(w, y)],
+                [two(x, y) + two(w, z), 1.0 - two(x, x) - two(z, z), two(y, z) - two(w, x)],
+                [two(x, z) - two(w, y), two(y, z) + two(w, x), 1.0 - two(x, x) - two(y, y)],
+            ],
+            [0.0; 3],
+        )
+    }
+
+    /// Whether the matrix keeps lengths and handedness, to rounding.
+    pub fn is_rotation(&self) -> bool {
+        (self.rotation.determinant() - 1.0).abs() <= 1e-6
+    }
+
     /// `next` is given in this frame: where it is in the frame that this one stands in.
     pub fn then(&self, next: &Self) -> Self {
         Self { rotation: self.rotation * next.rotation, origin: self.rotation * next.origin + self.origin }

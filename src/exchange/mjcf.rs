@@ -49,6 +49,7 @@ pub fn tree(text: &str, snap: &mut Snap) -> Result<Tree, ImportError> {
     }
     reader.actuators(root);
     reader.equalities(root);
+    reader.tendons(root);
     if !reader.found.0.is_empty() {
         reader.found.0.sort_by_key(|problem| (problem.line, problem.column));
         return Err(reader.found.0.into());
@@ -196,8 +197,8 @@ impl<'a> Reader<'a, '_> {
         let [range, force] = ["range", "actuatorfrcrange"].map(value);
         let limited = |name: &str| value(name).map_or("auto", |v| v.text);
         let [is_limited, is_force_limited] = ["limited", "actuatorfrclimited"].map(|n| limited(n) != "false");
-        let [reference, damping, friction, armature, stiffness, spring] =
-            ["ref", "damping", "frictionloss", "armature", "stiffness", "springref"].map(value);
+        let [reference, damping, friction, armature, stiffness, spring, damper] =
+            ["ref", "damping", "frictionloss", "armature", "stiffness", "springref", "springdamper"].map(value);
         let position = self.pair(range).filter(|_| is_limited);
         read.position = position.map(|range| range.map(|x| x * unit));
         read.endless = read.position.is_none();
@@ -206,6 +207,9 @@ impl<'a> Reader<'a, '_> {
         read.damping = self.number(damping);
         read.friction = self.number(friction);
         read.armature = self.number(armature);
+        if damper.is_some() {
+            self.tree.notes.push(format!("springdamper of `{}` is not applied", read.name));
+        }
         let stiffness = self.number(stiffness);
         let rest = self.number(spring).map_or(0.0, |x| x * unit);
         read.spring = stiffness.map(|k| [k, rest]);
@@ -270,6 +274,14 @@ impl<'a> Reader<'a, '_> {
                 joint.gear = Some(gear);
             }
             joint.effort = joint.effort.or(effort);
+        }
+    }
+
+    /// Tendons pull on joints, and a robot file has none.
+    fn tendons(&mut self, root: Element<'a>) {
+        for tendon in children(root, "tendon").flat_map(|list| list.children()).filter(|n| n.is_element()) {
+            let name = tendon.attribute("name").map_or(String::new(), |name| format!(" `{name}`"));
+            self.tree.notes.push(format!("the {} tendon{name} does not come along", tendon.tag_name().name()));
         }
     }
 

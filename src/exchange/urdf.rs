@@ -128,12 +128,20 @@ impl Reader<'_> {
         Some(Inertia { m, ms: [0.0; 3], i }.moved(&at.rows(), &at.origin.into()))
     }
 
-    /// `xyz` and `rpy`.
+    /// `xyz`, and `rpy` or (since version 1.2 of the format) `quat_xyzw`.
     fn origin(&mut self, origin: Element<'_>) -> Option<Displacement> {
-        let mut read = |name: &str| {
-            if origin.attribute(name).is_none() { Some([0.0; 3]) } else { self.found.numbers::<3>(origin, name) }
-        };
-        let (xyz, rpy) = (read("xyz")?, read("rpy")?);
+        let has = |name: &str| origin.attribute(name).is_some();
+        let xyz = if has("xyz") { self.found.place(origin, "xyz")? } else { [0.0; 3] };
+        if has("quat_xyzw") {
+            let [x, y, z, w] = self.found.numbers::<4>(origin, "quat_xyzw")?;
+            let turned = self.snap.rotation(Displacement::quaternion([w, x, y, z]));
+            if !turned.is_rotation() {
+                self.found.element(origin, "the quaternion has no length", "write 0 0 0 1 for no turn");
+                return None;
+            }
+            return Some(Displacement { origin: xyz.into(), ..turned });
+        }
+        let rpy = if has("rpy") { self.found.numbers::<3>(origin, "rpy")? } else { [0.0; 3] };
         let rpy = rpy.map(|angle| self.snap.angle(angle));
         Some(Displacement::new(Pose { xyz, rpy }.rotation(), xyz))
     }
@@ -150,11 +158,11 @@ impl Reader<'_> {
         let origin = child(joint, "origin").map_or(Some(Displacement::identity()), |origin| self.origin(origin));
         let (Some(kind), [Some(parent), Some(body)], Some(origin)) = (kind, ends, origin) else { return false };
         if let Some(other) = self.places.insert(body, name.to_string()) {
-            let body = self.tree.bodies[body].name.clone();
+            let [body, parent] = [body, parent].map(|b| self.tree.bodies[b].name.clone());
             self.tree.ties.push(Tie {
                 what: format!("the joints `{other}` and `{name}` both move the link `{body}`: a closed loop"),
                 joints: vec![other, name.to_string()],
-                bodies: vec![body],
+                bodies: vec![body, parent],
             });
             return false;
         }

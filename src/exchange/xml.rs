@@ -9,9 +9,22 @@ use roxmltree::{Attribute, Document, Node, ParsingOptions, TextPos};
 /// An element.
 pub(super) type Element<'a> = Node<'a, 'a>;
 
+/// Largest coordinate of a place, m. Beyond it, rounding alone moves a tip by more than 1e-9 m.
+const FARTHEST: f64 = 1e5;
+
+/// Longest file, bytes. The document takes some ten times as much memory.
+const LONGEST: usize = 8 << 20;
+
+/// Most quotation marks in one tag: the time to compare attributes grows with their number squared.
+const MOST_QUOTES: usize = 2000;
+
 /// Parses a text.
 pub(super) fn parse(text: &str) -> Result<Document<'_>, Vec<Problem>> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    if let Some(what) = too_large(text) {
+        let mend = "take out what is no link, joint or body";
+        return Err(vec![problem(TextPos::new(1, 1), "", what, mend)]);
+    }
     if text.trim_start().is_empty() {
         return Err(vec![problem(TextPos::new(1, 1), "", "the file is empty", "write a URDF or an MJCF model")]);
     }
@@ -24,6 +37,18 @@ pub(super) fn parse(text: &str) -> Result<Document<'_>, Vec<Problem>> {
         }
         vec![problem(error.pos(), "", format!("this is no well-formed XML: {what}"), "mend the XML at this place")]
     })
+}
+
+/// What would take too much memory or time to parse.
+fn too_large(text: &str) -> Option<String> {
+    if text.len() > LONGEST {
+        return Some(format!("the file has {} bytes, more than the {LONGEST} that are read", text.len()));
+    }
+    let quotes = |tag: &str| tag.bytes().filter(|b| matches!(b, b'"' | b'\'')).count();
+    let crowded = |tag: &&str| quotes(tag) > MOST_QUOTES && tag.contains('=') && !tag.starts_with(['!', '?']);
+    let tag = text.split('<').map(|piece| piece.split('>').next().unwrap_or("")).find(crowded)?;
+    let name: String = tag.chars().take_while(|c| !c.is_whitespace()).take(40).collect();
+    Some(format!("an element `{name}` has more than {} attributes", MOST_QUOTES / 2))
 }
 
 pub(super) fn problem(at: TextPos, path: &str, what: impl Into<String>, mend: impl Into<String>) -> Problem {
@@ -106,6 +131,15 @@ impl Mistakes {
             }
         }
         Some(numbers)
+    }
+
+    /// A place in space, m.
+    pub(super) fn place(&mut self, at: Element<'_>, name: &str) -> Option<[f64; 3]> {
+        let place = self.numbers::<3>(at, name)?;
+        let Some(far) = place.iter().find(|x| x.abs() > FARTHEST) else { return Some(place) };
+        let attribute = find(at, name)?;
+        self.attribute(at, &attribute, format!("{far:e} m is beyond any arm"), "correct the number; lengths are in m");
+        None
     }
 
     /// One number.

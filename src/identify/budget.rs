@@ -11,6 +11,8 @@ use crate::model::{Arm, States};
 
 /// Samples that are looked at, at most, over all logs.
 const SAMPLES: usize = 256;
+/// Stretches of motion that are kept at most: with [`SAMPLES`] of each, 3 MB of seven joints.
+const STRETCHES: usize = 64;
 /// Steps of the difference quotients: position, velocity, acceleration.
 const STEPS: [f64; 3] = [1e-4, 1e-3, 1.0];
 
@@ -106,7 +108,10 @@ impl ErrorBudget {
 /// Collects what a budget needs while logs pass.
 #[derive(Debug, Clone, Default)]
 pub struct BudgetCollector {
+    /// Every `step`th stretch.
     parts: Vec<(States, Vec<[f64; 3]>)>,
+    step: usize,
+    stretches: usize,
     /// Sums of squares of the torque noise behind the low-pass, and of the rates of the torques.
     sensor: Vec<f64>,
     clock: Vec<f64>,
@@ -137,7 +142,21 @@ impl BudgetCollector {
             self.repeats.1 += seconds;
         }
         self.samples += weight;
-        self.parts.push((thinned(&motion.states, dof, SAMPLES), motion.error.clone()));
+        if self.stretches.is_multiple_of(self.step.max(1)) {
+            self.parts.push((thinned(&motion.states, dof, SAMPLES), motion.error.clone()));
+        }
+        self.stretches += 1;
+        if self.parts.len() > STRETCHES {
+            let mut place = 0..;
+            self.parts.retain(|_| place.next().is_some_and(|k: usize| k.is_multiple_of(2)));
+            self.step = 2 * self.step.max(1);
+        }
+    }
+
+    /// Stretches that are kept.
+    #[cfg(test)]
+    pub(in crate::identify) fn kept(&self) -> usize {
+        self.parts.len()
     }
 
     /// The budget of a model with these base parameters whose residual is `errors`, N m, per joint.

@@ -148,3 +148,16 @@ fn a_joint_without_a_motor_is_refused_where_it_counts() {
     assert_eq!(json(&["check", &robot, "--json", "-"])["unactuated"], serde_json::json!([2]));
     assert_eq!(denavit(&["generate", &robot, "--out", &out]).status, Some(0));
 }
+
+#[test]
+fn a_log_in_place_of_a_robot_file_does_not_fill_the_memory() {
+    let place = folder("long-text");
+    let path = place.join("endless.yaml");
+    // A file of holes: it takes no room on the disk.
+    std::fs::File::create(&path).unwrap().set_len(1 << 40).unwrap();
+    for verb in ["check", "import"] {
+        let run = denavit(&[verb, &path.display().to_string()]);
+        assert_eq!(run.status, Some(2));
+        assert!(run.err.contains("more than 64 MiB"), "{}", run.err);
+    }
+}

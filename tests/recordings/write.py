@@ -155,6 +155,12 @@ pq.write_table(pa.table({"timestamp": pa.array(t.astype(np.float32)), "observati
 variable = lambda a: pa.array([row.tolist() for row in a.T], type=pa.list_(pa.float64()))
 pq.write_table(pa.table({"t": t, "q": variable(q), "tau": variable(tau)}), here / "lists.parquet")
 
+# Stamps with a type of their own, and columns packed otherwise than with snappy.
+stamps = pa.array([np.datetime64(EPOCH + int(round(s * 1e9)), "ns") for s in t])
+plain = {"t": stamps, "q1": q[0], "q2": q[1], "tau1": tau[0], "tau2": tau[1]}
+for packing in ("gzip", "lz4", "zstd"):
+    pq.write_table(pa.table(plain), here / f"stamps_{packing}.parquet", compression=packing)
+
 # Degrees, milliseconds, N mm, semicolons, decimal commas: a German spreadsheet.
 with open(here / "german.csv", "w") as f:
     f.write("Zeit;Achse 1 Position [deg];Achse 2 Position [deg];Achse 1 Moment;Achse 2 Moment\n")

@@ -223,6 +223,7 @@ fn no_header(names: &[&str]) -> Option<String> {
 /// Whether a column of another name probably is the missing one: `Time`, `tau_1`, `effort1`,
 /// `joint_position_1`.
 fn resembles(name: &str, wanted: &str) -> bool {
+    let name = super::unit::split(name).0;
     let plain: String = name.to_lowercase().chars().filter(char::is_ascii_alphanumeric).collect();
     let digits = wanted.find(|c: char| c.is_ascii_digit()).unwrap_or(wanted.len());
     let (prefix, number) = wanted.split_at(digits);
@@ -266,8 +267,10 @@ mod tests {
 
     #[test]
     fn missing_time_names_the_lookalike() {
-        let error = Layout::new("log.csv", &["Time", "q1", "tau1"]).unwrap_err().to_string();
-        assert!(error.contains("`t`") && error.contains("`Time`"), "{error}");
+        for name in ["Time", "Time [ms]", "timestamp(ns)"] {
+            let error = Layout::new("log.csv", &[name, "q1", "tau1"]).unwrap_err().to_string();
+            assert!(error.contains("`t`") && error.contains(&format!("`{name}`")), "{error}");
+        }
     }
 
     #[test]

@@ -1,5 +1,6 @@
 //! Parquet files: columns of numbers, and of lists of numbers.
 
+use std::cell::Cell;
 use std::sync::Arc;
 
 use super::BadCell;
@@ -9,6 +10,7 @@ use super::Log;
 use super::LogError;
 use super::Table;
 use ::parquet::{
+    basic::{ConvertedType, LogicalType, TimeUnit},
     column::reader::{ColumnReader, ColumnReaderImpl},
     data_type::{DataType, DoubleType, FloatType, Int32Type, Int64Type},
     errors::ParquetError,
@@ -17,7 +19,7 @@ use ::parquet::{
         reader::{ChunkReader, FileReader, SerializedFileReader},
         writer::SerializedFileWriter,
     },
-    schema::parser::parse_message_type,
+    schema::{parser::parse_message_type, types::ColumnDescriptor},
 };
 
 /// A column of the file: numbers, or lists of numbers that are as long in every row.
@@ -27,6 +29,8 @@ struct Leaf {
     levels: (i16, i16),
     /// Elements of the first list; 1 for a number.
     width: usize,
+    /// Of a column of stamps: seconds per count, and the first count, from which they are taken.
+    stamp: Option<(f64, Cell<Option<i64>>)>,
 }
 
 /// A Parquet file that is read row group by row group, a block of rows at a time. A column of lists
@@ -90,7 +94,8 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
                 table.owner.push((index, element));
                 table.names.push(if levels.0 == 1 { format!("{name}[{element}]") } else { name.clone() });
             }
-            table.leaves.push(Leaf { name, levels, width });
+            let stamp = stamp(column).map(|seconds| (seconds, Cell::new(None)));
+            table.leaves.push(Leaf { name, levels, width, stamp });
         }
         if table.names.is_empty() {
             return Err(LogError::Empty { file: file.into() });
@@ -143,7 +148,7 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
         if leaf.levels.0 == 0 {
             let Some((column, _)) = targets().next() else { return Ok(()) };
             let out = &mut block.columns[column];
-            match numbers(&mut self.columns[k], take, out).map_err(|e| failed(file, e))? {
+            match numbers(&mut self.columns[k], leaf, take, out).map_err(|e| failed(file, e))? {
                 Some(n) if n == take => Ok(()),
                 Some(n) => Err(short(n)),
                 None => Err(no_numbers()),
@@ -220,7 +225,29 @@ const LEAST_ROWS: u64 = 1 << 20;
 const LONGEST_LIST: usize = 128;
 
 /// Appends `take` rows of a column of numbers; how many there were. `None`: no numbers.
-fn numbers(reader: &mut ColumnReader, take: usize, out: &mut Vec<f64>) -> Result<Option<usize>, ParquetError> {
+fn numbers(
+    reader: &mut ColumnReader,
+    leaf: &Leaf,
+    take: usize,
+    out: &mut Vec<f64>,
+) -> Result<Option<usize>, ParquetError> {
+    let before = out.len();
+    match (reader, &leaf.stamp) {
+        // Differences of ns are exact; those of seconds of an epoch are not.
+        (ColumnReader::Int64ColumnReader(r), Some((seconds, first))) => {
+            pull::<Int64Type>(r, take, out, |v| {
+                let from = first.get().unwrap_or(v);
+                first.set(Some(from));
+                v.wrapping_sub(from) as f64 * seconds
+            })?;
+            Ok(Some(out.len() - before))
+        }
+        (reader, _) => plain_numbers(reader, take, out),
+    }
+}
+
+/// The same of a column whose values are in the unit of its role.
+fn plain_numbers(reader: &mut ColumnReader, take: usize, out: &mut Vec<f64>) -> Result<Option<usize>, ParquetError> {
     let before = out.len();
     match reader {
         ColumnReader::DoubleColumnReader(r) => pull::<DoubleType>(r, take, out, |v| v)?,
@@ -323,7 +350,33 @@ where
 }
 
 fn failed(file: &str, error: ParquetError) -> LogError {
-    LogError::Parquet { file: file.into(), what: error.to_string() }
+    let said = error.to_string();
+    let what = match said.rsplit_once("Disabled feature at compile time: ") {
+        Some((_, "zstd")) => "its columns are packed with zstd, which this build does not unpack; build it with `cargo install --path . --features \
+                              parquet-zstd`, or write the file with compression snappy"
+            .into(),
+        Some((_, other)) => {
+            format!("its columns are packed with {other}, which is not unpacked; write it with compression snappy")
+        }
+        None => said,
+    };
+    LogError::Parquet { file: file.into(), what }
+}
+
+/// Seconds per count of a column of stamps; `None` where it is none.
+fn stamp(column: &ColumnDescriptor) -> Option<f64> {
+    if let Some(LogicalType::Timestamp(stamp)) = column.logical_type_ref() {
+        return Some(match stamp.unit {
+            TimeUnit::MILLIS => 1e-3,
+            TimeUnit::MICROS => 1e-6,
+            TimeUnit::NANOS => 1e-9,
+        });
+    }
+    match column.converted_type() {
+        ConvertedType::TIMESTAMP_MILLIS => Some(1e-3),
+        ConvertedType::TIMESTAMP_MICROS => Some(1e-6),
+        _ => None,
+    }
 }
 
 /// Writes a log as a Parquet file of doubles.

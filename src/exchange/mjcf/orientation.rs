@@ -12,11 +12,11 @@ impl<'a> Reader<'a, '_> {
     pub(super) fn pose(&mut self, element: Element<'a>, tag: &str, class: Option<&'a str>) -> Option<Displacement> {
         let value = |name: &str| self.settings.value(element, tag, class, name);
         let before = self.found.0.len();
-        let pos = value("pos").map(|v| self.found.numbers::<3>(v.at, v.name));
+        let pos = value("pos").map(|v| self.found.place(v.at, v.name));
         let [quat, axis_angle, axes, z, euler] = ["quat", "axisangle", "xyaxes", "zaxis", "euler"].map(value);
         let unit = self.settings.angle;
         let turned = if let Some(v) = quat {
-            self.found.numbers::<4>(v.at, v.name).map(|q| self.snap.rotation(quaternion(q)))
+            self.found.numbers::<4>(v.at, v.name).map(|q| self.snap.rotation(Displacement::quaternion(q)))
         } else if let Some(v) = axis_angle {
             let [x, y, z, angle] = self.found.numbers::<4>(v.at, v.name).unwrap_or([0.0, 0.0, 1.0, 0.0]);
             let axis = Vector3::from(self.snap.direction([x, y, z]));
@@ -42,7 +42,7 @@ impl<'a> Reader<'a, '_> {
             Some(Displacement::identity())
         };
         let at = turned.unwrap_or_else(Displacement::identity);
-        if !(at.rotation.determinant() - 1.0).abs().le(&1e-6) {
+        if !at.is_rotation() {
             self.found.element(element, "the orientation has no length", "write a quaternion or axis that is not zero");
         }
         let origin = pos.flatten().unwrap_or_default().into();
@@ -59,21 +59,6 @@ fn exact_turn(snap: &mut Snap, axis: &Vector3<f64>, angle: f64) -> Displacement 
     let (s, c) = snap.angle(angle).sin_cos();
     let k = axis.cross_matrix();
     Displacement { rotation: nalgebra::Matrix3::identity() + k * s + k * k * (1.0 - c), origin: Vector3::zeros() }
-}
-
-/// From `w x y z` of any length.
-fn quaternion(q: [f64; 4]) -> Displacement {
-    let square: f64 = q.iter().map(|c| c * c).sum();
-    let [w, x, y, z] = q;
-    let two = |a: f64, b: f64| 2.0 * a * b / square;
-    Displacement::new(
-        [
-            [1.0 - two(y, y) - two(z, z), two(x, y) - two(w, z), two(x, z) + two(w, y)],
-            [two(x, y) + two(w, z), 1.0 - two(x, x) - two(z, z), two(y, z) - two(w, x)],
-            [two(x, z) - two(w, y), two(y, z) + two(w, x), 1.0 - two(x, x) - two(y, y)],
-        ],
-        [0.0; 3],
-    )
 }
 
 /// Axes x and y, the latter made square to the former.

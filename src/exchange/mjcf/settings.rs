@@ -32,7 +32,7 @@ pub(super) struct Settings<'a> {
 }
 
 /// Names of attributes that are looked up, as they stay valid beyond a call.
-const NAMES: [&str; 31] = [
+const NAMES: [&str; 32] = [
     "type",
     "pos",
     "axis",
@@ -46,6 +46,7 @@ const NAMES: [&str; 31] = [
     "armature",
     "stiffness",
     "springref",
+    "springdamper",
     "gear",
     "forcerange",
     "ctrlrange",
@@ -92,7 +93,19 @@ impl<'a> Settings<'a> {
         for default in children(root, "default") {
             settings.default(default, &[], true);
         }
+        settings.classes_exist(root, found);
         settings
+    }
+
+    /// Every class that an element names must be one of the defaults.
+    fn classes_exist(&self, root: Element<'a>, found: &mut Mistakes) {
+        let elements = root.descendants().filter(|n| n.is_element() && n.tag_name().name() != "default");
+        for element in elements {
+            let named = ["class", "childclass"].into_iter().filter_map(|name| element.attribute(name));
+            for class in named.filter(|class| !self.classes.contains_key(class)) {
+                found.element(element, format!("there is no default class `{class}`"), "correct the name, or add it");
+            }
+        }
     }
 
     fn compiler(&mut self, compiler: Element<'a>, found: &mut Mistakes) {

@@ -80,6 +80,13 @@ pub struct Factors {
     pub parameters: usize,
 }
 
+impl Factors {
+    /// Keeps so many batches of each joint at most, longer ones; the fit does not change.
+    pub fn shrink(&mut self, batches: usize) {
+        self.joints.iter_mut().for_each(|joint| joint.batches.shrink(batches));
+    }
+}
+
 /// Builds [`Factors`] from motions.
 ///
 /// Where a joint is at rest ([`Motion::resting`]), or sticks at a reversal ([`Motion::stuck`]), its

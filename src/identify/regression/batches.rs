@@ -50,6 +50,14 @@ impl Batches {
         }
     }
 
+    /// Joins neighbours until there are `most` at most. No more batches can be pushed then.
+    pub(in crate::identify) fn shrink(&mut self, most: usize) {
+        while self.grams.len() > most.max(1) {
+            self.halve();
+        }
+        self.grams.shrink_to_fit();
+    }
+
     fn halve(&mut self) {
         let old = std::mem::take(&mut self.grams);
         let mut pairs = old.into_iter();

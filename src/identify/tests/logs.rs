@@ -3,6 +3,7 @@
 use super::*;
 use crate::data::log::{LogError, Quantity, csv, open};
 use crate::data::signal::{DeadZone, Filter, Prepare, PrepareError, each_motion};
+use crate::identify::budget::BudgetCollector;
 use crate::identify::planar::{log, motion};
 
 fn bytes(motion: &Motion) -> Vec<u8> {
@@ -177,4 +178,35 @@ fn another_robots_log() {
         .map_err(PrepareError::from)
         .and_then(|mut s| each_motion(s.as_mut(), 2, &Prepare::default(), |_| ()));
     assert!(matches!(error, Err(PrepareError::Log(LogError::Joints { found: 1, expected: 2, .. }))));
+}
+
+#[test]
+fn many_logs_share_their_batches() {
+    let arm = Planar::new();
+    let mut m = motion(&arm, 60.0, 200.0, 0.0);
+    add_noise(&mut m, [0.3, 0.1], true, 5);
+    let whole = factors(&arm, std::slice::from_ref(&m));
+    let mut few = whole.clone();
+    few.shrink(8);
+    assert!(few.joints.iter().all(|joint| joint.batches.grams.len() <= 8));
+    let [whole, few] = [whole, few].map(|log| solve(&arm, &[log], &[], &IdentifySettings::default()).unwrap());
+    for (a, b) in whole.parameters.iter().zip(&few.parameters) {
+        assert_eq!(a.value, b.value);
+        assert!((0.5..2.0).contains(&(a.std / b.std)), "{}: {} {}", a.name, a.std, b.std);
+    }
+}
+
+#[test]
+fn a_budget_keeps_as_much_of_a_thousand_stretches_as_of_some() {
+    let arm = Planar::new();
+    let mut m = motion(&arm, 5.0, 200.0, 0.0);
+    m.error = vec![[1e-4, 1e-3, 1e-1]; 2];
+    let budget = |stretches: usize| {
+        let mut parts = BudgetCollector::default();
+        (0..stretches).for_each(|_| parts.absorb(&m));
+        assert!(parts.kept() <= 64);
+        parts.finish(&arm, &arm.beta(), &[1.0; 2]).unwrap().motion
+    };
+    let [some, many] = [10, 1000].map(budget);
+    some.iter().zip(&many).for_each(|(a, b)| assert!((a / b - 1.0).abs() < 0.1, "{a} {b}"));
 }

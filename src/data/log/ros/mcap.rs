@@ -38,6 +38,9 @@ pub struct McapMessages<R> {
     started: bool,
     schemas: HashMap<u16, (String, String)>,
     channels: HashMap<u16, Channel>,
+    /// Records of the present chunk, and how far they are read.
+    chunk: Vec<u8>,
+    at: usize,
     queue: VecDeque<Message>,
     passed_over: Vec<String>,
     done: bool,
@@ -87,6 +90,8 @@ impl<R: Read> McapMessages<R> {
             started: false,
             schemas: HashMap::new(),
             channels: HashMap::new(),
+            chunk: Vec::new(),
+            at: 0,
             queue: VecDeque::new(),
             passed_over: Vec::new(),
             done: false,
@@ -128,25 +133,35 @@ impl<R: Read> McapMessages<R> {
         Ok(())
     }
 
-    /// Unpacks a chunk and takes its records.
+    /// Unpacks a chunk.
     fn chunk(&mut self, data: &[u8]) -> Result<(), String> {
         let mut fields = Fields(data);
         fields.bytes(16)?; // first and last time
         let size = fields.u64()?;
-        fields.u32()?; // checksum
+        let checksum = fields.u32()?;
         let compression = fields.text()?;
         let length = usize::try_from(fields.u64()?).map_err(|e| e.to_string())?;
         if size > LONGEST_CHUNK {
             return Err(format!("a chunk of {size} bytes; {LONGEST_CHUNK} are read at most"));
         }
-        let records = unpack(&compression, fields.bytes(length)?, size)?;
-        let mut rest = Fields(&records);
-        while !rest.0.is_empty() {
-            let opcode = rest.bytes(1)?[0];
-            let length = usize::try_from(rest.u64()?).map_err(|e| e.to_string())?;
-            let record = rest.bytes(length)?;
-            self.record(opcode, record)?;
+        self.chunk = unpack(&compression, fields.bytes(length)?, size)?;
+        self.at = 0;
+        // A writer that has none says 0.
+        if checksum != 0 && crc32(&self.chunk) != checksum {
+            return Err("a chunk is damaged: its checksum is not that of its bytes; try `mcap recover`".into());
         }
+        Ok(())
+    }
+
+    /// Takes the next record of the chunk.
+    fn step_in_chunk(&mut self) -> Result<(), String> {
+        let chunk = std::mem::take(&mut self.chunk);
+        let mut rest = Fields(chunk.get(self.at..).unwrap_or(&[]));
+        let opcode = rest.bytes(1)?[0];
+        let length = usize::try_from(rest.u64()?).map_err(|e| e.to_string())?;
+        self.record(opcode, rest.bytes(length)?)?;
+        self.at = chunk.len() - rest.0.len();
+        self.chunk = chunk;
         Ok(())
     }
 
@@ -197,9 +212,14 @@ impl<R: Read> Messages for McapMessages<R> {
             if let Some(message) = self.queue.pop_front() {
                 return Ok(Some(message));
             }
+            if self.at < self.chunk.len() {
+                self.step_in_chunk()?;
+                continue;
+            }
             if self.done {
                 return Ok(None);
             }
+            self.chunk = Vec::new();
             self.step()?;
         }
     }
@@ -212,6 +232,13 @@ impl<R: Read> Messages for McapMessages<R> {
     fn passed_over(&self) -> Vec<String> {
         self.passed_over.clone()
     }
+}
+
+/// CRC-32 as in zip.
+fn crc32(bytes: &[u8]) -> u32 {
+    let mut crc = flate2::Crc::new();
+    crc.update(bytes);
+    crc.sum()
 }
 
 /// The records of a chunk.
