@@ -43,6 +43,8 @@ const line = (svg, name, at, x, y, gap = Infinity) => {
     const steps = t.slice(1).map((v, i) => v - t[i]).sort((a, b) => a - b), gap = 3 * (steps[steps.length >> 1] || 1);
     const at = frame(svg, { left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM, x: reach([t]), y: room(reach(Object.values(curves))) });
     for (const name in curves) line(svg, name, at, t, curves[name], gap);
+    offer(box, 'story', ['t', 'measured', 'before', 'after'], () => t.map((v, i) => [v, ...Object.values(curves).map(curve => curve[i])]));
+    offer(box, 'shares', ['joint', 'before_percent', 'after_percent'], () => data.shares.before.map((v, j) => [j + 1, v, data.shares.after[j]]));
     const bars = canvas(box, W, H, 'error of each joint, percent of its torque'), n = data.shares.before.length;
     const scale = frame(bars, { left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM, x: [0.4, n + 0.6], y: [0, 1.12 * reach([data.shares.before, data.shares.after], true)[1]], across: n, bare: true });
     const wide = 0.36 * (RIGHT - LEFT) / (n + 0.2);
