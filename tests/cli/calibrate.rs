@@ -42,7 +42,7 @@ fn a_recording_becomes_a_model_with_the_coupling_of_the_wrist() {
     let checked = denavit(&["check", &out]);
     assert_eq!(checked.status, Some(0), "{}", checked.err);
     let page = std::fs::read_to_string(&page).unwrap();
-    assert!(page.contains("gear_coupling") && page.contains("</html>"));
+    assert!(page.contains("gear coupling") && page.contains("</html>"));
 }
 
 #[test]

@@ -42,7 +42,7 @@ pub const ROUNDS: usize = 3;
 
 /// Plans that are tried at most, times the rows squared, which the cost of one grows with. Chains
 /// of up to eight rows are searched to the end; of longer ones the first moves find most.
-const WORK: usize = 150_000;
+const WORK: usize = 200_000;
 
 /// Every link in its own frame.
 pub fn plain(rows: usize) -> Plan {
