@@ -16,8 +16,8 @@ use denavit::model::Arm;
 use denavit::model::differentiated::Differentiated;
 use denavit::model::interpreted::Interpreted;
 use denavit::model::perturbable_robot::PerturbableRobot;
-use denavit::simulate::{Request, Sensors, Simulator, Trajectory};
-use dh_codegen::robot::{Robot, SimulationFile};
+use denavit::simulate::{Request, Sensors, SimulationFile, Simulator, Trajectory};
+use dh_codegen::robot::Robot;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let text = read_to_string(format!("{}/robots/kuka-lwr4.yaml", env!("CARGO_MANIFEST_DIR")))?;

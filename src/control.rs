@@ -14,4 +14,4 @@ mod iterative_learning_tests;
 pub mod law;
 pub mod robot;
 
-pub use law::{Command, Controller, Fault, Sample, Settings, Status, Target};
+pub use law::{Command, Controller, ControllerError, Fault, Sample, Settings, Status, Target};

@@ -2,8 +2,8 @@
 //! `core`.
 
 use denavit::control::law::{
-    Body, Command, Controller, Estimator, EstimatorSettings, Fault, ForceSettings, JointLoop, Model, Sample, Settings,
-    Status, Target, Tool, damped, moved,
+    Body, Command, Controller, ControllerError, Estimator, EstimatorSettings, Fault, ForceSettings, JointLoop, Model,
+    Sample, Settings, Status, Target, Tool, damped, moved,
 };
 use proptest::prelude::*;
 
@@ -368,16 +368,22 @@ fn no_wall_at_all_is_given_up() {
 
 #[test]
 fn settings_that_make_no_sense_are_refused() {
-    let refused = |s: Settings<6>| Controller::new(Gantry::default(), s).err().is_some();
-    assert!(!refused(settings()));
-    assert!(refused(Settings { period: 0.0, ..settings() }));
-    assert!(refused(Settings { aside: 1.1, ..settings() }));
-    assert!(refused(Settings { drag: -0.1, ..settings() }));
-    assert!(refused(Settings { corner: 0.0, ..settings() }));
-    assert!(refused(Settings { feed: f64::NAN, ..settings() }));
-    assert!(refused(Settings { torque: [f64::NAN; 6], ..settings() }));
-    assert!(refused(Settings { force: ForceSettings { ki: -1.0, ..settings().force }, ..settings() }));
-    assert!(refused(Settings { force: ForceSettings { range: [0.1, 0.2], ..settings().force }, ..settings() }));
+    let refused = |s: Settings<6>| Controller::new(Gantry::default(), s).err();
+    assert_eq!(refused(settings()), None);
+    let (force, period) = (settings().force, f64::NAN);
+    for (wrong, error) in [
+        (Settings { period: 0.0, ..settings() }, ControllerError::Period),
+        (Settings { period, ..settings() }, ControllerError::Period),
+        (Settings { aside: 1.1, ..settings() }, ControllerError::Share),
+        (Settings { drag: -0.1, ..settings() }, ControllerError::Share),
+        (Settings { feed: f64::NAN, ..settings() }, ControllerError::Share),
+        (Settings { corner: 0.0, ..settings() }, ControllerError::Corner),
+        (Settings { torque: [f64::NAN; 6], ..settings() }, ControllerError::Limits),
+        (Settings { force: ForceSettings { ki: -1.0, ..force }, ..settings() }, ControllerError::ForceGains),
+        (Settings { force: ForceSettings { range: [0.1, 0.2], ..force }, ..settings() }, ControllerError::Range),
+    ] {
+        assert_eq!(refused(wrong), Some(error));
+    }
 }
 
 #[test]

@@ -8,9 +8,9 @@ use denavit::diagnose::{
     Diagnosis, Offered, Recording, Settings, Verdict, diagnose, discriminating_motion, written_errors,
 };
 use denavit::identify::implausible_links;
-use denavit::model::TorqueModel;
 use denavit::model::file_torque_model::FileTorqueModel;
 use denavit::model::perturbable_robot::PerturbableRobot;
+use denavit::model::{StandardParameter, TorqueModel};
 use denavit::simulate::{Control, Effects, Mode, Request, Sensors, Simulator, Trajectory};
 use dh_codegen::arm::param;
 use dh_codegen::robot::{Drive, Effect, Robot};
@@ -162,12 +162,11 @@ fn bare(mut robot: Robot) -> Robot {
 
 /// Bodies, rotor inertias and friction levels that can exist.
 fn assert_possible(robot: &Robot) {
-    let names: Vec<String> = param::standard(robot).iter().map(param::Parameter::name).collect();
+    let parameters: Vec<StandardParameter> = param::standard(robot).into_iter().map(Into::into).collect();
     let values = param::standard_values(robot).unwrap();
-    assert_eq!(implausible_links(&names, &values), Vec::<usize>::new());
-    let level = |name: &str| ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind));
-    for (name, value) in names.iter().zip(values).filter(|(name, _)| level(name)) {
-        assert!(value >= 0.0, "{name} = {value}");
+    assert_eq!(implausible_links(&parameters, &values), Vec::<usize>::new());
+    for (parameter, value) in parameters.iter().zip(values).filter(|(p, _)| p.is_level()) {
+        assert!(value >= 0.0, "{parameter} = {value}");
     }
 }
 

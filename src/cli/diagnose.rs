@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use dh_codegen::arm::param::{self, Parameter};
+use dh_codegen::arm::param;
 use dh_codegen::robot::Robot;
 use indicatif::ProgressBar;
 
@@ -21,9 +21,9 @@ use crate::data::log::Acceptance;
 use crate::data::signal::{Motion, Prepare, Prepared, lower_cutoff};
 use crate::diagnose::{self, Cause, Diagnosis, Recording, Separation, Settings};
 use crate::identify::implausible_links;
-use crate::model::PerturbableArm;
 use crate::model::file_torque_model::FileTorqueModel;
 use crate::model::perturbable_robot::PerturbableRobot;
+use crate::model::{PerturbableArm, StandardParameter};
 use crate::report;
 use crate::report::{Identified, WrittenCheck};
 
@@ -117,8 +117,8 @@ struct Extended {
 /// Links (from 1) that no body can have, with what the effects of the file add to them.
 fn impossible(robot: &Robot) -> Vec<usize> {
     let bare = Robot { tool: None, ..robot.effective() };
-    let names: Vec<String> = param::standard(&bare).iter().map(Parameter::name).collect();
-    param::standard_values(&bare).map_or(Vec::new(), |values| implausible_links(&names, &values))
+    let parameters: Vec<StandardParameter> = param::standard(&bare).into_iter().map(Into::into).collect();
+    param::standard_values(&bare).map_or(Vec::new(), |values| implausible_links(&parameters, &values))
 }
 
 /// Rows per second of the motion that is written.

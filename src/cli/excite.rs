@@ -22,7 +22,7 @@ use crate::excite::{
     expected, known_from, known_values, nominal, shortest,
 };
 use crate::model::differentiated::Differentiated;
-use crate::model::{Arm, States};
+use crate::model::{Arm, DriveTerm, States};
 use crate::report;
 use dh_codegen::robot::Robot;
 
@@ -190,7 +190,7 @@ impl Excite {
             task.payload = true;
         }
         if self.friction {
-            let has_offset = arm.base_parameters().iter().any(|b| b.name.starts_with("FO"));
+            let has_offset = arm.base_parameters().iter().any(|b| b.is_drive_term(DriveTerm::FO));
             coverage = FrictionCoverage::new(&task.limits.iter().map(|l| l.velocity).collect::<Vec<_>>(), !has_offset);
             task.extra = Some(&coverage);
         }

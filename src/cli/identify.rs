@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
 use dh_codegen::arm::param::{self, Parameter};
-use dh_codegen::robot::{EffectKind, JointKind, Laws, Robot};
+use dh_codegen::robot::{EffectKind, Laws, Robot};
 
 use super::Failure;
 use super::delivery::deliver;
@@ -25,7 +25,7 @@ use crate::identify::{
 use crate::model::coupled::Coupled;
 use crate::model::interpreted::Interpreted;
 use crate::model::robot_edit;
-use crate::model::{Arm, LinkExtents};
+use crate::model::{Arm, DriveTerm, LinkExtents, StandardParameter};
 use crate::report;
 
 /// Identify the base parameters from logs, validate them on others, and write the robot file with
@@ -637,7 +637,7 @@ impl Solved {
 
     /// The robot with the values in place.
     fn robot(&self, setup: &Setup<'_>) -> Robot {
-        let (own, coupled) = self.written.standard.split_at(setup.bodies.standard_names().len());
+        let (own, coupled) = self.written.standard.split_at(setup.bodies.standard_parameters().len());
         robot_edit::with_couplings(robot_edit::with_values(setup.robot.clone(), own), coupled)
     }
 
@@ -685,12 +685,11 @@ struct Written {
 impl Written {
     /// Of possible bodies.
     fn bodies(standard: &[f64], arm: &dyn Arm, found: &Identification, floors: &[(usize, f64)]) -> Self {
-        let least = |name: &str| {
-            let at = arm.standard_names().iter().position(|n| n == name.trim_end_matches('R'));
-            floors.iter().find(|(i, _)| Some(*i) == at).map_or(0.0, |(_, least)| *least)
+        let least = |leader: StandardParameter| {
+            let own = floors.iter().find(|(i, _)| arm.standard_parameters().get(*i) == Some(&leader));
+            own.map_or(0.0, |(_, least)| *least)
         };
-        let level = |name: &str| ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind));
-        let below = found.parameters.iter().filter(|p| level(&p.name) && p.value < least(&p.name));
+        let below = found.parameters.iter().filter(|p| p.leader.is_level() && p.value < least(p.leader));
         Self { standard: standard.to_vec(), at_bound: below.map(|p| p.name.clone()).collect(), warning: None }
     }
 
@@ -708,10 +707,10 @@ impl Written {
         let warning = (!bounded.held.is_empty()).then(|| report::held_text(&bounded, fit, validate));
         let mut at_bound = bounded.held;
         // Parameters that share a base parameter with others.
-        let zero = arm.standard_names().iter().zip(&standard).filter(|(name, v)| name.starts_with("IA") && **v == 0.0);
-        for (name, _) in zero.filter(|(name, _)| !arm.base_parameters().iter().any(|b| b.name == **name)) {
-            at_bound.push(name.clone());
-        }
+        let zero = arm.standard_parameters().iter().zip(&standard).filter(|(p, v)| p.is_rotor() && **v == 0.0);
+        let alone =
+            |p: StandardParameter| arm.base_parameters().iter().any(|b| b.leader == p && b.coefficients.len() == 1);
+        at_bound.extend(zero.filter(|(p, _)| !alone(**p)).map(|(p, _)| p.to_string()));
         Ok(Self { standard, at_bound, warning })
     }
 }
@@ -719,12 +718,15 @@ impl Written {
 /// Least values of friction levels that differ with direction, by standard parameter: in the weaker
 /// direction friction still brakes.
 fn floors(robot: &Robot, arm: &dyn Arm) -> Vec<(usize, f64)> {
-    let rows = (1..).zip(&robot.joints).filter(|(_, joint)| joint.kind != JointKind::Fixed).map(|(row, _)| row);
+    let rows = robot.moving().into_iter();
     let of = |(row, laws): (usize, Laws)| {
         let [level, viscous] = [laws.asymmetric.level(laws.rated), laws.asymmetric.viscous(laws.rated)];
-        [(format!("FC{row}"), level.abs()), (format!("FV{row}"), viscous.abs())]
+        [(DriveTerm::FC, level), (DriveTerm::FV, viscous)]
+            .map(|(term, least)| (StandardParameter::Drive(row, term), least.abs()))
     };
-    let place = |(name, least): (String, f64)| Some((arm.standard_names().iter().position(|n| *n == name)?, least));
+    let place = |(wanted, least): (StandardParameter, f64)| {
+        Some((arm.standard_parameters().iter().position(|p| *p == wanted)?, least))
+    };
     rows.zip(robot.laws()).flat_map(of).filter(|(_, least)| *least > 0.0).filter_map(place).collect()
 }
 

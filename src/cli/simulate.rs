@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use dh_codegen::robot::{Robot, Setting, SimulationFile};
+use dh_codegen::robot::Robot;
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -19,7 +19,7 @@ use super::terminal;
 use crate::data::log::csv;
 use crate::report;
 use crate::simulate;
-use crate::simulate::{Method, Mode, Recording, Request, Side, SimulateError, Simulator, Trajectory};
+use crate::simulate::{Mode, Recording, Request, SimulateError, SimulationFile, Simulator, Trajectory};
 
 /// Play a motion on the simulated robot and record a log.
 ///
@@ -94,7 +94,7 @@ impl Simulate {
             None => SimulationFile::default(),
         };
         let mut request = Request { seed: self.seed, ..Request::default() };
-        apply(&given, &mut request);
+        given.apply(&mut request);
         if let Some(mode) = self.control {
             request.control.mode = match mode {
                 ControlMode::Position => Mode::Position,
@@ -246,54 +246,4 @@ pub(in crate::cli) fn effects(
         .map_err(|problems| Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown))))?;
     file.notes.iter().for_each(|note| terminal::warn(warnings, &shown, &note.to_string()));
     Ok(file)
-}
-
-/// The file's settings of sensors, control and solver.
-pub(in crate::cli) fn apply(file: &SimulationFile, request: &mut Request) {
-    for (section, key, value) in &file.settings {
-        let Request { sensors, control, solver, .. } = &mut *request;
-        match value {
-            Setting::Numbers(numbers) => {
-                let (one, all) = (numbers[0], || numbers.clone());
-                match (*section, *key) {
-                    ("sensors", "rate") => sensors.rate = one,
-                    ("sensors", "encoder") => sensors.encoder = all(),
-                    ("sensors", "position_noise") => sensors.position_noise = all(),
-                    ("sensors", "torque_noise") => sensors.torque_noise = all(),
-                    ("sensors", "torque_noise_color.std") => sensors.torque_colour = all(),
-                    ("sensors", "torque_noise_color.corner") => sensors.colour_corner = one,
-                    ("sensors", "torque_step") => sensors.torque_step = all(),
-                    ("sensors", "latency") => sensors.latency = one,
-                    ("sensors", "jitter") => sensors.jitter = one,
-                    ("sensors", "velocity_noise") => sensors.velocity_noise = all(),
-                    ("control", "kp") => control.kp = Some(all()),
-                    ("control", "kd") => control.kd = Some(all()),
-                    ("control", "bandwidth") => control.bandwidth = one,
-                    ("control", "damping") => control.damping = one,
-                    ("solver", "tolerance") => solver.tolerance = one,
-                    ("solver", "step") => solver.longest = one,
-                    _ => {}
-                }
-            }
-            Setting::Flag(flag) => match *key {
-                "dq" => sensors.velocity = *flag,
-                "qd" => sensors.desired = *flag,
-                "temp" => sensors.temperature = *flag,
-                "wrench" => sensors.wrench = *flag,
-                _ => {}
-            },
-            Setting::Word(word) => match (*key, *word) {
-                ("torque", side) => sensors.torque = if side == "link" { Side::Link } else { Side::Motor },
-                ("position", side) => sensors.position = if side == "link" { Side::Link } else { Side::Motor },
-                ("method", "rosenbrock") => solver.method = Method::Rosenbrock,
-                ("method", "dormand-prince") => solver.method = Method::DormandPrince,
-                ("method", _) => solver.method = Method::Auto,
-                ("mode", name) => {
-                    let known = Mode::ALL.iter().find(|(word, _)| *word == name);
-                    control.mode = known.map_or(control.mode, |(_, mode)| *mode);
-                }
-                _ => {}
-            },
-        }
-    }
 }

@@ -12,6 +12,7 @@
 
 mod controller;
 mod drag;
+mod error;
 mod estimate;
 mod force;
 mod joint;
@@ -22,6 +23,7 @@ mod watch;
 
 pub use controller::{Command, Controller, Fault, Settings, Status, Target};
 pub use drag::Drag;
+pub use error::ControllerError;
 pub use estimate::{Estimator, EstimatorSettings};
 pub use force::{ForceLoop, ForceSettings};
 pub use joint::JointLoop;

@@ -3,6 +3,7 @@
 use super::model::{Chosen, Fitted, ModelUnderTest};
 use super::result::Evidence;
 use crate::diagnose::hypotheses::{Cause, Named, Over};
+use crate::model::StandardParameter;
 
 /// Four figures at most.
 pub(super) fn short(value: f64) -> String {
@@ -152,19 +153,17 @@ pub(super) fn changed_links(
     let base = bench.plant.base_parameters();
     let Some(given) = bench.plant.given() else { return Default::default() };
     let mut changed: [Vec<usize>; 2] = Default::default();
-    let wanted: Vec<usize> =
-        (0..base.len()).filter(|&b| !["FV", "FC", "FO"].iter().any(|p| base[b].name.starts_with(p))).collect();
+    let wanted: Vec<usize> = (0..base.len()).filter(|&b| !base[b].leader.is_friction()).collect();
     for (at, &b) in wanted.iter().enumerate() {
         let file: f64 = base[b].coefficients.iter().map(|(i, k)| k * given[*i]).sum();
         let std = covariance[(at, at)].max(0.0).sqrt();
-        let row: usize =
-            base[b].name.trim_end_matches('R').trim_start_matches(|c: char| c.is_alphabetic()).parse().unwrap_or(0);
-        let joint = bench.plant.rows().iter().position(|r| r + 1 == row);
+        let (StandardParameter::Link(row, _) | StandardParameter::Drive(row, _)) = base[b].leader else { continue };
+        let joint = bench.plant.rows().iter().position(|r| *r == row);
         if let Some(j) = joint
             && std > 0.0
             && (fitted.solution.x[at] - file).abs() > 5.0 * std
         {
-            changed[usize::from(base[b].name.starts_with("IA"))].push(j + 1);
+            changed[usize::from(base[b].leader.is_rotor())].push(j + 1);
         }
     }
     for joints in &mut changed {

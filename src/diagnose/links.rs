@@ -13,6 +13,7 @@ use crate::diagnose::attribution::MOST_MARGIN;
 use crate::diagnose::hypotheses::Named;
 use crate::diagnose::model_choice::LeftOut;
 use crate::diagnose::refine_and_select::{Case, Settled};
+use crate::model::{DriveTerm, StandardParameter};
 use dh_codegen::robot::effects;
 
 /// Of what other links gain on stretches that are left out, one body must gain this share to be the
@@ -117,15 +118,15 @@ impl Case<'_> {
 
     /// A rotor (of joint `j`, from 1) that the file has otherwise, or not at all.
     fn rotor(&self, model: &Settled<'_>, without: &Measured, j: usize, probability: f64) -> Cause {
-        let names = model.bench.plant.standard_names();
-        let name = format!("IA{}", model.bench.plant.rows()[j - 1] + 1);
-        let at = names.iter().position(|n| *n == name);
+        let plant = model.bench.plant;
+        let rotor = StandardParameter::Drive(plant.rows()[j - 1], DriveTerm::IA);
+        let at = plant.standard_parameters().iter().position(|p| *p == rotor);
         let value = at.and_then(|at| model.fitted.standard.as_ref().map(|s| s[at])).unwrap_or(0.0);
         Cause {
             cause: effects::RotorInertia::NAME,
             probability,
             joints: vec![j],
-            parameters: vec![Named { symbol: format!("IA{j}"), value, std: None }],
+            parameters: vec![Named { symbol: format!("{}{j}", DriveTerm::IA.name()), value, std: None }],
             evidence: format!(
                 "joint {j}: beside other links the torque has a part in proportion to the joint's own acceleration, {} kg m^2, that the file lacks or has otherwise",
                 evidence::short(value)

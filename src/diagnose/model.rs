@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use nalgebra::DMatrix;
 
 use crate::identify::recover_standard;
-use crate::model::PerturbableArm;
+use crate::model::{DriveTerm, PerturbableArm, StandardParameter};
 
 use super::moments::{Moments, Solution};
 use super::uncertainty::derivative;
@@ -44,20 +44,20 @@ pub struct Chosen {
     pub x: Vec<f64>,
 }
 
-/// Names of the friction parameters that are handled beside the base parameters.
-fn friction_of(name: &str) -> Option<(usize, usize)> {
-    ["FV", "FC", "FO"].iter().enumerate().find_map(|(which, prefix)| {
-        let joint: usize = name.strip_prefix(prefix)?.trim_end_matches('R').parse().ok()?;
-        Some((which, joint))
-    })
+/// Place among `[FV, FC, FO]`, and row, of the friction parameters that are handled beside the base
+/// parameters.
+fn friction_of(parameter: StandardParameter) -> Option<(usize, usize)> {
+    let StandardParameter::Drive(row, term) = parameter else { return None };
+    let which = [DriveTerm::FV, DriveTerm::FC, DriveTerm::FO].iter().position(|t| *t == term)?;
+    Some((which, row))
 }
 
 /// Friction of the file, per joint: `[FV, FC, FO]`; `None` where its model lacks the term.
 pub fn given_friction(plant: &dyn PerturbableArm) -> Vec<[Option<f64>; 3]> {
     let mut out = vec![[None; 3]; plant.dof()];
-    for (i, name) in plant.standard_names().iter().enumerate() {
-        if let Some((which, row)) = friction_of(name)
-            && let Some(j) = plant.rows().iter().position(|r| r + 1 == row)
+    for (i, parameter) in plant.standard_parameters().iter().enumerate() {
+        if let Some((which, row)) = friction_of(*parameter)
+            && let Some(j) = plant.rows().iter().position(|r| *r == row)
         {
             out[j][which] = Some(plant.given_drive(i));
         }
@@ -68,7 +68,7 @@ pub fn given_friction(plant: &dyn PerturbableArm) -> Vec<[Option<f64>; 3]> {
 /// Base parameters that belong to the rigid arm: all but friction.
 pub(super) fn inertial(plant: &dyn PerturbableArm) -> Vec<usize> {
     let base = plant.base_parameters();
-    (0..base.len()).filter(|&b| friction_of(&base[b].name).is_none()).collect()
+    (0..base.len()).filter(|&b| friction_of(base[b].leader).is_none()).collect()
 }
 
 /// Values of the base parameters in the file, friction left out.
@@ -77,7 +77,7 @@ fn given_base(plant: &dyn PerturbableArm) -> Vec<f64> {
     plant
         .base_parameters()
         .iter()
-        .map(|b| match friction_of(&b.name) {
+        .map(|b| match friction_of(b.leader) {
             Some(_) => 0.0,
             None => b.coefficients.iter().map(|(i, k)| k * standard[*i]).sum(),
         })
@@ -571,9 +571,9 @@ impl<'a> ModelUnderTest<'a> {
 
 pub(super) fn without_friction(plant: &dyn PerturbableArm, standard: &[f64]) -> Vec<f64> {
     plant
-        .standard_names()
+        .standard_parameters()
         .iter()
         .zip(standard)
-        .map(|(name, value)| if friction_of(name).is_some() { 0.0 } else { *value })
+        .map(|(p, value)| if friction_of(*p).is_some() { 0.0 } else { *value })
         .collect()
 }

@@ -16,7 +16,7 @@ use crate::data::trajectory::Trajectory;
 use crate::excite::{Effort, Extra, Task, Watch, discriminate};
 use crate::model::differentiated::Differentiated;
 use crate::model::perturbable_robot::PerturbableRobot;
-use crate::model::{Arm, Change, PerturbableArm, States};
+use crate::model::{Arm, Change, DriveTerm, PerturbableArm, StandardParameter, States};
 
 use super::Cause;
 use super::Diagnosis;
@@ -75,12 +75,11 @@ pub fn discriminating_motion(robot: &Robot, found: &Diagnosis, progress: &dyn Fn
         let family = |columns: &[Column]| Family::new(&plant, &standard, &turn, columns.to_vec());
         let (first, second) = (family(&own), family(&other));
         // A friction term that is a hypothesis is none of the unknowns beside it.
-        let ours: Vec<String> = own.iter().chain(&other).filter_map(|c| c.base_name(&plant)).collect();
+        let ours: Vec<StandardParameter> = own.iter().chain(&other).filter_map(|c| c.base_parameter(&plant)).collect();
         let base = plant.base_parameters();
-        let friction = |name: &str| ["FV", "FC", "FO"].iter().any(|p| name.starts_with(p));
         task.base = (0..base.len())
-            .filter(|&b| found.links_refitted || friction(&base[b].name))
-            .filter(|&b| !ours.iter().any(|o| base[b].name.trim_end_matches('R') == o))
+            .filter(|&b| found.links_refitted || base[b].leader.is_friction())
+            .filter(|&b| !ours.contains(&base[b].leader))
             .collect();
         let effort = Effort { starts: 3, iterations: 12, finalists: 1, ..Effort::default() };
         let (stop, quiet) = (AtomicBool::new(false), |_: &crate::excite::Progress| {});
@@ -111,8 +110,8 @@ pub fn discriminating_motion(robot: &Robot, found: &Diagnosis, progress: &dyn Fn
 /// Standard parameters of the diagnosed arm without friction.
 fn bodies(plant: &PerturbableRobot, found: &Diagnosis) -> Option<Vec<f64>> {
     let standard = found.standard.as_deref().or(plant.given())?;
-    let friction = |name: &str| ["FV", "FC", "FO"].iter().any(|p| name.starts_with(p));
-    Some(plant.standard_names().iter().zip(standard).map(|(n, v)| if friction(n) { 0.0 } else { *v }).collect())
+    let pairs = plant.standard_parameters().iter().zip(standard);
+    Some(pairs.map(|(p, v)| if p.is_friction() { 0.0 } else { *v }).collect())
 }
 
 /// Pairs that no motion separates.
@@ -189,6 +188,19 @@ enum Law {
     Sine(f64, bool),
 }
 
+impl Law {
+    /// The drive parameter with the same column.
+    fn drive_term(self) -> Option<DriveTerm> {
+        match self {
+            Self::Viscous => Some(DriveTerm::FV),
+            Self::Coulomb => Some(DriveTerm::FC),
+            Self::Offset => Some(DriveTerm::FO),
+            Self::Rotor => Some(DriveTerm::IA),
+            _ => None,
+        }
+    }
+}
+
 /// The unknowns of a cause at this place; `None` where it is none of a state alone.
 fn columns(
     plant: &dyn PerturbableArm,
@@ -253,28 +265,24 @@ fn columns(
 
 impl Column {
     /// The base parameter that is the same column.
-    fn base_name(self, plant: &dyn PerturbableArm) -> Option<String> {
+    fn base_parameter(self, plant: &dyn PerturbableArm) -> Option<StandardParameter> {
         let Self::JointSeries(j, law, _) = self else { return None };
-        let name = match law {
-            Law::Viscous => "FV",
-            Law::Coulomb => "FC",
-            Law::Offset => "FO",
-            _ => return None,
-        };
-        Some(format!("{name}{}", plant.rows().get(j)? + 1))
+        Some(StandardParameter::Drive(*plant.rows().get(j)?, law.drive_term()?))
     }
 
     /// How much of it the diagnosis found beyond the file.
     fn found(self, plant: &dyn PerturbableArm, cause: &Cause) -> Option<f64> {
-        let given = |name: &str, j: usize| {
-            let name = format!("{name}{}", plant.rows().get(j).map_or(0, |row| row + 1));
-            plant.standard_names().iter().position(|n| *n == name).map_or(0.0, |at| plant.given_drive(at))
+        let given = |law: Law, j: usize| {
+            let wanted =
+                law.drive_term().zip(plant.rows().get(j)).map(|(term, row)| StandardParameter::Drive(*row, term));
+            let at = plant.standard_parameters().iter().position(|p| Some(*p) == wanted);
+            at.map_or(0.0, |at| plant.given_drive(at))
         };
         let value = match self {
             Self::JointSeries(_, Law::Stribeck(..), _) => key_of(cause, "FS")? - key_of(cause, "FC").unwrap_or(0.0),
             Self::JointSeries(_, Law::Gain, _) => key_of(cause, "GT")? - 1.0,
-            Self::JointSeries(j, Law::Viscous | Law::Coulomb | Law::Rotor, name) => {
-                key_of(cause, name)? - given(name, j)
+            Self::JointSeries(j, law @ (Law::Viscous | Law::Coulomb | Law::Rotor), name) => {
+                key_of(cause, name)? - given(law, j)
             }
             Self::JointSeries(_, _, name) | Self::Changed(_, _, name) => key_of(cause, name)?,
             Self::Zero(_) => key_of(cause, "QO")?,
@@ -479,10 +487,10 @@ mod tests {
         };
         let plain = torques(&robot);
         let bodies: Vec<f64> = plant
-            .standard_names()
+            .standard_parameters()
             .iter()
             .zip(plant.given().unwrap())
-            .map(|(n, v)| if n.starts_with('F') { 0.0 } else { *v })
+            .map(|(p, v)| if p.is_friction() { 0.0 } else { *v })
             .collect();
         let turn = [1e-9; 2];
         type Case<'a> = (&'a str, &'a [(&'a str, f64)], usize, f64);

@@ -9,14 +9,14 @@ use super::model::{Chosen, Fitted, Mode, ModelUnderTest, given_friction, inertia
 use crate::diagnose::hypotheses::Sign;
 use crate::diagnose::model_choice::LeftOut;
 use crate::identify::{BoundedLeastSquares, ConsistentError, ConsistentSettings};
-use crate::model::{BaseParameter, LikelyBodies};
+use crate::model::{BaseParameter, LikelyBodies, StandardParameter};
 
 /// Torques are not known better than to this share of themselves, whatever little a fit leaves.
 const DIGITS: f64 = 1e-5;
 
 /// Constraints on the unknowns of a fit.
 struct Limits {
-    standard: Vec<String>,
+    standard: Vec<StandardParameter>,
     base: Vec<BaseParameter>,
     least: Vec<Option<f64>>,
     bodies: LikelyBodies,
@@ -132,7 +132,7 @@ impl ModelUnderTest<'_> {
             };
             least.extend(terms.iter().map(|t| own(t.sign)));
         }
-        let drives = (0..plant.standard_names().len()).map(|i| plant.given_drive(i)).collect();
+        let drives = (0..plant.standard_parameters().len()).map(|i| plant.given_drive(i)).collect();
         let solution = &fitted.solution;
         let independent: f64 = solution.counts.iter().zip(&fitted.memory).map(|(n, m)| n / m).sum();
         let share = (independent / solution.counts.iter().sum::<f64>()).min(1.0);
@@ -140,7 +140,7 @@ impl ModelUnderTest<'_> {
         let weights = solution.weights.iter().zip(fitted.moments.torque()).map(weight).collect();
         let carried = bodies.as_ref().map_or(Vec::new(), |b| b.carried.clone());
         Limits {
-            standard: plant.standard_names().to_vec(),
+            standard: plant.standard_parameters().to_vec(),
             base,
             least,
             bodies: bodies.unwrap_or(LikelyBodies { prior: Vec::new(), carried: Vec::new() }),

@@ -14,7 +14,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
-use crate::model::PerturbableArm;
+use crate::model::{Inertial, PerturbableArm, StandardParameter};
 
 /// How many times less than that of the belief the data's variance has to be for a direction to be
 /// taken by half: what is tried.
@@ -113,7 +113,7 @@ pub fn prior(plant: &dyn PerturbableArm, wanted: &[usize], torque: &[f64]) -> Op
     let (mut mean, mut root) = (DVector::zeros(n), DMatrix::zeros(n, n));
     if b > 0 {
         let given = plant.given()?;
-        let std = deviations(plant.standard_names(), given)?;
+        let std = deviations(plant.standard_parameters(), given)?;
         let base = plant.base_parameters();
         let mut factor = DMatrix::zeros(b, given.len());
         for (row, &index) in wanted.iter().enumerate() {
@@ -141,30 +141,30 @@ pub fn prior(plant: &dyn PerturbableArm, wanted: &[usize], torque: &[f64]) -> Op
 
 /// How far each standard parameter may be from the file's, one standard deviation; `None`: no link
 /// has a mass.
-pub fn deviations(names: &[String], given: &[f64]) -> Option<Vec<f64>> {
-    const TEN: [&str; 10] = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
-    let kind = |name: &str| name.trim_end_matches(|c: char| c.is_ascii_digit()).to_string();
-    let links: Vec<usize> = (0..names.len()).filter(|&i| kind(&names[i]) == "M").collect();
+pub fn deviations(parameters: &[StandardParameter], given: &[f64]) -> Option<Vec<f64>> {
+    const TEN: usize = Inertial::ALL.len();
+    let mass = |i: &usize| matches!(parameters[*i], StandardParameter::Link(_, Inertial::M));
+    let links: Vec<usize> = (0..parameters.len()).filter(mass).collect();
     let heavy: Vec<f64> = links.iter().map(|&i| given[i]).filter(|m| *m > 0.0).collect();
     if heavy.is_empty() {
         return None;
     }
     let mean = heavy.iter().sum::<f64>() / heavy.len() as f64;
-    let mut std = vec![0.0; names.len()];
+    let mut std = vec![0.0; parameters.len()];
     for &first in &links {
         let mass = given[first].max(FORGOTTEN * mean);
-        let body = given.get(first..first + TEN.len())?;
+        let body = given.get(first..first + TEN)?;
         let moment = body[1..4].iter().map(|m| m * m).sum::<f64>().sqrt() / mass;
         let radius = (body[4..7].iter().fold(0.0_f64, |a, i| a.max(i.abs())) / mass).sqrt();
         let size = moment.max(radius).max(SMALLEST);
-        for (k, std) in std[first..first + TEN.len()].iter_mut().enumerate() {
+        for (k, std) in std[first..first + TEN].iter_mut().enumerate() {
             *std = mass * size.powi([0, 1, 2][usize::from(k > 0) + usize::from(k > 3)]);
         }
     }
     // Rotors: as heavy as the file says, or as the arm's lighter links.
     let inertia = mean * SMALLEST * SMALLEST;
-    for (i, name) in names.iter().enumerate().filter(|(i, _)| !TEN.contains(&kind(&names[*i]).as_str())) {
-        std[i] = if kind(name) == "IA" { given[i].abs().max(10.0 * inertia) } else { 1.0 };
+    for (i, parameter) in parameters.iter().enumerate().filter(|(_, p)| p.is_drive()) {
+        std[i] = if parameter.is_rotor() { given[i].abs().max(10.0 * inertia) } else { 1.0 };
     }
     Some(std)
 }

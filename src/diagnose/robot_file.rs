@@ -2,10 +2,13 @@
 
 use super::{Cause, Diagnosis};
 use crate::model::robot_edit::{with_rotors, with_values, without};
-use dh_codegen::arm::param::{self, DriveTerm, Parameter};
+use dh_codegen::arm::param::{self, DriveTerm, Inertial, Parameter};
 use dh_codegen::robot::{Effect, EffectKind, Inertia, Robot};
 
-const BODY: [&str; 10] = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
+/// Place of a key among the ten parameters of a body.
+fn body_place(key: &str) -> Option<usize> {
+    Inertial::ALL.iter().position(|which| which.name() == key)
+}
 
 /// The robot with everything in it that a diagnosis found.
 ///
@@ -138,8 +141,8 @@ fn in_terms_of_the_file(
             }
         }
         // The file would take a mass without a tensor for a point mass.
-        EffectKind::Payload if !keys.iter().any(|(key, _)| BODY[4..].contains(&key.as_str())) => {
-            keys.push(("XX".into(), 0.0))
+        EffectKind::Payload if !keys.iter().any(|(key, _)| body_place(key) >= Some(Inertial::XX as usize)) => {
+            keys.push((Inertial::XX.name().into(), 0.0))
         }
         // A delay of one joint is counted from nothing, and the file adds it to that of all; that
         // of all is counted on the first joint.
@@ -173,7 +176,7 @@ fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &
         if let Some(row) = row {
             let mut values = robot.links.get(row).copied().flatten().map_or([0.0; 10], Inertia::to_array);
             for (symbol, by) in &left {
-                if let Some(at) = BODY.iter().position(|b| b == symbol) {
+                if let Some(at) = body_place(symbol) {
                     values[at] += by;
                 }
             }

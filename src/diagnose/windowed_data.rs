@@ -8,7 +8,7 @@
 
 use std::sync::{Arc, OnceLock};
 
-use crate::model::{Change, PerturbableArm, States};
+use crate::model::{Change, DriveTerm, PerturbableArm, StandardParameter, States};
 
 use crate::data::signal::{Band, central};
 
@@ -529,8 +529,8 @@ fn earlier(x: &[f64], span: std::ops::Range<usize>, by: f64) -> Vec<f64> {
 /// Rotor inertia of each joint in the file, kg m^2.
 fn rotors(plant: &dyn PerturbableArm) -> Vec<f64> {
     let of = |row: &usize| {
-        let name = format!("IA{}", row + 1);
-        plant.standard_names().iter().position(|n| *n == name).map_or(0.0, |at| plant.given_drive(at))
+        let rotor = StandardParameter::Drive(*row, DriveTerm::IA);
+        plant.standard_parameters().iter().position(|p| *p == rotor).map_or(0.0, |at| plant.given_drive(at))
     };
     plant.rows().iter().map(of).collect()
 }

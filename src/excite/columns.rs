@@ -1,7 +1,7 @@
 //! The columns that a motion has to determine: those of the base regressor that count, a body in
 //! the tool frame, a caller's own.
 
-use crate::model::{Differentiable, Gradient, States};
+use crate::model::{Differentiable, Gradient, Inertial, States};
 
 use super::extra::Extra;
 
@@ -47,8 +47,7 @@ impl<'a> Columns<'a> {
                 place: place + k,
             }));
             parts[1] = pattern.len();
-            let ten = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
-            names.extend(ten.map(|p| format!("{p} of the tool")));
+            names.extend(Inertial::ALL.map(|which| format!("{} of the tool", which.name())));
         }
         if let Some(extra) = extra {
             let (first, place) = (names.len(), parts[0] + parts[1]);

@@ -135,9 +135,8 @@ impl<'a> Task<'a> {
 
     /// Leaves the drives' columns out of the criterion: rotor inertia, friction, offsets.
     pub fn links_only(&mut self) {
-        let drive = |name: &str| ["IA", "FV", "FC", "FO"].iter().any(|p| name.starts_with(p));
         let base = self.arm.base_parameters();
-        self.base.retain(|&b| !drive(&base[b].name));
+        self.base.retain(|&b| !base[b].leader.is_drive());
     }
 
     /// Leaves out what no posture changes: frames on the base axis, spheres that turn about it.

@@ -29,7 +29,7 @@ pub fn torque_of_errors(arm: &dyn Arm, beta: &[f64], states: &States, errors: &[
         arm.base_regressor(states, &mut out);
         let mut rows = vec![0.0; dof * len];
         for (entry, &(row, column)) in out.chunks_exact(len).zip(arm.base_pattern()) {
-            let friction = arm.base_parameters()[column].name.starts_with("FC");
+            let friction = arm.base_parameters()[column].leader.is_coulomb();
             if beta[column] != 0.0 && !friction {
                 rows[row * len..(row + 1) * len].iter_mut().zip(entry).for_each(|(t, w)| *t += w * beta[column]);
             }

@@ -234,7 +234,7 @@ pub fn consistent(
     let (data, floor) = data(arm, fit, found)?;
     let parameters = arm.base_parameters().len() as f64;
     let freedom = found.independent - parameters;
-    let setup = Setup::new(arm.description(), &data, prior, drives, settings)?;
+    let setup = Setup::of(arm.description(), &data, prior, drives, settings)?;
     let shares = setup.problem.links.iter().map(|l| l.share).fold(1.0, f64::min);
     let vanishing = Weights { w: VANISHING / shares, mu: VANISHING };
     let wanted = Weights { w: settings.prior_weight, mu: VANISHING };

@@ -24,12 +24,11 @@ impl<'a> KnownEffects<'a> {
     /// low-pass that the recorded torque went through. `None` where the numbers do not go with the
     /// arm.
     pub fn new(file: &'a dyn TorqueModel, arm: &'a dyn Arm, standard: &[f64], filter: Option<Filter>) -> Option<Self> {
-        let names = arm.standard_names();
-        if names.len() != standard.len() || file.dof() != arm.dof() {
+        let parameters = arm.standard_parameters();
+        if parameters.len() != standard.len() || file.dof() != arm.dof() {
             return None;
         }
-        let level = |name: &String| name.starts_with("FC");
-        let smooth = names.iter().zip(standard).map(|(name, v)| if level(name) { 0.0 } else { *v }).collect();
+        let smooth = parameters.iter().zip(standard).map(|(p, v)| if p.is_coulomb() { 0.0 } else { *v }).collect();
         Some(Self { file, arm, standard: standard.to_vec(), smooth, filter })
     }
 

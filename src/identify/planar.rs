@@ -3,7 +3,7 @@
 
 use crate::data::log::{Layout, Log};
 use crate::data::signal::Motion;
-use crate::model::{Arm, BaseParameter, Description, States};
+use crate::model::{Arm, BaseParameter, Description, DriveTerm, Inertial, StandardParameter, States};
 
 const L: f64 = 0.4;
 const G: f64 = 9.81;
@@ -24,19 +24,25 @@ pub(crate) const STANDARD: [f64; 16] = [
 
 impl Planar {
     pub(crate) fn new() -> Self {
-        let standard: Vec<String> = [
-            "M1", "MSX1", "MSY1", "ZZ1", "M2", "MSX2", "MSY2", "ZZ2", "IA1", "IA2", "FV1", "FV2", "FC1", "FC2", "FO1",
-            "FO2",
-        ]
-        .map(String::from)
-        .to_vec();
+        let of_link = |row| {
+            [Inertial::M, Inertial::MSX, Inertial::MSY, Inertial::ZZ].map(|which| StandardParameter::Link(row, which))
+        };
+        let drives = DriveTerm::ALL.into_iter().flat_map(|term| [0, 1].map(|row| StandardParameter::Drive(row, term)));
+        let standard: Vec<StandardParameter> = [0, 1].into_iter().flat_map(of_link).chain(drives).collect();
         let base = |name: &str, unit: &str, coefficients: &[(usize, f64)]| {
+            let leader = standard[coefficients[0].0];
             let sum = coefficients.iter().map(|(i, k)| match *k {
-                1.0 => standard[*i].clone(),
+                1.0 => standard[*i].to_string(),
                 k => format!("{k}*{}", standard[*i]),
             });
             let grouping = format!("{name} = {}", sum.collect::<Vec<_>>().join(" + "));
-            BaseParameter { name: name.into(), grouping, coefficients: coefficients.to_vec(), unit: unit.into() }
+            BaseParameter {
+                leader,
+                name: name.into(),
+                grouping,
+                coefficients: coefficients.to_vec(),
+                unit: unit.into(),
+            }
         };
         let base = vec![
             base("ZZ1R", "kg m^2", &[(3, 1.0), (4, L * L), (8, 1.0)]),

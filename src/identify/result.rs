@@ -5,6 +5,7 @@ use super::Dropped;
 use super::ErrorBudget;
 use super::Noise;
 use crate::data::log::{Finding, Kind};
+use crate::model::StandardParameter;
 
 /// Status of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,6 +22,8 @@ pub enum Standing {
 /// A base parameter with its estimate.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Estimate {
+    /// The standard parameter whose column it keeps.
+    pub leader: StandardParameter,
     /// Name: `ZZ1R`.
     pub name: String,
     /// Unit.

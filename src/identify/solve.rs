@@ -196,6 +196,7 @@ pub fn solve(
             .iter()
             .enumerate()
             .map(|(c, p)| Estimate {
+                leader: p.leader,
                 name: p.name.clone(),
                 unit: p.unit.clone(),
                 grouping: p.grouping.clone(),
@@ -258,7 +259,7 @@ fn check(
         same(format!("{}: parameters", log.name), log.parameters, arm.base_parameters().len())?;
     }
     match &settings.prior {
-        Some(prior) => same("standard parameters given".into(), prior.len(), arm.standard_names().len()),
+        Some(prior) => same("standard parameters given".into(), prior.len(), arm.standard_parameters().len()),
         None => Ok(()),
     }
 }

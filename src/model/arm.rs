@@ -1,5 +1,9 @@
 //! View of a robot for methods that work on data: its regressor and its torques.
 
+use dh_codegen::arm::param::DriveTerm;
+
+use super::parameter::StandardParameter;
+
 /// Joint motion of a block of samples, joint-major: sample `s` of joint `j` stands at `j * len +
 /// s`.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -45,6 +49,8 @@ pub struct SummedSign {
 /// A base parameter: an identifiable combination of standard parameters.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BaseParameter {
+    /// The standard parameter whose column it keeps.
+    pub leader: StandardParameter,
     /// Name of its leader, with `R` where it groups others: `ZZ1R`, `MSY7`, `FC3`.
     pub name: String,
     /// `ZZ1R = ZZ1 + YY2 + ...`, in the constants of the robot file.
@@ -55,6 +61,14 @@ pub struct BaseParameter {
     pub unit: String,
 }
 
+impl BaseParameter {
+    /// Whether it is a drive's own of this kind. Its column then stands in the row of its own joint
+    /// alone.
+    pub fn is_drive_term(&self, term: DriveTerm) -> bool {
+        matches!(self.leader, StandardParameter::Drive(_, own) if own == term)
+    }
+}
+
 /// Meaning of an arm's numbers.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Description {
@@ -62,8 +76,8 @@ pub struct Description {
     pub name: String,
     /// Degrees of freedom, `n`.
     pub dof: usize,
-    /// Names of the standard parameters, `P`, in the order of robots/README.md.
-    pub standard: Vec<String>,
+    /// The standard parameters, `P`, in the order of robots/README.md.
+    pub standard: Vec<StandardParameter>,
     /// The base parameters, `B`, in the order of the base regressor's columns.
     pub base: Vec<BaseParameter>,
     /// Rows and columns of the base regressor's structural nonzeros, sorted by row, then column.
@@ -88,9 +102,14 @@ pub trait Arm: Sync {
         self.description().dof
     }
 
-    /// Names of the standard parameters, `P`, in the order of robots/README.md.
-    fn standard_names(&self) -> &[String] {
+    /// The standard parameters, `P`, in the order of robots/README.md.
+    fn standard_parameters(&self) -> &[StandardParameter] {
         &self.description().standard
+    }
+
+    /// Their names.
+    fn standard_names(&self) -> Vec<String> {
+        self.standard_parameters().iter().map(StandardParameter::to_string).collect()
     }
 
     /// The base parameters, `B`, in the order of the base regressor's columns.

@@ -14,7 +14,7 @@
 //! `FCM6`. Rigid bodies give none of these columns, so each is a base parameter of its own; the fit
 //! shows whether a motion separates it from the rest.
 
-use crate::model::{Arm, BaseParameter, Description, States, SummedSign, VelocitySum};
+use crate::model::{Arm, BaseParameter, Description, StandardParameter, States, SummedSign, VelocitySum};
 
 /// A motor that turns with another joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -29,8 +29,39 @@ pub struct Coupling {
     pub ratio: f64,
 }
 
-/// `IAM`, `FVM`, `FCM` and their units.
-pub const TERMS: [(&str, &str); 3] = [("IAM", "kg m^2"), ("FVM", "N m s/rad"), ("FCM", "N m")];
+/// A parameter of the motor.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum CouplingTerm {
+    /// Rotor inertia, kg m^2.
+    IAM,
+    /// Viscous friction, N m s/rad.
+    FVM,
+    /// Coulomb friction, N m.
+    FCM,
+}
+
+impl CouplingTerm {
+    /// All, in the order of the regressor's columns.
+    pub const ALL: [Self; 3] = [Self::IAM, Self::FVM, Self::FCM];
+
+    /// The symbol.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::IAM => "IAM",
+            Self::FVM => "FVM",
+            Self::FCM => "FCM",
+        }
+    }
+
+    /// Unit.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::IAM => "kg m^2",
+            Self::FVM => "N m s/rad",
+            Self::FCM => "N m",
+        }
+    }
+}
 
 impl Coupling {
     /// The velocity of its motor, on the joint's side of the gear.
@@ -38,20 +69,15 @@ impl Coupling {
         VelocitySum { joints: [self.motor, self.other], ratio: self.ratio }
     }
 
-    /// Names of its parameters, in the order of [`TERMS`].
-    pub fn names(&self) -> [String; 3] {
-        TERMS.map(|(kind, _)| format!("{kind}{}", self.row + 1))
-    }
-
     /// Torque of one unit of a parameter on joint k or m, at every sample.
-    fn column(&self, term: usize, on_motor: bool, states: &States, out: &mut [f64]) {
+    fn column(&self, term: CouplingTerm, on_motor: bool, states: &States, out: &mut [f64]) {
         let of = |all: &'_ [f64], joint: usize, s: usize| all[joint * states.len + s];
         let far = if on_motor { self.other } else { self.motor };
         for (s, out) in out.iter_mut().enumerate() {
             *out = match term {
-                0 => self.ratio * of(&states.ddq, far, s),
-                1 => self.ratio * of(&states.dq, far, s),
-                _ => {
+                CouplingTerm::IAM => self.ratio * of(&states.ddq, far, s),
+                CouplingTerm::FVM => self.ratio * of(&states.dq, far, s),
+                CouplingTerm::FCM => {
                     let w = of(&states.dq, self.motor, s) + self.ratio * of(&states.dq, self.other, s);
                     let sign = if w == 0.0 { 0.0 } else { w.signum() };
                     if on_motor { sign } else { self.ratio * sign }
@@ -67,7 +93,7 @@ enum Entry {
     /// That of the arm with this index.
     Arm(usize),
     /// Coupling, term, and whether it is the motor's joint.
-    Coupling(usize, usize, bool),
+    Coupling(usize, CouplingTerm, bool),
 }
 
 /// An arm and its couplings; an arm without couplings is itself.
@@ -86,17 +112,19 @@ impl<'a> Coupled<'a> {
         let own = arm.base_pattern().iter().enumerate().map(|(entry, &place)| (place, Entry::Arm(entry)));
         let mut all: Vec<((usize, usize), Entry)> = own.collect();
         for (index, coupling) in couplings.iter().enumerate() {
-            for (term, (name, (_, unit))) in coupling.names().into_iter().zip(TERMS).enumerate() {
+            for term in CouplingTerm::ALL {
+                let parameter = StandardParameter::Coupling(coupling.row, term);
                 for (joint, on_motor) in [(coupling.other, false), (coupling.motor, true)] {
                     all.push(((joint, base.len()), Entry::Coupling(index, term, on_motor)));
                 }
                 base.push(BaseParameter {
-                    grouping: format!("{name} = {name}"),
+                    leader: parameter,
+                    name: parameter.to_string(),
+                    grouping: format!("{parameter} = {parameter}"),
                     coefficients: vec![(standard.len(), 1.0)],
-                    unit: unit.to_string(),
-                    name: name.clone(),
+                    unit: term.unit().to_string(),
                 });
-                standard.push(name);
+                standard.push(parameter);
             }
         }
         all.sort_by_key(|(place, _)| *place);
@@ -136,7 +164,7 @@ impl Arm for Coupled<'_> {
         }
         all.extend(self.couplings.iter().enumerate().map(|(index, coupling)| {
             let entry = |(at, entry): (usize, &Entry)| match *entry {
-                Entry::Coupling(of, 2, on_motor) if of == index => {
+                Entry::Coupling(of, CouplingTerm::FCM, on_motor) if of == index => {
                     Some((at, if on_motor { 1.0 } else { coupling.ratio }))
                 }
                 _ => None,
@@ -150,12 +178,12 @@ impl Arm for Coupled<'_> {
     }
 
     fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]) {
-        let own = self.arm.standard_names().len();
+        let own = self.arm.standard_parameters().len();
         self.arm.inverse_dynamics(states, &standard[..own], out);
         let mut column = vec![0.0; states.len];
         for (index, coupling) in self.couplings.iter().enumerate() {
-            for term in 0..TERMS.len() {
-                let value = standard[own + TERMS.len() * index + term];
+            let values = &standard[own + CouplingTerm::ALL.len() * index..];
+            for (term, value) in CouplingTerm::ALL.into_iter().zip(values) {
                 for (joint, on_motor) in [(coupling.other, false), (coupling.motor, true)] {
                     coupling.column(term, on_motor, states, &mut column);
                     let torque = &mut out[joint * states.len..(joint + 1) * states.len];
@@ -179,23 +207,24 @@ mod tests {
         let planar = Planar::new();
         let coupling = Coupling { row: 1, motor: 1, other: 0, ratio: -1.5 };
         let arm = Coupled::new(&planar, vec![coupling]);
-        let own = planar.standard_names().len();
+        let own = planar.standard_parameters().len();
         assert_eq!(arm.standard_names()[own..], ["IAM2", "FVM2", "FCM2"]);
         let (v, a) = ([0.7, 0.4], [0.2, -1.1]); // joints k, m
         let states = States { len: 1, q: vec![0.3, 0.9], dq: v.to_vec(), ddq: a.to_vec() };
-        for (term, power) in
-            [(0, coupling.ratio * (a[0] * v[1] + v[0] * a[1])), (1, 2.0 * coupling.ratio * v[0] * v[1])]
-                .into_iter()
-                .chain([(2, (v[1] + coupling.ratio * v[0]).abs())])
-        {
-            let mut standard = vec![0.0; arm.standard_names().len()];
+        let powers = [
+            coupling.ratio * (a[0] * v[1] + v[0] * a[1]),
+            2.0 * coupling.ratio * v[0] * v[1],
+            (v[1] + coupling.ratio * v[0]).abs(),
+        ];
+        for (term, power) in powers.into_iter().enumerate() {
+            let mut standard = vec![0.0; arm.standard_parameters().len()];
             standard[own + term] = 1.0;
             let mut tau = [0.0; 2];
             arm.inverse_dynamics(&states, &standard, &mut tau);
             assert!((tau[0] * v[0] + tau[1] * v[1] - power).abs() < 1e-12, "term {term}");
             let mut entries = vec![0.0; arm.base_pattern().len()];
             arm.base_regressor(&states, &mut entries);
-            let base = arm.base_parameters().len() - TERMS.len() + term;
+            let base = arm.base_parameters().len() - CouplingTerm::ALL.len() + term;
             for (&(joint, column), entry) in arm.base_pattern().iter().zip(&entries) {
                 if column == base {
                     assert_eq!(*entry, tau[joint], "term {term}, joint {joint}");

@@ -49,6 +49,7 @@ impl Interpreted {
             .0
             .iter()
             .map(|b| BaseParameter {
+                leader: b.leader.into(),
                 name: b.name.clone(),
                 grouping: b.grouping.clone(),
                 coefficients: b.coefficients.clone(),
@@ -62,7 +63,7 @@ impl Interpreted {
             description: Description {
                 name: robot.name.clone(),
                 dof: model.dof(),
-                standard: model.standard().iter().map(|p| p.name()).collect(),
+                standard: model.standard().iter().map(|&p| p.into()).collect(),
                 pattern: nonzeros.iter().map(|&o| (o / width, o % width)).collect(),
                 base,
             },

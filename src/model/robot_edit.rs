@@ -1,7 +1,7 @@
 //! Edits of a robot file: identified values, couplings, effects taken out.
 
 use crate::model::LinkExtents;
-use crate::model::coupled::{self, Coupling};
+use crate::model::coupled::{Coupling, CouplingTerm};
 use crate::model::likely_bodies::{PriorBody, geometric_bodies, prior_bodies};
 use dh_codegen::arm::param::{self, DriveTerm, Parameter};
 use dh_codegen::robot::{Effect, EffectKind, Inertia, Robot};
@@ -35,7 +35,7 @@ pub fn with_values(mut robot: Robot, standard: &[f64]) -> Robot {
     robot
 }
 
-/// The couplings that the robot's drives name, with what the file says of their [`coupled::TERMS`]
+/// The couplings that the robot's drives name, with what the file says of their [`CouplingTerm`]s
 /// (zero: not known yet). (The reader of robot files refuses one whose `joint` is no other moving
 /// joint.)
 pub fn couplings(robot: &Robot) -> Vec<(Coupling, [f64; 3])> {
@@ -65,7 +65,7 @@ pub fn with_rotors(mut robot: Robot) -> Robot {
 
 /// The robot with these values of its [`couplings`], in their order, three each.
 pub fn with_couplings(mut robot: Robot, values: &[f64]) -> Robot {
-    for ((coupling, _), values) in couplings(&robot).into_iter().zip(values.chunks_exact(coupled::TERMS.len())) {
+    for ((coupling, _), values) in couplings(&robot).into_iter().zip(values.chunks_exact(CouplingTerm::ALL.len())) {
         let effects = &mut robot.joints[coupling.row].drive.effects;
         let stated = effects.iter_mut().find_map(|effect| match effect {
             Effect::GearCoupling(stated) => Some(stated),

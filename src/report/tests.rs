@@ -4,6 +4,7 @@ use super::*;
 use crate::identify::{
     Accuracy, Condition, Confused, Estimate, Identification, LogSummary, Noise, Standing, Trace, TraceJoint,
 };
+use crate::model::{Inertial, StandardParameter};
 
 fn found() -> Identification {
     let accuracy = Accuracy {
@@ -12,7 +13,8 @@ fn found() -> Identification {
         torque_rms: vec![10.0, f64::NAN],
         samples: vec![100, 0],
     };
-    let estimate = |name: &str, std: f64, standing| Estimate {
+    let estimate = |name: &str, which, row, std: f64, standing| Estimate {
+        leader: StandardParameter::Link(row, which),
         name: name.into(),
         unit: "kg m^2".into(),
         grouping: format!("{name} = ZZ1 + L1**2*M2"),
@@ -25,8 +27,8 @@ fn found() -> Identification {
     Identification {
         robot: "two <links>".into(),
         parameters: vec![
-            estimate("ZZ1R", 0.0125, Standing::Identified),
-            estimate("MSX2", f64::INFINITY, Standing::NotIdentifiable),
+            estimate("ZZ1R", Inertial::ZZ, 0, 0.0125, Standing::Identified),
+            estimate("MSX2", Inertial::MSX, 1, f64::INFINITY, Standing::NotIdentifiable),
         ],
         correlation: vec![1.0, f64::NAN, f64::NAN, f64::NAN],
         noise: Noise {

@@ -290,5 +290,5 @@ fn links_only(robot: &Robot, standard: &[f64]) -> Vec<f64> {
 
 /// The file's parameters without Coulomb friction: what a controller feeds forward.
 pub(super) fn without_coulomb(arm: &dyn Arm, standard: &[f64]) -> Vec<f64> {
-    arm.standard_names().iter().zip(standard).map(|(name, &v)| if name.starts_with("FC") { 0.0 } else { v }).collect()
+    arm.standard_parameters().iter().zip(standard).map(|(p, &v)| if p.is_coulomb() { 0.0 } else { v }).collect()
 }

@@ -6,6 +6,7 @@
 mod angle;
 mod check;
 mod decimal;
+pub mod document;
 pub mod effects;
 mod expression;
 mod inertia;
@@ -27,7 +28,7 @@ mod write;
 mod yaml;
 
 pub use angle::Angle;
-pub use check::{Reading, Setting, SimulationFile};
+pub use check::Reading;
 pub use effects::{Effect, EffectKind, RATED};
 pub use inertia::Inertia;
 pub use laws::{Coupling, Laws};

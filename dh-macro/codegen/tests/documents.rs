@@ -4,7 +4,7 @@ mod common;
 
 use common::robots;
 use dh_codegen::robot::effects::{Description, EffectKey, Magnitude, Range, Scope};
-use dh_codegen::robot::{EffectKind, Robot, Setting, SimulationFile};
+use dh_codegen::robot::{EffectKind, Robot};
 
 fn no_files(name: &str) -> Result<String, String> {
     Err(format!("{name} was not found"))
@@ -185,56 +185,4 @@ fn values_in_another_unit_are_noticed() {
     let notes = Robot::from_yaml(&text, &no_files).unwrap().notes;
     let paths: Vec<&str> = notes.iter().map(|note| note.path.as_str()).collect();
     assert_eq!(paths, ["gravity", "joints[1].alpha", "joints[1].d", "joints[1].position", "joints[1].velocity"]);
-}
-
-const EFFECTS: &str = "
-joints:
-  2: { stribeck_friction: { FS: 4.1, VS: 0.08 }, backlash: }
-  shoulder: { joint_elasticity: 3000 }
-effects: { base_tilt: { roll: 90deg } }
-sensors: { encoder: [1e-5, 2e-5], torque_noise_color: { std: 0.02, corner: 5 }, torque: link, dq: true }
-control: { mode: exact }
-";
-
-fn two_joints() -> Robot {
-    let text = "name: a\nconvention: modified\njoints: [ { type: revolute, name: shoulder }, { type: revolute } ]\n";
-    Robot::from_yaml(text, &no_files).unwrap().robot
-}
-
-#[test]
-fn a_file_of_effects_is_read() {
-    let file = SimulationFile::from_yaml(EFFECTS, &two_joints()).unwrap_or_else(|problems| panic!("{problems}"));
-    let named: Vec<(usize, &str)> = file.effects.joints.iter().map(|(row, e)| (*row, e.name())).collect();
-    assert_eq!(named, [(1, "stribeck_friction"), (1, "backlash"), (0, "joint_elasticity")]);
-    assert_eq!(file.effects.joints[2].1.stated(), [("KE".to_string(), 3000.0)]);
-    assert!((file.effects.robot[0].get("roll").unwrap() - core::f64::consts::FRAC_PI_2).abs() < 1e-15);
-    assert_eq!(file.settings.len(), 6);
-    assert!(file.settings.contains(&("sensors", "torque_noise_color.corner", Setting::Numbers(vec![5.0]))));
-    assert!(file.settings.contains(&("control", "mode", Setting::Word("exact"))));
-    let list = "joints: [ { joint: 2, backlash: {} }, { joint: shoulder, torque_offset: 1 } ]";
-    let file = SimulationFile::from_yaml(list, &two_joints()).unwrap();
-    assert_eq!(file.effects.joints.iter().map(|(row, _)| *row).collect::<Vec<_>>(), [1, 0]);
-    assert_eq!(SimulationFile::from_yaml("# nothing\n", &two_joints()).unwrap(), SimulationFile::default());
-}
-
-#[test]
-fn mistakes_in_a_file_of_effects_are_told_with_their_places() {
-    for (text, expected) in [
-        ("joints: { 3: { backlash: {} } }", "1:11: joints.3: a has no joint `3`; help: write a number from 1 to 2"),
-        ("joints: { 1: { baklash: {} } }", "`baklash` is not an effect; help: did you mean `backlash`?"),
-        ("joints: { 1: { backlash: { BW: 1 } } }", "`BW` is not a key of backlash; help: "),
-        ("joints: { 1: { payload: {} } }", "payload concerns the whole robot"),
-        ("effects: { backlash: {} }", "backlash belongs to one joint"),
-        ("joints: { 1: { gear_coupling: {} } }", "the key `joint` is missing"),
-        ("joints: [ { backlash: {} } ]", "joints[1]: the key `joint` is missing"),
-        ("joint: { 1: {} }", "`joint` is not a key of a file of effects; help: did you mean `joints`?"),
-        ("sensors: { ratte: 1 }", "`ratte` is not a key of sensors; help: did you mean `rate`?"),
-        ("sensors: { torque: both }", "`both` is not a torque; help: write motor or link"),
-        ("sensors: { dq: 1 }", "write true or false"),
-        ("control: exact", "`exact` stands here"),
-        ("[1]", "a file of effects is a mapping"),
-    ] {
-        let problems = SimulationFile::from_yaml(text, &two_joints()).unwrap_err().to_string();
-        assert!(problems.contains(expected), "{text}: {problems}");
-    }
 }

@@ -11,7 +11,8 @@ use super::wall::{RollerWall, WallSensor};
 use crate::apps::painting::drag_calibration_stroke::wipe;
 use crate::control::iterative_learning::{Learned, learned};
 use crate::control::law::{
-    Controller, Estimator, EstimatorSettings, ForceSettings, JointLoop, Model, Sample, Settings, Status, Target,
+    Controller, ControllerError, Estimator, EstimatorSettings, ForceSettings, JointLoop, Model, Sample, Settings,
+    Status, Target,
 };
 use crate::control::robot::{RobotModel, STANDING};
 use crate::model::Dynamics;
@@ -152,9 +153,12 @@ pub enum RunError {
     /// Of an arm that is too large.
     #[error("a robot with {0} joints can't be controlled here: at most {MOST}")]
     Joints(usize),
-    /// Limits, or the plan.
-    #[error("{0}")]
-    Setting(String),
+    /// No posture away from the wall.
+    #[error("the arm can't stand 2 cm before the wall")]
+    Reach,
+    /// Settings of the controller.
+    #[error(transparent)]
+    Control(#[from] ControllerError),
     /// Gains that keep their margins do not exist.
     #[error(transparent)]
     Tune(#[from] TuneError),
@@ -230,7 +234,6 @@ fn run_n<const N: usize>(
     task: &Task<'_>,
     progress: &mut dyn FnMut(f64),
 ) -> Result<Run, RunError> {
-    let setting = |text: &str| RunError::Setting(text.to_string());
     let span = task.motion.span();
     let seconds = span.end - span.start;
     let period = 1.0 / task.sensors.rate;
@@ -252,8 +255,7 @@ fn run_n<const N: usize>(
     };
     let [first, ..] = moment(span.start);
     let off = press.map(|p| -AWAY * p);
-    let start =
-        lent.displaced(&first, &off, &first).ok_or_else(|| setting("the arm can't stand 2 cm before the wall"))?;
+    let start = lent.displaced(&first, &off, &first).ok_or(RunError::Reach)?;
 
     let postures: Vec<[f64; N]> = (0..9).map(|k| moment(span.start + seconds * f64::from(k) / 8.0)[0]).collect();
     let viscous: [f64; N] = std::array::from_fn(|j| known.drives[j].plain.viscous.max(0.0));
@@ -297,7 +299,7 @@ fn run_n<const N: usize>(
         drag: task.law.drag,
         corner: task.corner,
     };
-    let mut controller = Controller::new(lend(), settings).map_err(setting)?;
+    let mut controller = Controller::new(lend(), settings)?;
     let estimator = EstimatorSettings {
         period,
         corner: task.corner,

@@ -6,9 +6,9 @@ use crate::control::iterative_learning::Learned;
 use crate::control::law::Model;
 use crate::control::robot::{RobotModel, contact_point};
 use crate::model::interpreted::Interpreted;
-use crate::simulate::{Sensors, Simulator, Trajectory};
+use crate::simulate::{Sensors, SimulationFile, Simulator, Trajectory};
 use dh_codegen::arm::param;
-use dh_codegen::robot::{Effects, Robot, SimulationFile};
+use dh_codegen::robot::{Effects, Robot};
 
 /// Three joints in a plane, a stick in the hand.
 pub(super) const FILE: &str = "

@@ -159,7 +159,7 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
     }
 
     let table2 = table2::rows(&lwr, &plain.found[best], &real.found[best]);
-    let inertial = || real.found[best].parameters.iter().zip(&lwr.truth).filter(|(e, _)| !e.name.starts_with('F'));
+    let inertial = || real.found[best].parameters.iter().zip(&lwr.truth).filter(|(e, _)| !e.leader.is_friction());
     let within = inertial().filter(|(e, truth)| (e.value - *truth).abs() <= 3.0 * e.std).count();
     let (tool, bench, rolling, many) = (stage(0.68, 0.7), stage(0.7, 0.74), stage(0.74, 0.86), stage(0.86, 1.0));
     let fig10 =

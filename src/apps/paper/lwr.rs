@@ -3,13 +3,13 @@
 
 use dh_codegen::arm::{Function, param};
 use dh_codegen::robot::effects::{JointElasticity, PreslidingHysteresis, RotorInertia, TorqueRipple};
-use dh_codegen::robot::{Effects, Robot, SimulationFile};
+use dh_codegen::robot::{Effects, Robot};
 
 use super::ReproduceError;
 use crate::apps::paper::tool::PAPER_TORQUE_NOISE;
 use crate::model::Arm;
 use crate::model::interpreted::Interpreted;
-use crate::simulate::Sensors;
+use crate::simulate::{Sensors, SimulationFile};
 
 /// The robot file of the repository, unchanged.
 const FILE: &str = include_str!("../../../robots/kuka-lwr4.yaml");

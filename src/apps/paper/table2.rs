@@ -3,7 +3,7 @@
 use super::lwr::Lwr;
 use super::verdict::Verdict;
 use crate::identify::Identification;
-use crate::model::Arm;
+use crate::model::{Arm, StandardParameter};
 
 /// A row as printed: name, CAD, identified, its %sigma, Jubien's, its %sigma.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -58,6 +58,8 @@ pub const TABLE_TWO: [Printed; 15] = [
 pub struct Row {
     /// The paper's.
     pub printed: Printed,
+    /// The standard parameter whose column it keeps.
+    pub leader: StandardParameter,
     /// Of the simulated robot.
     pub truth: f64,
     /// Identified with noise alone, and its standard deviation.
@@ -111,9 +113,11 @@ pub fn rows(lwr: &Lwr, noise_only: &Identification, unmodelled: &Identification)
     TABLE_TWO
         .iter()
         .filter_map(|printed| {
-            let c = lwr.arm.base_parameters().iter().position(|b| b.name == printed.name)?;
+            let base = lwr.arm.base_parameters();
+            let c = base.iter().position(|b| b.name == printed.name)?;
             Some(Row {
                 printed: *printed,
+                leader: base[c].leader,
                 truth: lwr.truth[c],
                 noise_only: estimate(noise_only, c),
                 unmodelled: estimate(unmodelled, c),

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use dh_codegen::arm::param;
-use dh_codegen::robot::{Effects, Robot, SimulationFile};
+use dh_codegen::robot::{Effects, Robot};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::apps::painting::Plan;
@@ -14,12 +14,12 @@ use crate::apps::painting::wall::RollerWall;
 use crate::cli::delivery::deliver;
 use crate::cli::paint::plan::tool;
 use crate::cli::provenance::Provenance;
-use crate::cli::simulate::{apply, effects};
+use crate::cli::simulate::effects;
 use crate::cli::{Failure, files, motors};
 use crate::control::robot::contact_point;
 use crate::model::interpreted::Interpreted;
 use crate::report;
-use crate::simulate::{Request, Simulator};
+use crate::simulate::{Request, SimulationFile, Simulator};
 
 /// Run a plan against the simulated wall: position and force control of the paper's section V.
 ///
@@ -119,9 +119,10 @@ enum Which {
 /// tolerance of its solver.
 fn played(path: &Path, robot: &Robot, warnings: &mut report::Warnings) -> Result<SimulationFile, Failure> {
     let file = effects(path, robot, warnings)?;
-    match file.settings.iter().find(|(section, ..)| *section != "sensors") {
+    let idle = file.settings().find(|(section, _)| *section != "sensors");
+    match idle {
         None => Ok(file),
-        Some((section, key, _)) => Err(Failure::input(format!(
+        Some((section, key)) => Err(Failure::input(format!(
             "{}: `{section}: {key}` has no effect on `paint run`, which has a control and a solver of its own; leave it out",
             path.display()
         ))),
@@ -160,7 +161,7 @@ impl Run {
             None => SimulationFile::default(),
         };
         let mut request = Request::default();
-        apply(&given, &mut request);
+        given.apply(&mut request);
         let real = Simulator::new(&robot, &given.effects).map_err(|e| Failure::input(format!("{shown}: {e}")))?;
         let own = Simulator::new(&robot, &Effects::default()).map_err(|e| Failure::input(format!("{shown}: {e}")))?;
         let arm = Interpreted::new(&robot, &Interpreted::BODIES);

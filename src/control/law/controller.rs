@@ -14,6 +14,7 @@
 //! Torques are finite and within their limits whatever arrives.
 
 use super::drag::Drag;
+use super::error::ControllerError;
 use super::force::{ForceLoop, ForceSettings};
 use super::joint::JointLoop;
 use super::model::Model;
@@ -68,37 +69,26 @@ pub struct Settings<const N: usize> {
 }
 
 impl<const N: usize> Settings<N> {
-    /// Their mistake, if there is one.
-    pub fn problem(&self) -> Option<&'static str> {
+    /// Their first mistake, if there is one.
+    pub fn problem(&self) -> Option<ControllerError> {
         let positive = |x: f64| x > 0.0 && x.is_finite();
         let not_negative = |x: f64| x >= 0.0 && x.is_finite();
+        let all = |x: &[f64]| x.iter().all(|x| not_negative(*x));
         let ForceSettings { kp, ki, range, rate } = self.force;
-        if !positive(self.period) {
-            Some("the period must be greater than 0")
-        } else if !(self.joints.kp.iter().chain(&self.joints.kd).all(|k| not_negative(*k))) {
-            Some("the gains of the joints must not be negative")
-        } else if !(not_negative(kp) && not_negative(ki)) {
-            Some("the gains of the force loop must not be negative")
-        } else if !(not_negative(-range[0]) && not_negative(range[1])) {
-            Some("the range of the displacement must hold 0")
-        } else if !positive(rate) {
-            Some("the displacement's speed must be greater than 0")
-        } else if !self.torque.iter().chain(&self.velocity).all(|x| positive(*x)) {
-            Some("limits of torque and velocity must be greater than 0")
-        } else if ![self.contact, self.lost_after, self.regain, self.give_up, self.most]
-            .iter()
-            .all(|x| not_negative(*x))
-        {
-            Some("the limits of contact must not be negative")
-        } else if ![self.carry, self.feed, self.aside, self.drag].iter().all(|share| (0.0..=1.0).contains(share)) {
-            Some("shares that are fed forward must be from 0 to 1")
-        } else if !not_negative(self.aside_pole) {
-            Some("the pole of the force aside must not be negative")
-        } else if !positive(self.corner) {
-            Some("the corner of the estimate's low-pass must be greater than 0")
-        } else {
-            None
-        }
+        let shares = [self.carry, self.feed, self.aside, self.drag];
+        let rules = [
+            (positive(self.period), ControllerError::Period),
+            (all(&self.joints.kp) && all(&self.joints.kd), ControllerError::JointGains),
+            (all(&[kp, ki]), ControllerError::ForceGains),
+            (all(&[-range[0], range[1]]), ControllerError::Range),
+            (positive(rate), ControllerError::Rate),
+            (self.torque.iter().chain(&self.velocity).all(|x| positive(*x)), ControllerError::Limits),
+            (all(&[self.contact, self.lost_after, self.regain, self.give_up, self.most]), ControllerError::Contact),
+            (shares.iter().all(|share| (0.0..=1.0).contains(share)), ControllerError::Share),
+            (not_negative(self.aside_pole), ControllerError::AsidePole),
+            (positive(self.corner), ControllerError::Corner),
+        ];
+        rules.into_iter().find(|(holds, _)| !holds).map(|(_, error)| error)
     }
 }
 
@@ -197,8 +187,8 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
     /// With a model of the arm.
     ///
     /// # Errors
-    /// Says which setting makes no sense.
-    pub fn new(model: M, settings: Settings<N>) -> Result<Self, &'static str> {
+    /// The first setting that makes no sense.
+    pub fn new(model: M, settings: Settings<N>) -> Result<Self, ControllerError> {
         if let Some(problem) = settings.problem() {
             return Err(problem);
         }

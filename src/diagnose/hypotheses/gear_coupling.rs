@@ -12,6 +12,7 @@ use super::Sign;
 use super::Term;
 use super::moves;
 use crate::diagnose::windowed_data::{Column, WindowedData};
+use crate::model::coupled::CouplingTerm;
 
 /// The farthest that a joint's axis turns with another motor, turns per turn.
 const MOST_TURNS: f64 = 3.0;
@@ -82,13 +83,13 @@ impl Cause for GearCoupling {
         let dead = scene.dead[m].max(scene.dead[k]);
         let sign = |i: usize, s: usize| if sum(i, s).abs() > dead { sum(i, s).signum() } else { 0.0 };
         let parts = shape[1] as usize;
-        let column = |part: usize| match part {
-            0 => both(&|i, s| ratio * own_m[i].a[s], &|i, s| ratio * own_k[i].a[s]),
-            1 => both(&|i, s| ratio * own_m[i].v[s], &|i, s| ratio * own_k[i].v[s]),
-            _ => both(&|i, s| ratio * sign(i, s), &|i, s| sign(i, s)),
+        let column = |term: CouplingTerm| match term {
+            CouplingTerm::IAM => both(&|i, s| ratio * own_m[i].a[s], &|i, s| ratio * own_k[i].a[s]),
+            CouplingTerm::FVM => both(&|i, s| ratio * own_m[i].v[s], &|i, s| ratio * own_k[i].v[s]),
+            CouplingTerm::FCM => both(&|i, s| ratio * sign(i, s), &|i, s| sign(i, s)),
         };
-        let used = ["IAM", "FVM", "FCM"].into_iter().enumerate().filter(|(part, _)| parts >> part & 1 == 1);
-        used.map(|(part, symbol)| Term::new(symbol, column(part), Sign::Positive)).collect()
+        let used = CouplingTerm::ALL.into_iter().filter(|term| parts >> *term as usize & 1 == 1);
+        used.map(|term| Term::new(term.name(), column(term), Sign::Positive)).collect()
     }
 
     fn says(&self) -> &'static str {

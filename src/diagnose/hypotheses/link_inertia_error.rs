@@ -9,6 +9,7 @@ use super::Term;
 use super::payload::{Payload, body_terms};
 use crate::diagnose::regulariser::deviations;
 use crate::diagnose::windowed_data::WindowedData;
+use crate::model::{Inertial, StandardParameter};
 
 /// The ten parameters of the joint's link.
 pub struct LinkInertiaError;
@@ -49,14 +50,17 @@ impl Cause for LinkInertiaError {
         x: &[f64],
     ) -> Option<&'static dyn Cause> {
         let last = place.first().is_some_and(|j| j + 1 == scene.dof());
-        let mass = terms.iter().zip(x).find(|(t, _)| t.symbol == "M").map_or(0.0, |(_, x)| *x);
+        let mass = terms.iter().zip(x).find(|(t, _)| t.symbol == Inertial::M.name()).map_or(0.0, |(_, x)| *x);
         (last && mass > 0.0).then_some(&Payload as &dyn Cause)
     }
 
     fn beliefs(&self, scene: &WindowedData<'_>, place: &[usize], terms: &[Term]) -> Option<Vec<f64>> {
-        let (names, row) = (scene.plant.standard_names(), scene.plant.rows()[place[0]] + 1);
-        let std = deviations(names, scene.plant.given()?)?;
-        let of = |symbol: &str| names.iter().position(|n| *n == format!("{symbol}{row}")).map(|i| std[i]);
+        let (parameters, row) = (scene.plant.standard_parameters(), scene.plant.rows()[place[0]]);
+        let std = deviations(parameters, scene.plant.given()?)?;
+        let of = |symbol: &str| {
+            let which = Inertial::ALL.into_iter().find(|which| which.name() == symbol)?;
+            parameters.iter().position(|p| *p == StandardParameter::Link(row, which)).map(|i| std[i])
+        };
         terms.iter().map(|t| of(&t.symbol)).collect()
     }
 

@@ -9,21 +9,19 @@ use super::Scope;
 use super::Sign;
 use super::Term;
 use crate::diagnose::windowed_data::{Column, WindowedData};
+use crate::model::Inertial;
 
 /// The ten parameters of a body in the last frame.
 pub struct Payload;
-
-const SYMBOLS: [&str; 10] = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
 
 /// Columns of the ten parameters of a row's body, through the base parameters that they belong to.
 pub(super) fn body_terms(scene: &WindowedData<'_>, row: usize) -> Vec<Term> {
     let base = scene.plant.base_parameters();
     let rows = scene.base_rows();
-    SYMBOLS
-        .iter()
-        .enumerate()
-        .filter_map(|(k, symbol)| {
-            let standard = 10 * row + k;
+    Inertial::ALL
+        .into_iter()
+        .filter_map(|which| {
+            let standard = 10 * row + which as usize;
             let factor: Vec<f64> = base
                 .iter()
                 .map(|b| b.coefficients.iter().filter(|c| c.0 == standard).map(|c| c.1).sum::<f64>())
@@ -39,7 +37,7 @@ pub(super) fn body_terms(scene: &WindowedData<'_>, row: usize) -> Vec<Term> {
                 })
                 .collect();
             let column: Column = scene.column(torques);
-            (!column.rows.is_empty()).then(|| Term::new(*symbol, column, Sign::Any))
+            (!column.rows.is_empty()).then(|| Term::new(which.name(), column, Sign::Any))
         })
         .collect()
 }

@@ -48,14 +48,14 @@ impl Cause for Plain {
     }
 
     fn kind(&self) -> Kind {
-        if self.symbol == "TO" { Kind::Measurement } else { Kind::Friction }
+        if self.effect == EffectKind::TorqueOffset { Kind::Measurement } else { Kind::Friction }
     }
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
         let j = place[0];
-        let column = match self.symbol {
-            "FV" => scene.pointwise(j, |o, k| o.v[k]),
-            "FC" => scene.pointwise(j, |o, k| o.sign[k]),
+        let column = match self.effect {
+            EffectKind::ViscousFriction => scene.pointwise(j, |o, k| o.v[k]),
+            EffectKind::CoulombFriction => scene.pointwise(j, |o, k| o.sign[k]),
             _ => scene.pointwise(j, |_, _| 1.0),
         };
         vec![Term::new(self.symbol, column, Sign::Any)]
@@ -63,7 +63,7 @@ impl Cause for Plain {
 
     fn same_on_paper(&self) -> &'static [&'static str] {
         // While the joint moves, a difference of Coulomb levels is a constant.
-        if self.symbol == "TO" { &[effects::AsymmetricFriction::NAME] } else { &[] }
+        if self.effect == EffectKind::TorqueOffset { &[effects::AsymmetricFriction::NAME] } else { &[] }
     }
 
     fn says(&self) -> &'static str {

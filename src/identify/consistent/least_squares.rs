@@ -8,8 +8,8 @@ use super::ConsistentSettings;
 use super::PriorBody;
 use super::VANISHING;
 use super::newton::Weights;
-use super::setup::{Data, Setup};
-use crate::model::{BaseParameter, Description};
+use super::setup::{Data, Layout, Setup, grouping};
+use crate::model::{BaseParameter, StandardParameter};
 
 /// Eigenvalues of the scaled normal matrix below this share of the largest say nothing.
 const RANK: f64 = 1e-13;
@@ -20,8 +20,8 @@ const SIZE: f64 = 0.1;
 /// unknowns.
 #[derive(Debug, Clone, Copy)]
 pub struct BoundedLeastSquares<'a> {
-    /// Names of the standard parameters, those of links and rotors among them.
-    pub standard: &'a [String],
+    /// The standard parameters, those of links and rotors among them.
+    pub standard: &'a [StandardParameter],
     /// The first unknowns as combinations of them; empty where no link is unknown.
     pub base: &'a [BaseParameter],
     /// Least value of each further unknown; `None`: of any sign.
@@ -59,9 +59,10 @@ impl BoundedLeastSquares<'_> {
         let first = self.base.len();
         let bound = DVector::from_fn(n, |i, _| i.checked_sub(first).and_then(|k| *self.least.get(k)?).unwrap_or(0.0));
         let rhs = rhs - normal * &bound;
-        let description = self.description();
         let links = if first > 0 { self.standard.len() } else { 0 };
-        let mut drives = vec![0.0; description.standard.len()];
+        let layout = self.layout(links)?;
+        let grouping = self.grouping(links);
+        let mut drives = vec![0.0; layout.count];
         drives[..links].copy_from_slice(&self.drives[..links]);
         let settings = ConsistentSettings {
             carried: if first > 0 { self.settings.carried.clone() } else { Vec::new() },
@@ -74,14 +75,17 @@ impl BoundedLeastSquares<'_> {
             *slot = if alone > 0.0 && alone.is_finite() { alone } else { SIZE };
         }
         let prior = if first > 0 { self.prior } else { &[] };
-        let setup = Setup::new(&description, &root(normal, &rhs), prior, &drives, &settings)?;
+        let setup = Setup::new(layout, &grouping, &root(normal, &rhs), prior, &drives, &settings)?;
         let weights = Weights { w: self.settings.prior_weight, mu: VANISHING };
         let (v, _) = setup.problem.follow(&setup.start, weights)?;
         let all = setup.standard(&v);
         if all.iter().any(|x| !x.is_finite()) {
             return Err(ConsistentError::NotFinite);
         }
-        let grouped = |i: usize| description.base[i].coefficients.iter().map(|&(at, c)| c * all[at]).sum::<f64>();
+        let grouped = |i: usize| match self.base.get(i) {
+            Some(base) => base.coefficients.iter().map(|&(at, c)| c * all[at]).sum::<f64>(),
+            None => all[links + i - first],
+        };
         let silent = |i: usize| normal[(i, i)] == 0.0;
         let x = DVector::from_fn(n, |i, _| match i >= first && silent(i) {
             true => bound[i].max(0.0),
@@ -90,22 +94,24 @@ impl BoundedLeastSquares<'_> {
         Ok(Feasible { standard: all[..links].to_vec(), x })
     }
 
-    /// The unknowns as parameters of an arm: links and rotors, then one of its own for each further
-    /// unknown, `FC` where it is bounded.
-    fn description(&self) -> Description {
-        let mut standard = if self.base.is_empty() { Vec::new() } else { self.standard.to_vec() };
-        let mut base = self.base.to_vec();
+    /// The first so many standard parameters, then one for each further unknown.
+    fn layout(&self, links: usize) -> Result<Layout, ConsistentError> {
+        let mut layout = Layout::new(&self.standard[..links])?;
         for (k, least) in self.least.iter().enumerate() {
-            let name = format!("{}_unknown{k}", if least.is_some() { "FC" } else { "FO" });
-            base.push(BaseParameter {
-                name: name.clone(),
-                grouping: String::new(),
-                coefficients: vec![(standard.len(), 1.0)],
-                unit: String::new(),
-            });
-            standard.push(name);
+            let list = if least.is_some() { &mut layout.positive } else { &mut layout.free };
+            list.push(links + k);
         }
-        Description { standard, base, ..Description::default() }
+        layout.count += self.least.len();
+        Ok(layout)
+    }
+
+    /// The unknowns from the parameters of [`Self::layout`].
+    fn grouping(&self, links: usize) -> DMatrix<f64> {
+        let (base, further) = (self.base.len(), self.least.len());
+        let mut k = DMatrix::zeros(base + further, links + further);
+        k.view_mut((0, 0), (base, links)).copy_from(&grouping(self.base, links));
+        (0..further).for_each(|i| k[(base + i, links + i)] = 1.0);
+        k
     }
 }
 

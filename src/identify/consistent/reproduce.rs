@@ -7,7 +7,6 @@ use super::ConsistentSettings;
 use super::PriorBody;
 use super::newton::Weights;
 use super::setup::{Data, Setup};
-use crate::identify::regression::nonnegative::is_level;
 use crate::identify::regression::recover::{base_of, implausible_links};
 use crate::model::Arm;
 
@@ -61,7 +60,7 @@ pub fn possible_bodies(
     let sharp = 1e2;
     let r = DMatrix::from_fn(b, b, |i, k| if i == k { sharp / sizes[i] } else { 0.0 });
     let z = DVector::from_fn(b, |i, _| sharp * base[i] / sizes[i]);
-    let setup = Setup::new(arm.description(), &Data { r, z }, prior, drives, settings)?;
+    let setup = Setup::of(arm.description(), &Data { r, z }, prior, drives, settings)?;
     let weights = Weights { w: 1e-3, mu: 1e-6 };
     // As in the fit: where nothing comes near, a rough answer has all the digits that there are.
     let rough = (1e-6 * setup.problem.misfit(&setup.start)).max(weights.w);
@@ -107,19 +106,19 @@ pub fn buildable_links(
     prior: &[PriorBody],
     settings: &ConsistentSettings,
 ) -> Result<Vec<f64>, Vec<usize>> {
-    let names = arm.standard_names();
+    let parameters = arm.standard_parameters();
     let mut own = standard.to_vec();
     for (link, body) in &settings.carried {
         own.iter_mut().skip(10 * link).zip(body).for_each(|(own, carried)| *own -= carried);
     }
-    let impossible = implausible_links(names, &own);
+    let impossible = implausible_links(parameters, &own);
     if impossible.is_empty() {
         return Ok(standard.to_vec());
     }
     // Drives with a base parameter of their own are known. The barrier of their bound would keep
     // them off it, so the bound is put below them.
     let known = arm.base_parameters().iter().filter_map(|base| match base.coefficients[..] {
-        [(i, _)] if is_level(&names[i]) => Some(i),
+        [(i, _)] if parameters[i].is_level() => Some(i),
         _ => None,
     });
     let known: Vec<usize> = known.collect();

@@ -5,9 +5,9 @@ use nalgebra::{DMatrix, DVector};
 use super::ConsistentError;
 use super::ConsistentSettings;
 use super::newton::{Link, Problem, Scalar, Wall};
-use crate::model::Description;
 use crate::model::likely_bodies::PriorBody;
 use crate::model::pseudo_inertia::Yardstick;
+use crate::model::{BaseParameter, Description, Inertial, StandardParameter};
 
 /// Indices of the parameters of the links and drives among the standard ones.
 #[derive(Debug, Clone)]
@@ -18,28 +18,36 @@ pub(super) struct Layout {
     pub(super) positive: Vec<usize>,
     /// Offsets: of any sign.
     pub(super) free: Vec<usize>,
+    /// The rotor inertias among them.
+    pub(super) rotors: Vec<usize>,
+    /// All parameters.
+    pub(super) count: usize,
 }
 
 impl Layout {
-    pub(super) fn new(names: &[String]) -> Result<Self, ConsistentError> {
-        const KINDS: [&str; 10] = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
-        let mut used = vec![false; names.len()];
+    pub(super) fn new(parameters: &[StandardParameter]) -> Result<Self, ConsistentError> {
+        let mut used = vec![false; parameters.len()];
         let mut links = Vec::new();
-        for number in names.iter().filter_map(|n| n.strip_prefix('M')?.parse::<usize>().ok()) {
+        let masses = parameters.iter().filter_map(|p| match *p {
+            StandardParameter::Link(row, Inertial::M) => Some(row),
+            _ => None,
+        });
+        for row in masses {
             let mut link = [0; 10];
-            for (place, kind) in link.iter_mut().zip(KINDS) {
-                let name = format!("{kind}{number}");
-                let missing = || ConsistentError::Incomplete { link: number, missing: name.clone() };
-                *place = names.iter().position(|n| *n == name).ok_or_else(missing)?;
+            for (place, which) in link.iter_mut().zip(Inertial::ALL) {
+                let wanted = StandardParameter::Link(row, which);
+                let missing = || ConsistentError::Incomplete { link: row + 1, missing: wanted.to_string() };
+                *place = parameters.iter().position(|p| *p == wanted).ok_or_else(missing)?;
                 used[*place] = true;
             }
             links.push(link);
         }
         let rest = |positive: bool| -> Vec<usize> {
-            let is = |i: &usize| ["IA", "FV", "FC"].iter().any(|kind| names[*i].starts_with(kind)) == positive;
-            (0..names.len()).filter(|&i| !used[i]).filter(is).collect()
+            let is = |i: &usize| parameters[*i].is_level() == positive;
+            (0..parameters.len()).filter(|&i| !used[i]).filter(is).collect()
         };
-        Ok(Self { positive: rest(true), free: rest(false), links })
+        let rotors = (0..parameters.len()).filter(|&i| parameters[i].is_rotor()).collect();
+        Ok(Self { positive: rest(true), free: rest(false), rotors, links, count: parameters.len() })
     }
 
     /// Standard parameters of what is fixed to links, and the least values of drives: what the
@@ -78,33 +86,46 @@ pub(super) struct Setup {
     offset: Vec<f64>,
 }
 
-/// `K`: base parameters from standard ones.
-pub(super) fn grouping(arm: &Description) -> DMatrix<f64> {
-    let mut k = DMatrix::zeros(arm.base.len(), arm.standard.len());
-    for (row, base) in arm.base.iter().enumerate() {
+/// `K`: base parameters from this many standard ones.
+pub(super) fn grouping(base: &[BaseParameter], standard: usize) -> DMatrix<f64> {
+    let mut k = DMatrix::zeros(base.len(), standard);
+    for (row, base) in base.iter().enumerate() {
         base.coefficients.iter().for_each(|&(column, c)| k[(row, column)] += c);
     }
     k
 }
 
 impl Setup {
-    /// `drives`: standard parameters of which those of the drives count.
-    pub(super) fn new(
+    /// Of an arm's base parameters.
+    pub(super) fn of(
         arm: &Description,
         data: &Data,
         prior: &[PriorBody],
         drives: &[f64],
         settings: &ConsistentSettings,
     ) -> Result<Self, ConsistentError> {
-        let names = &arm.standard;
-        let layout = Layout::new(names)?;
+        let layout = Layout::new(&arm.standard)?;
+        let grouping = grouping(&arm.base, layout.count);
+        Self::new(layout, &grouping, data, prior, drives, settings)
+    }
+
+    /// `grouping`: `K`, the data's unknowns from the parameters of `layout`. `drives`: standard
+    /// parameters of which those of the drives count.
+    pub(super) fn new(
+        layout: Layout,
+        grouping: &DMatrix<f64>,
+        data: &Data,
+        prior: &[PriorBody],
+        drives: &[f64],
+        settings: &ConsistentSettings,
+    ) -> Result<Self, ConsistentError> {
         let length = |what, found: usize, expected: usize| match found == expected {
             true => Ok(()),
             false => Err(ConsistentError::Length { what, found, expected }),
         };
         length("prior bodies", prior.len(), layout.links.len())?;
-        length("standard parameters", drives.len(), names.len())?;
-        length("base parameters", data.r.ncols(), arm.base.len())?;
+        length("standard parameters", drives.len(), layout.count)?;
+        length("base parameters", data.r.ncols(), grouping.nrows())?;
         let unit = |x: f64| x > 0.0 && x < 1.0;
         if !(unit(settings.margin) && settings.prior_weight > 0.0 && settings.geometric_share > 0.0) {
             return Err(ConsistentError::Settings);
@@ -113,7 +134,7 @@ impl Setup {
         let mut bodies: Vec<[f64; 10]> = prior.iter().map(|p| p.body).collect();
         settings.bounds.enforce(&mut bodies)?;
         let offset = layout.known(settings)?;
-        let standard = &data.r * grouping(arm);
+        let standard = &data.r * grouping;
         let z = &data.z - &standard * DVector::from_column_slice(&offset);
         let (positive, free) = (layout.positive.len(), layout.free.len());
         let variables = 10 * bodies.len() + positive + free;
@@ -129,7 +150,7 @@ impl Setup {
             links.push(Link { start: 10 * link, share });
             yardsticks.push(yardstick);
         }
-        let mut scales = vec![1.0; names.len()];
+        let mut scales = vec![1.0; layout.count];
         let mut problem = Problem {
             j,
             z,
@@ -148,7 +169,7 @@ impl Setup {
             problem.j.set_column(index, &(standard.column(i) * scales[i]));
             // Friction changes with temperature and age: only rotors are held to what the file
             // says.
-            problem.scalars.push(Scalar { index, known: given && names[i].starts_with("IA") });
+            problem.scalars.push(Scalar { index, known: given && layout.rotors.contains(&i) });
             start[index] = 1.0;
         }
         for (k, &i) in layout.free.iter().enumerate() {

@@ -15,7 +15,7 @@ use crate::identify::{
 };
 use crate::model::interpreted::Interpreted;
 use crate::model::rigid_body::random::Family;
-use crate::model::{LinkExtents, States};
+use crate::model::{Inertial, LinkExtents, StandardParameter, States};
 use crate::numerics::prng::Random;
 
 /// A random robot with possible bodies, and its standard parameters.
@@ -57,7 +57,7 @@ fn equations(arm: &Interpreted, truth: &[f64], states: usize, noise: f64, seed: 
             w[(row * states + s, column)] += entries[k * states + s];
         }
     }
-    let beta = grouping(arm.description()) * DVector::from_column_slice(truth);
+    let beta = grouping(arm.base_parameters(), truth.len()) * DVector::from_column_slice(truth);
     let tau = &w * beta
         + DVector::from_fn(n * states, |_, _| noise * (random.even(1.0) + random.even(1.0) + random.even(1.0)));
     // Of the equations their triangular factor, and one row for what no parameters remove.
@@ -89,7 +89,7 @@ fn two_routes_agree() {
             ..Bounds::default()
         };
         let settings = ConsistentSettings { bounds, ..ConsistentSettings::default() };
-        let mut setup = Setup::new(arm.description(), &data, &prior, &truth, &settings).unwrap();
+        let mut setup = Setup::of(arm.description(), &data, &prior, &truth, &settings).unwrap();
         for link in &setup.problem.links {
             let trace = (0..4).map(|k| (link.start + k, -1.0)).collect();
             setup.problem.walls.push(super::newton::Wall { a: trace, b: -50.0 });
@@ -163,9 +163,8 @@ fn random_arms_get_possible_bodies_and_the_plain_ones_where_these_are_possible()
                 assert!(crate::model::pseudo_inertia::is_body(&body), "seed {seed}: {body:?}");
                 assert!(result.margins[link] > result.margin);
             }
-            for (name, value) in arm.standard_names().iter().zip(&result.standard) {
-                let signed = ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind));
-                assert!(!signed || *value > 0.0, "{name} {value}");
+            for (parameter, value) in arm.standard_parameters().iter().zip(&result.standard) {
+                assert!(!parameter.is_level() || *value > 0.0, "{parameter} {value}");
             }
             // If possibility costs nothing, the parameters are the plain ones, up to the shares of
             // noise and prior.
@@ -245,7 +244,11 @@ fn base_parameters_of_possible_bodies_are_reproduced() {
         assert!(result.worst < 1e-5, "seed {seed}: {}", result.worst);
         assert!(result.margins.iter().all(|m| *m > 1e-3) && result.margins.len() == robot.joints.len());
         let mut none = base.clone();
-        let heaviest = arm.base_parameters().iter().position(|b| b.name.starts_with("ZZ")).unwrap();
+        let heaviest = arm
+            .base_parameters()
+            .iter()
+            .position(|b| matches!(b.leader, StandardParameter::Link(_, Inertial::ZZ)))
+            .unwrap();
         none[heaviest] = -1.0;
         // Impossible: the nearest, or a halt; never said to be met.
         match possible_bodies(&arm, &none, &prior, &truth, &ConsistentSettings::default()) {
@@ -262,26 +265,30 @@ fn links_that_could_be_built_have_the_same_base_parameters() {
     let settings = ConsistentSettings::default();
     for seed in 0..2 {
         let (_, arm, mut truth) = robot(700 + seed, [2, 7]);
-        let names = arm.standard_names();
-        let friction = names.iter().position(|n| n.starts_with("FC") || n.starts_with("FV"));
+        let parameters = arm.standard_parameters();
+        let friction = parameters.iter().position(|p| p.is_level() && !p.is_rotor());
         friction.iter().for_each(|&i| truth[i] = 0.0);
         let base = base_of(&arm, &truth);
         let mut plain = recover_standard(&arm, &base, None).unwrap();
-        assert!(!implausible_links(names, &plain).is_empty(), "seed {seed}");
+        assert!(!implausible_links(parameters, &plain).is_empty(), "seed {seed}");
         let prior = prior_bodies(&[], &geometric_bodies(&arm.ends()));
         let built = buildable_links(&arm, &plain, &prior, &settings).unwrap();
-        assert!(implausible_links(names, &built).is_empty(), "seed {seed}");
+        assert!(implausible_links(parameters, &built).is_empty(), "seed {seed}");
         friction.iter().for_each(|&i| assert_eq!(built[i], 0.0));
         for (a, b) in base_of(&arm, &built).iter().zip(&base) {
             assert!((a - b).abs() < 1e-5, "seed {seed}: {a} {b}");
         }
         assert_eq!(buildable_links(&arm, &built, &prior, &settings).as_ref(), Ok(&built));
         // A moment of inertia below zero is no arm's.
-        let heaviest = arm.base_parameters().iter().position(|b| b.name.starts_with("ZZ")).unwrap();
+        let heaviest = arm
+            .base_parameters()
+            .iter()
+            .position(|b| matches!(b.leader, StandardParameter::Link(_, Inertial::ZZ)))
+            .unwrap();
         let mut none = base.clone();
         none[heaviest] = -1.0;
         plain = recover_standard(&arm, &none, None).unwrap();
-        assert_eq!(buildable_links(&arm, &plain, &prior, &settings), Err(implausible_links(names, &plain)));
+        assert_eq!(buildable_links(&arm, &plain, &prior, &settings), Err(implausible_links(parameters, &plain)));
     }
 }
 

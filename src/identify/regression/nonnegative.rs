@@ -17,11 +17,6 @@ pub struct Nonnegative {
     pub held: Vec<String>,
 }
 
-/// Whether a base parameter is a rotor inertia or a friction level.
-pub(crate) fn is_level(name: &str) -> bool {
-    ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind))
-}
-
 /// Holds rotor inertias and friction levels that came out below zero, or below their floor, there
 /// and fits the others again, until none is below. This is the active-set method of non-negative
 /// least squares (Lawson and Hanson 1974), without release.
@@ -39,14 +34,14 @@ pub fn nonnegative_drives(
         let has = |i: &usize| arm.base_parameters()[c].coefficients.iter().any(|(k, _)| k == i);
         floors.iter().filter(|(i, _)| has(i)).map(|(_, least)| *least).sum()
     };
-    let names: Vec<&str> = found.parameters.iter().map(|p| p.name.as_str()).collect();
-    let mut known: Vec<Option<f64>> = vec![None; names.len()];
+    let mut known: Vec<Option<f64>> = vec![None; found.parameters.len()];
     let mut base = found.values();
     loop {
-        let negative: Vec<usize> = (0..names.len()).filter(|&c| is_level(names[c]) && base[c] < floor(c)).collect();
+        let below = |c: &usize| found.parameters[*c].leader.is_level() && base[*c] < floor(*c);
+        let negative: Vec<usize> = (0..base.len()).filter(below).collect();
         if negative.is_empty() {
-            let held = names.iter().zip(&known).filter(|(_, k)| k.is_some()).map(|(n, _)| n.to_string()).collect();
-            return Ok(Nonnegative { base, held });
+            let held = found.parameters.iter().zip(&known).filter(|(_, k)| k.is_some());
+            return Ok(Nonnegative { base, held: held.map(|(p, _)| p.name.clone()).collect() });
         }
         negative.iter().for_each(|&c| known[c] = Some(floor(c)));
         let rest = Known::new(arm, &known);
@@ -75,7 +70,7 @@ mod tests {
         let fit = [stack.finish()];
         let settings = IdentifySettings::default();
         let found = solve(&arm, &fit, &[], &settings).unwrap();
-        let lowest = found.parameters.iter().filter(|p| is_level(&p.name)).map(|p| p.value).fold(0.0, f64::min);
+        let lowest = found.parameters.iter().filter(|p| p.leader.is_level()).map(|p| p.value).fold(0.0, f64::min);
         assert!(lowest < -1.0, "{lowest}");
         let bounded = nonnegative_drives(&arm, &fit, &found, &settings, &[]).unwrap();
         assert!(!bounded.held.is_empty());
@@ -85,7 +80,7 @@ mod tests {
         let at = floored.held.iter().position(|name| name == "FC1");
         assert!(at.is_some() && (floored.base[9] - 2.0).abs() < 1e-12, "{floored:?}");
         for (p, value) in found.parameters.iter().zip(&bounded.base) {
-            assert!(!is_level(&p.name) || *value >= 0.0, "{}: {value}", p.name);
+            assert!(!p.leader.is_level() || *value >= 0.0, "{}: {value}", p.name);
             assert!(!bounded.held.contains(&p.name) || *value == 0.0, "{}: {value}", p.name);
         }
     }

@@ -2,8 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::identify::regression::nonnegative::is_level;
-use crate::model::Arm;
+use crate::model::{Arm, Inertial, StandardParameter};
 
 /// Numbers that do not go with the arm.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -38,25 +37,25 @@ pub(in crate::identify) fn base_of(arm: &dyn Arm, standard: &[f64]) -> Vec<f64> 
 /// inertias and friction levels that share a base parameter with others (`IA3` in `ZZ3R`) are not
 /// negative.
 pub fn recover_standard(arm: &dyn Arm, beta: &[f64], prior: Option<&[f64]>) -> Result<Vec<f64>, RecoverError> {
-    let (names, base) = (arm.standard_names(), arm.base_parameters());
+    let (parameters, base) = (arm.standard_parameters(), arm.base_parameters());
     let length = |what, found, expected| match found == expected {
         true => Ok(()),
         false => Err(RecoverError::Length { what, found, expected }),
     };
     length("base parameters", beta.len(), base.len())?;
-    let zeros = vec![0.0; names.len()];
+    let zeros = vec![0.0; parameters.len()];
     let prior = prior.unwrap_or(&zeros);
-    length("standard parameters", prior.len(), names.len())?;
-    let mut sizes: Vec<f64> = (0..names.len()).map(|i| size(names, prior, i).powi(2)).collect();
-    let k = DMatrix::from_fn(base.len(), names.len(), |row, column| {
+    length("standard parameters", prior.len(), parameters.len())?;
+    let mut sizes: Vec<f64> = (0..parameters.len()).map(|i| size(parameters, prior, i).powi(2)).collect();
+    let k = DMatrix::from_fn(base.len(), parameters.len(), |row, column| {
         base[row].coefficients.iter().filter(|(i, _)| *i == column).map(|(_, k)| k).sum::<f64>()
     });
     let shared = |i: usize| base.iter().any(|b| b.coefficients.len() > 1 && b.coefficients.iter().any(|c| c.0 == i));
     let mut phi0 = DVector::from_column_slice(prior);
     loop {
         let phi = least_change(&k, &sizes, &phi0, beta)?;
-        let negative: Vec<usize> =
-            (0..names.len()).filter(|&i| phi[i] < 0.0 && sizes[i] > 0.0 && is_level(&names[i]) && shared(i)).collect();
+        let below = |i: &usize| phi[*i] < 0.0 && sizes[*i] > 0.0 && parameters[*i].is_level() && shared(*i);
+        let negative: Vec<usize> = (0..parameters.len()).filter(below).collect();
         if negative.is_empty() {
             return Ok(phi.iter().copied().collect());
         }
@@ -85,44 +84,41 @@ fn least_change(
 /// Links (numbered as in the names, from 1) whose standard parameters no body can have. Their
 /// pseudo-inertia `[[tr(I)/2 1 - I, MS], [MS', M]]` is not positive definite (Wensing, Kim and
 /// Slotine 2018). Least squares does not ask for it.
-pub fn implausible_links(names: &[String], standard: &[f64]) -> Vec<usize> {
-    let value = |kind: &str, link: usize| {
-        let name = format!("{kind}{link}");
-        names.iter().position(|n| *n == name).and_then(|i| standard.get(i)).copied()
+pub fn implausible_links(parameters: &[StandardParameter], standard: &[f64]) -> Vec<usize> {
+    let value = |row: usize, which: Inertial| {
+        let at = parameters.iter().position(|p| *p == StandardParameter::Link(row, which));
+        at.and_then(|i| standard.get(i)).copied().unwrap_or(0.0)
     };
-    let links = names.iter().filter_map(|n| n.strip_prefix('M')?.parse::<usize>().ok());
-    links
-        .filter(|&link| {
-            let [m, x, y, z] = ["M", "MSX", "MSY", "MSZ"].map(|k| value(k, link).unwrap_or(0.0));
-            let [xx, yy, zz, xy, xz, yz] = ["XX", "YY", "ZZ", "XY", "XZ", "YZ"].map(|k| value(k, link).unwrap_or(0.0));
-            let half = (xx + yy + zz) / 2.0;
-            #[rustfmt::skip]
+    let rows = parameters.iter().filter_map(|p| match *p {
+        StandardParameter::Link(row, Inertial::M) => Some(row),
+        _ => None,
+    });
+    rows.filter(|&row| {
+        let [m, x, y, z, xx, yy, zz, xy, xz, yz] = Inertial::ALL.map(|which| value(row, which));
+        let half = (xx + yy + zz) / 2.0;
+        #[rustfmt::skip]
             let pseudo = nalgebra::Matrix4::new(
                 half - xx, -xy, -xz, x,
                 -xy, half - yy, -yz, y,
                 -xz, -yz, half - zz, z,
                 x, y, z, m,
             );
-            pseudo.cholesky().is_none()
-        })
-        .collect()
+        pseudo.cholesky().is_none()
+    })
+    .map(|row| row + 1)
+    .collect()
 }
 
 /// How large a change of this parameter may be.
-fn size(names: &[String], prior: &[f64], index: usize) -> f64 {
+fn size(parameters: &[StandardParameter], prior: &[f64], index: usize) -> f64 {
     const LENGTH: f64 = 0.2;
-    let name = &names[index];
-    let digits = name.find(|c: char| c.is_ascii_digit()).unwrap_or(name.len());
-    let (kind, link) = name.split_at(digits);
-    let mass = || {
-        let known = names.iter().position(|n| n.strip_prefix('M') == Some(link)).map_or(0.0, |i| prior[i]);
-        known.abs().max(1.0)
-    };
-    match kind {
-        "M" => mass(),
-        "MSX" | "MSY" | "MSZ" => mass() * LENGTH,
-        "XX" | "YY" | "ZZ" | "XY" | "XZ" | "YZ" => mass() * LENGTH * LENGTH,
-        _ => prior[index].abs().max(0.1),
+    let StandardParameter::Link(row, which) = parameters[index] else { return prior[index].abs().max(0.1) };
+    let own = parameters.iter().position(|p| *p == StandardParameter::Link(row, Inertial::M));
+    let mass = own.map_or(0.0, |i| prior[i]).abs().max(1.0);
+    match which {
+        Inertial::M => mass,
+        Inertial::MSX | Inertial::MSY | Inertial::MSZ => mass * LENGTH,
+        _ => mass * LENGTH * LENGTH,
     }
 }
 
@@ -145,8 +141,7 @@ mod tests {
 
     #[test]
     fn a_body_and_what_is_none() {
-        let names: Vec<String> =
-            ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"].map(|k| format!("{k}2")).to_vec();
+        let names = Inertial::ALL.map(|which| StandardParameter::Link(1, which));
         // A ball of 2 kg, radius 0.1 m, at (0.3, 0, 0.1) m.
         let (m, x, z, ball) = (2.0, 0.3, 0.1, 0.4 * 2.0 * 0.01);
         let body = [

@@ -1,14 +1,6 @@
 //! The rows of the base regressor: each joint's columns, evaluated over a block of samples.
 
-use crate::model::{Arm, States, SummedSign};
-
-/// Whether a base parameter is a drive's own of this kind: `FC7`, `FC7R`. The number is that of the
-/// table's row, not of the moving joint: fixed rows count. A drive's column stands in its own
-/// joint's row alone, so the row identifies its owner.
-pub(crate) fn is_drive(name: &str, kind: &str) -> bool {
-    let number = name.strip_prefix(kind).unwrap_or("").trim_end_matches('R');
-    !number.is_empty() && number.bytes().all(|b| b.is_ascii_digit())
-}
+use crate::model::{Arm, DriveTerm, States, SummedSign};
 
 /// Index of each joint's entries in [`Arm::base_pattern`].
 #[derive(Debug, Clone)]
@@ -33,7 +25,8 @@ impl Rows {
         for row in &columns {
             offsets.push(offsets[offsets.len() - 1] + row.len());
         }
-        let coulomb = |row: &Vec<usize>| row.iter().position(|&c| is_drive(&arm.base_parameters()[c].name, "FC"));
+        let coulomb =
+            |row: &Vec<usize>| row.iter().position(|&c| arm.base_parameters()[c].is_drive_term(DriveTerm::FC));
         let coulomb = columns.iter().map(coulomb).collect();
         Self { columns, offsets, coulomb, sums: arm.summed_signs() }
     }
@@ -89,11 +82,5 @@ mod tests {
         rows.evaluate(&arm, &states, &[0.25, -0.5], &mut given);
         let changed: Vec<f64> = plain.iter().zip(&given).filter(|(a, b)| a != b).map(|(_, b)| *b).collect();
         assert_eq!(changed, [0.25, -0.5]);
-    }
-
-    #[test]
-    fn names_of_drives() {
-        assert!(is_drive("FC7", "FC") && is_drive("IA12R", "IA"));
-        assert!(!is_drive("FCM2", "FC") && !is_drive("FC", "FC") && !is_drive("FV1", "FC"));
     }
 }

@@ -4,7 +4,7 @@
 use std::time::Instant;
 
 use super::*;
-use crate::model::{Arm, BaseParameter, Description, States};
+use crate::model::{Arm, BaseParameter, Description, DriveTerm, Inertial, StandardParameter, States};
 
 /// Seven joints, 57 columns with the structure of a serial arm: joint `j` sees the inertial
 /// parameters of the links from `j` on.
@@ -12,32 +12,28 @@ struct Wide(Description);
 
 impl Wide {
     fn new() -> Self {
-        let mut links = vec![(0, "ZZ1R".to_string())];
-        for link in 1..7 {
-            links.extend(["XX", "XY", "XZ", "YZ", "ZZ", "MSX", "MSY"].map(|p| (link, format!("{p}{}", link + 1))));
-        }
-        let names: Vec<(usize, String)> = links
-            .into_iter()
-            .chain((0..7).flat_map(|j| [(j, format!("FV{}", j + 1))]))
-            .chain((0..7).map(|j| (j, format!("FC{}", j + 1))))
-            .collect();
-        let mut pattern = Vec::new();
-        for joint in 0..7 {
-            for (column, (link, name)) in names.iter().enumerate() {
-                if if name.starts_with('F') { *link == joint } else { *link >= joint } {
-                    pattern.push((joint, column));
-                }
-            }
-        }
-        let base = names
-            .iter()
-            .map(|(_, name)| BaseParameter {
-                name: name.clone(),
-                grouping: name.clone(),
-                coefficients: vec![],
-                unit: String::new(),
-            })
-            .collect();
+        use Inertial::{MSX, MSY, XX, XY, XZ, YZ, ZZ};
+        let link = |row| [XX, XY, XZ, YZ, ZZ, MSX, MSY].map(|which| StandardParameter::Link(row, which));
+        let drives = [DriveTerm::FV, DriveTerm::FC].into_iter();
+        let drives = drives.flat_map(|term| (0..7).map(move |row| StandardParameter::Drive(row, term)));
+        let leaders = std::iter::once(StandardParameter::Link(0, ZZ)).chain((1..7).flat_map(link)).chain(drives);
+        let leaders: Vec<StandardParameter> = leaders.collect();
+        let acts = |joint: usize, leader: &StandardParameter| match *leader {
+            StandardParameter::Link(row, _) => row >= joint,
+            StandardParameter::Drive(row, _) => row == joint,
+            _ => false,
+        };
+        let columns =
+            |joint| leaders.iter().enumerate().filter(move |(_, p)| acts(joint, p)).map(move |(c, _)| (joint, c));
+        let pattern = (0..7).flat_map(columns).collect();
+        let base = leaders.iter().map(|leader| BaseParameter {
+            leader: *leader,
+            name: leader.to_string(),
+            grouping: leader.to_string(),
+            coefficients: vec![],
+            unit: String::new(),
+        });
+        let base = base.collect();
         Self(Description { name: "wide".into(), dof: 7, standard: Vec::new(), base, pattern })
     }
 }

@@ -1,15 +1,10 @@
 //! An arm with a body in its hand: the paper's equation (7) as one regressor.
 
-use crate::model::{Arm, BaseParameter, Description, Payload, States};
-use dh_codegen::arm::param::Inertial;
-
-/// Units of the ten parameters.
-pub(super) const UNITS: [&str; 10] =
-    ["kg", "kg m", "kg m", "kg m", "kg m^2", "kg m^2", "kg m^2", "kg m^2", "kg m^2", "kg m^2"];
+use crate::model::{Arm, BaseParameter, Description, Inertial, Payload, StandardParameter, States};
 
 /// Names of the ten parameters: `M MSX MSY MSZ XX YY ZZ XY XZ YZ`.
 pub fn names() -> [String; 10] {
-    Inertial::ALL.map(|p| format!("{p:?}"))
+    Inertial::ALL.map(|p| p.name().to_string())
 }
 
 /// An arm whose base parameters are followed by the ten of a body that it carries (`ML MSXL ...`),
@@ -26,13 +21,16 @@ impl<'a> Carrying<'a> {
     /// The arm with the body, or (not `loaded`) the same unknowns while the hand is empty.
     pub fn new(arm: &'a dyn Payload, loaded: bool) -> Self {
         let own = arm.base_parameters().len();
-        let names = names().map(|name| format!("{name}L"));
-        let at = arm.standard_names().len();
-        let body = names.clone().into_iter().enumerate().map(|(k, name)| BaseParameter {
-            grouping: name.clone(),
-            name,
-            coefficients: vec![(at + k, 1.0)],
-            unit: UNITS[k].into(),
+        let at = arm.standard_parameters().len();
+        let body = Inertial::ALL.into_iter().enumerate().map(|(k, which)| {
+            let leader = StandardParameter::Payload(which);
+            BaseParameter {
+                leader,
+                grouping: leader.to_string(),
+                name: leader.to_string(),
+                coefficients: vec![(at + k, 1.0)],
+                unit: which.unit().into(),
+            }
         });
         let body_entries = arm.payload_pattern().iter().map(|&(row, column)| (row, own + column));
         let mut entries: Vec<((usize, usize), usize)> =
@@ -41,7 +39,7 @@ impl<'a> Carrying<'a> {
         let (pattern, sources) = entries.into_iter().unzip();
         let mut description = Description { pattern, ..arm.description().clone() };
         description.base.extend(body);
-        description.standard.extend(names);
+        description.standard.extend(Inertial::ALL.map(StandardParameter::Payload));
         Self { description, sources, loaded, arm }
     }
 
@@ -69,7 +67,7 @@ impl Arm for Carrying<'_> {
         }
     }
     fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]) {
-        let (arm, body) = standard.split_at(standard.len().min(self.arm.standard_names().len()));
+        let (arm, body) = standard.split_at(standard.len().min(self.arm.standard_parameters().len()));
         self.arm.inverse_dynamics(states, arm, out);
         if self.loaded {
             let mut regressor = vec![0.0; self.arm.payload_pattern().len() * states.len];

@@ -42,7 +42,8 @@ impl ToolSettings {
             return Err(ToolError::MassStd(std));
         }
         let base = arm.base_parameters().len();
-        let robot = self.robot.as_ref().map(|v| ("standard parameters given", v.len(), arm.standard_names().len()));
+        let robot =
+            self.robot.as_ref().map(|v| ("standard parameters given", v.len(), arm.standard_parameters().len()));
         let covariance = self.robot_covariance.as_ref();
         let covariance = covariance.map(|v| ("entries of the robot's covariance", v.len(), base * base));
         match robot.into_iter().chain(covariance).find(|(_, found, expected)| found != expected) {
@@ -206,8 +207,7 @@ pub fn identify_tool(
     if unloaded.is_empty() {
         let robot = standard.ok_or(ToolError::UnknownRobot)?;
         for (slot, base) in known.iter_mut().zip(arm.base_parameters()) {
-            let drive = ["FV", "FC", "FO"].iter().any(|kind| base.name.starts_with(kind));
-            if !(settings.refresh_friction && drive) {
+            if !(settings.refresh_friction && base.leader.is_friction()) {
                 *slot = Some(base.coefficients.iter().map(|&(i, k)| k * robot[i]).sum());
             }
         }

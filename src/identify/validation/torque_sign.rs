@@ -4,9 +4,8 @@ use nalgebra::DMatrix;
 
 use crate::data::log::{Finding, Kind, Severity};
 use crate::identify::regression::accumulator::Factors;
-use crate::identify::regression::rows::is_drive;
 use crate::identify::regression::wls::{JointSystem, Problem, Solution, positions, stacked};
-use crate::model::Arm;
+use crate::model::{Arm, DriveTerm};
 
 fn finding(joint: usize, correlation: f64) -> Finding {
     let column = Some(format!("tau{}", joint + 1));
@@ -115,15 +114,15 @@ pub(in crate::identify) fn against_fit(
     };
     let as_is = residual(&scale, None);
     for (index, joint) in problem.joints.iter().enumerate().filter(|(_, j)| j.samples > 0) {
-        let of = |kind: &str, c: &usize| is_drive(&parameters[*c].name, kind);
-        let drive: Vec<usize> =
-            ["IA", "FV", "FC"].iter().filter_map(|kind| joint.columns.iter().copied().find(|c| of(kind, c))).collect();
+        // A drive's column stands in its own joint's row alone.
+        let own = |term| joint.columns.iter().copied().find(|&c| parameters[c].is_drive_term(term));
+        let drive: Vec<usize> = [DriveTerm::IA, DriveTerm::FV, DriveTerm::FC].into_iter().filter_map(own).collect();
         let turned = residual(&scale, Some(index));
         let slid = joint.travel > TRAVEL;
         let negative = slid && drive.len() >= 2 && drive.iter().all(|&c| solution.beta[c] < -3.0 * std[c]);
         // Of two joints that contradict each other, the one whose friction came out negative is the
         // one to turn about.
-        let friction = drive.iter().filter(|&&c| !parameters[c].name.starts_with("IA"));
+        let friction = drive.iter().filter(|&&c| !parameters[c].leader.is_rotor());
         let brakes = friction.clone().count() > 0 && friction.clone().all(|&c| solution.beta[c] > 0.0);
         // Torque that is next to nothing says nothing about its sign.
         let better = turned < 0.5 * as_is;

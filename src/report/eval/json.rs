@@ -13,7 +13,7 @@ pub fn eval_json(quantity: &str, arm: &dyn Arm, shape: &[usize], mut values: Vec
         _ => (shape.iter().product(), 1),
     };
     let names: Vec<String> = match quantity {
-        "regressor" => arm.standard_names().to_vec(),
+        "regressor" => arm.standard_names(),
         "base_regressor" => arm.base_parameters().iter().map(|b| b.name.clone()).collect(),
         "jacobian" | "tool_jacobian" | "mass_matrix" => joints("q"),
         "forward_kinematics" | "tool_pose" => {

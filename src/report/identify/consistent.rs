@@ -281,9 +281,9 @@ pub fn held_text(bounded: &Nonnegative, fit: &[Factors], validate: &[Factors]) -
 /// Rotor inertias and friction levels that possible bodies hold at their bound of zero, as the
 /// plain fit has them below.
 fn at_zero(found: &Identification) -> Option<String> {
-    let level = |name: &str| ["IA", "FV", "FC"].iter().any(|kind| name.starts_with(kind));
     let one = |p: &crate::identify::Estimate| format!("{} (plain: {} ± {})", p.name, figure(p.value), figure(p.std));
-    let names: Vec<String> = found.parameters.iter().filter(|p| level(&p.name) && p.value < 0.0).map(one).collect();
+    let names: Vec<String> =
+        found.parameters.iter().filter(|p| p.leader.is_level() && p.value < 0.0).map(one).collect();
     (!names.is_empty()).then(|| format!("At their bound of 0: {}.", names.join(", ")))
 }
 

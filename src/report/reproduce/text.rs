@@ -332,7 +332,7 @@ fn textbook(found: &Experiment) -> Table {
             .iter()
             .map(|row| {
                 let p = &row.printed;
-                let coulomb = p.name.starts_with("FC");
+                let coulomb = row.leader.is_coulomb();
                 vec![
                     p.name.into(),
                     percent(row.textbook_percent()),

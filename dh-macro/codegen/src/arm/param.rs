@@ -31,6 +31,31 @@ impl Inertial {
     /// All ten, in order.
     pub const ALL: [Self; 10] =
         [Self::M, Self::MSX, Self::MSY, Self::MSZ, Self::XX, Self::YY, Self::ZZ, Self::XY, Self::XZ, Self::YZ];
+
+    /// The symbol, as robot files and groupings write it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::M => "M",
+            Self::MSX => "MSX",
+            Self::MSY => "MSY",
+            Self::MSZ => "MSZ",
+            Self::XX => "XX",
+            Self::YY => "YY",
+            Self::ZZ => "ZZ",
+            Self::XY => "XY",
+            Self::XZ => "XZ",
+            Self::YZ => "YZ",
+        }
+    }
+
+    /// Unit.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::M => "kg",
+            Self::MSX | Self::MSY | Self::MSZ => "kg m",
+            _ => "kg m^2",
+        }
+    }
 }
 
 /// A drive parameter that the model may have.
@@ -49,6 +74,16 @@ pub enum DriveTerm {
 impl DriveTerm {
     /// All, in the order of the regressor's columns.
     pub const ALL: [Self; 4] = [Self::IA, Self::FV, Self::FC, Self::FO];
+
+    /// The symbol.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::IA => "IA",
+            Self::FV => "FV",
+            Self::FC => "FC",
+            Self::FO => "FO",
+        }
+    }
 }
 
 /// A standard parameter: what it is and of which row.
@@ -61,11 +96,11 @@ pub enum Parameter {
 }
 
 impl Parameter {
-    /// `XX2`, `FV3`: rows count from 1.
+    /// Name as it is printed, rows from 1: `XX2`, `FV3`.
     pub fn name(&self) -> String {
         match self {
-            Self::Link(row, p) => format!("{p:?}{}", row + 1),
-            Self::Drive(row, p) => format!("{p:?}{}", row + 1),
+            Self::Link(row, p) => format!("{}{}", p.name(), row + 1),
+            Self::Drive(row, p) => format!("{}{}", p.name(), row + 1),
         }
     }
 
@@ -73,9 +108,7 @@ impl Parameter {
     pub fn unit(&self, robot: &Robot) -> &'static str {
         let prismatic = |row: usize| robot.joints[row].kind == JointKind::Prismatic;
         match *self {
-            Self::Link(_, Inertial::M) => "kg",
-            Self::Link(_, Inertial::MSX | Inertial::MSY | Inertial::MSZ) => "kg m",
-            Self::Link(..) => "kg m^2",
+            Self::Link(_, which) => which.unit(),
             Self::Drive(row, DriveTerm::IA) if prismatic(row) => "kg",
             Self::Drive(row, DriveTerm::FV) if prismatic(row) => "N s/m",
             Self::Drive(row, _) if prismatic(row) => "N",

@@ -1,13 +1,10 @@
 //! Text -> tree -> checked robot, or every problem at once.
 
 mod body;
-mod drive;
+pub(super) mod drive;
 mod joint;
 mod log;
 mod provenance;
-mod simulation;
-
-pub use simulation::{Setting, SimulationFile};
 
 use super::expression::{RESERVED, is_name};
 use super::keys;

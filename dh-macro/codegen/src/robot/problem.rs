@@ -93,7 +93,7 @@ impl core::error::Error for Problems {}
 
 /// The candidate that `word` most likely means: at most two slips, and at most a third of its
 /// letters.
-pub(super) fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = word.chars().count();
     if length > 40 {
         return None;

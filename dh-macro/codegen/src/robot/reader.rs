@@ -2,14 +2,14 @@
 
 use super::expression::Scope;
 use super::keys::{Key, Shape, Table};
-use super::problem::{Note, Problem, closest};
+use super::problem::{Note, Problem, Problems, closest};
 use super::value::Value;
 use super::yaml::{Kind, Mark, Node, Word, shortened};
 use super::{Angle, EffectKind, Length};
 
 /// Problems found so far.
 #[derive(Debug, Default)]
-pub(super) struct Findings {
+pub struct Findings {
     /// The file being read, when it is not the robot file.
     pub(super) file: Option<String>,
     pub(super) problems: Vec<Problem>,
@@ -18,7 +18,8 @@ pub(super) struct Findings {
 }
 
 impl Findings {
-    pub(super) fn problem(&mut self, mark: Mark, path: &str, what: impl Into<String>, mend: impl Into<String>) {
+    /// A mistake at this place, and how to mend it.
+    pub fn problem(&mut self, mark: Mark, path: &str, what: impl Into<String>, mend: impl Into<String>) {
         self.problems.push(Problem {
             file: self.file.clone(),
             path: path.to_string(),
@@ -27,6 +28,18 @@ impl Findings {
             what: what.into(),
             mend: mend.into(),
         });
+    }
+
+    /// The notes, where there are no mistakes; else these in the order of their places.
+    ///
+    /// # Errors
+    /// The mistakes.
+    pub fn finish(mut self) -> Result<Vec<Note>, Problems> {
+        if self.problems.is_empty() {
+            return Ok(self.notes);
+        }
+        self.problems.sort_by_key(|p| (p.line, p.column));
+        Err(Problems(self.problems))
     }
 
     pub(super) fn note(&mut self, mark: Mark, path: &str, what: impl Into<String>) {
@@ -96,7 +109,7 @@ impl Findings {
     }
 
     /// A number in plain form.
-    pub(super) fn number(&mut self, node: &Node, path: &str, expected: &str) -> Option<f64> {
+    pub fn number(&mut self, node: &Node, path: &str, expected: &str) -> Option<f64> {
         self.value(node, path, expected).map(|(value, _)| value.number)
     }
 
@@ -123,7 +136,7 @@ fn unit(key: &Key) -> String {
 }
 
 /// `joints[3]` and `alpha` make `joints[3].alpha`.
-pub(super) fn join(path: &str, name: &str) -> String {
+pub fn join(path: &str, name: &str) -> String {
     if path.is_empty() { name.to_string() } else { format!("{path}.{name}") }
 }
 

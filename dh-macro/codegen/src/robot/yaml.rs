@@ -18,28 +18,37 @@ const MOST_PROBLEMS: usize = 50;
 
 /// A place in a file; both count from 1, columns in characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Mark {
-    pub(super) line: usize,
-    pub(super) column: usize,
+pub struct Mark {
+    /// Line.
+    pub line: usize,
+    /// Column.
+    pub column: usize,
 }
 
 /// A value with its place.
 #[derive(Debug, Clone)]
-pub(super) struct Node {
-    pub(super) mark: Mark,
+pub struct Node {
+    /// Its place.
+    pub mark: Mark,
     /// First character and the one after the last, from the start of the text (a byte order mark
     /// not counted).
     pub(super) span: Range<usize>,
-    pub(super) kind: Kind,
+    /// Its content.
+    pub kind: Kind,
 }
 
 /// Content of the node.
 #[derive(Debug, Clone)]
-pub(super) enum Kind {
+pub enum Kind {
     /// Nothing, `null` or `~`.
     Null,
     /// Text without quotes may mean a number or a flag; with quotes it is text or an expression.
-    Scalar { text: String, quoted: bool },
+    Scalar {
+        /// Without the quotes.
+        text: String,
+        /// Whether it had some.
+        quoted: bool,
+    },
     /// `[a, b]` or lines with dashes.
     List(Vec<Node>),
     /// `{ key: value }` or lines `key: value`, in the file's order.
@@ -48,16 +57,18 @@ pub(super) enum Kind {
 
 /// A key with its place.
 #[derive(Debug, Clone)]
-pub(super) struct Word {
-    pub(super) mark: Mark,
+pub struct Word {
+    /// Its place.
+    pub mark: Mark,
     /// Start, in characters.
     pub(super) start: usize,
-    pub(super) text: String,
+    /// The key.
+    pub text: String,
 }
 
 impl Kind {
     /// For a message: what the author wrote.
-    pub(super) fn describe(&self) -> String {
+    pub fn describe(&self) -> String {
         match self {
             Self::Null => "nothing".to_string(),
             Self::Scalar { text, .. } => format!("`{}`", shortened(text)),
@@ -68,7 +79,7 @@ impl Kind {
 }
 
 /// At most 40 characters of a text, on one line.
-pub(super) fn shortened(text: &str) -> String {
+pub fn shortened(text: &str) -> String {
     let line: String = text.chars().map(|c| if c.is_control() { ' ' } else { c }).take(40).collect();
     if text.chars().nth(40).is_some() { format!("{line}...") } else { line }
 }

@@ -8,6 +8,7 @@ use super::numbers::Numbers;
 use super::print::{statements, wrapped};
 use super::words::Constant;
 use crate::arm::chain::Group;
+use crate::arm::param::Inertial;
 use crate::arm::{Argument, Function, Kernel};
 use crate::robot::Robot;
 use crate::sym::Operand;
@@ -311,9 +312,7 @@ fn column_names(function: Function, context: &Context<'_>) -> Option<Vec<String>
     match function {
         Function::Regressor | Function::GravityRegressor => Some(context.standard.to_vec()),
         Function::BaseRegressor => Some(context.base.to_vec()),
-        Function::PayloadRegressor => {
-            Some(["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"].map(String::from).to_vec())
-        }
+        Function::PayloadRegressor => Some(Inertial::ALL.map(|which| which.name().to_string()).to_vec()),
         _ => None,
     }
 }

@@ -4,6 +4,7 @@
 use dh_codegen::robot::effects::RotorInertia;
 use dh_codegen::robot::{Effect, EffectKind, Effects, Robot};
 
+use crate::model::Inertial;
 use crate::numerics::prng::Random;
 
 /// An effect in a place, its size still open: a key is `fixed + x * grows`.
@@ -186,7 +187,7 @@ impl Draft {
                 let row = robot.moving()[joint];
                 let link = robot.inertias().and_then(|l| l.get(row).copied());
                 let values = link.map_or([0.0; 10], |l| l.to_array());
-                let names = ["M", "MSX", "MSY", "MSZ", "XX", "YY", "ZZ", "XY", "XZ", "YZ"];
+                let names = Inertial::ALL.map(Inertial::name);
                 let keys = names.into_iter().zip(values).map(|(n, v)| (n, 0.0, sign * v)).collect();
                 (keys, 0.1, 0.9, false)
             }

@@ -10,7 +10,7 @@ use super::super::yaml::{Kind, Mark, Node, Word, shortened};
 
 /// Place of an effect in the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Origin {
+pub(in crate::robot) enum Origin {
     /// A robot file.
     Robot,
     /// A robot file, in a drive whose values were identified.
@@ -103,7 +103,7 @@ fn laws(fields: &Fields<'_>, drive: &mut Drive, seen: &mut Vec<EffectKind>, orig
 }
 
 /// `effects:` at the top of the file.
-pub(super) fn effects(node: &Node, path: &str, origin: Origin, to: &mut Findings) -> Vec<Effect> {
+pub(in crate::robot) fn effects(node: &Node, path: &str, origin: Origin, to: &mut Findings) -> Vec<Effect> {
     let Kind::Map(fields) = &node.kind else {
         let mend = format!("write a mapping of effects to numbers: {}: {{ roll: 1deg }}", EffectKind::BaseTilt);
         to.problem(node.mark, path, format!("{} stands here", node.kind.describe()), mend);
@@ -127,7 +127,7 @@ pub(super) fn effects(node: &Node, path: &str, origin: Origin, to: &mut Findings
 }
 
 /// The effects of one joint in a file of effects.
-pub(super) fn effects_of_joint(fields: &[(Word, Node)], path: &str, to: &mut Findings) -> Vec<Effect> {
+pub(in crate::robot) fn effects_of_joint(fields: &[(Word, Node)], path: &str, to: &mut Findings) -> Vec<Effect> {
     let mut effects = Vec::new();
     for (word, node) in fields {
         let path = join(path, &shortened(&word.text));

@@ -2,7 +2,7 @@
 
 use super::session::{Excerpt, Session, torques};
 use crate::data::log::{Log, Quantity, Role};
-use crate::model::PerturbableArm;
+use crate::model::{DriveTerm, PerturbableArm};
 use crate::numerics::prng::Random;
 use dh_codegen::robot::effects;
 
@@ -71,12 +71,12 @@ impl Form {
         matches!(self, Self::Payload | Self::Link | Self::Gain)
     }
 
-    /// Symbol of the arm's own parameter that it changes.
-    pub(super) fn plain(self) -> Option<&'static str> {
+    /// The arm's own parameter that it changes.
+    pub(super) fn plain(self) -> Option<DriveTerm> {
         match self {
-            Self::Viscous => Some("FV"),
-            Self::Coulomb => Some("FC"),
-            Self::Offset => Some("FO"),
+            Self::Viscous => Some(DriveTerm::FV),
+            Self::Coulomb => Some(DriveTerm::FC),
+            Self::Offset => Some(DriveTerm::FO),
             _ => None,
         }
     }

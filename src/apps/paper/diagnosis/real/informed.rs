@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::addition::Addition;
 use super::session::{Excerpt, Session};
-use crate::model::{Arm, PerturbableArm, States};
+use crate::model::{Arm, PerturbableArm, StandardParameter, States};
 
 /// Groups of samples per second that are averaged.
 const RATE: f64 = 40.0;
@@ -39,14 +39,16 @@ type Equations = (DMatrix<f64>, DVector<f64>, f64, f64);
 pub(super) fn recovered(session: &Session, addition: &Addition, x: f64) -> f64 {
     let dof = session.numeric.dof();
     let base = session.plant.base_parameters();
-    let friction = |b: usize| ["FV", "FC", "FO"].iter().any(|f| base[b].name.starts_with(f));
     let given = session.plant.given().unwrap_or(&[]);
     let file: Vec<f64> =
         base.iter().map(|b| b.coefficients.iter().map(|(i, k)| k * given.get(*i).unwrap_or(&0.0)).sum()).collect();
     // Plain friction is a parameter of the arm already, which the size is measured from.
-    let own = addition.form.plain().map(|symbol| format!("{symbol}{}", session.plant.rows()[addition.joint()] + 1));
-    let same = |b: usize| own.as_ref().is_some_and(|own| base[b].name.trim_end_matches('R') == own);
-    let open = |b: usize| (!addition.form.within_bodies() || friction(b)) && !same(b);
+    let row = |term| StandardParameter::Drive(session.plant.rows()[addition.joint()], term);
+    let own = addition.form.plain().map(row);
+    let open = |b: usize| {
+        let leader = base[b].leader;
+        (!addition.form.within_bodies() || leader.is_friction()) && own != Some(leader)
+    };
     let unknowns = base.len() + 1;
     let mut grams: Vec<Equations> = vec![(DMatrix::zeros(unknowns, unknowns), DVector::zeros(unknowns), 0.0, 0.0); dof];
     for (number, e) in session.fit.iter().enumerate() {

@@ -1,45 +1,46 @@
 //! The file of a simulation: effects of joints and of the robot, sensors, control, solver.
 
-use super::super::problem::{Problems, closest};
-use super::super::reader::{Findings, join};
-use super::super::yaml::{self, Kind, Mark, Node, Word, shortened};
-use super::super::{Effect, EffectKind, Effects, JointKind, Note, Robot};
-use super::drive;
+use dh_codegen::robot::document::{
+    self, Findings, Kind, Mark, Node, Word, closest, effects_of_joint, effects_of_robot, join, shortened,
+};
+use dh_codegen::robot::{Effect, EffectKind, Effects, JointKind, Note, Problems, Robot};
+
+use super::{Method, Mode, Request, Side};
 
 /// Content of such a file. Every part may be left out.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SimulationFile {
     /// Effects beyond those of the robot file.
     pub effects: Effects,
-    /// Of `sensors`, `control`, `solver`: section, key (`torque_noise_color.std` of a mapping) and
-    /// value.
-    pub settings: Vec<(&'static str, &'static str, Setting)>,
     /// Action or observation of the reader.
     pub notes: Vec<Note>,
+    /// Of `sensors`, `control`, `solver`: place in [`KNOWN`], and value.
+    settings: Vec<(usize, Setting)>,
 }
 
 /// The value of a setting.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Setting {
+enum Setting {
     /// One number, or one for each joint.
     Numbers(Vec<f64>),
-    /// Yes or no.
     Flag(bool),
-    /// One of the words that are known there.
-    Word(&'static str),
+    /// One of the words that are known there, by its place.
+    Word(usize),
 }
 
-/// Value of a key of a section.
+/// Value of a key of a section, and what it sets.
 enum Form {
-    Number,
+    Number(fn(&mut Request, f64)),
     /// A number, or a list with one for each joint.
-    Each,
-    Flag,
-    Words(&'static [&'static str]),
+    Each(fn(&mut Request, Vec<f64>)),
+    Flag(fn(&mut Request, bool)),
+    /// One of these words, by its place.
+    Words(&'static [&'static str], fn(&mut Request, usize)),
 }
 
 struct Known {
     section: &'static str,
+    /// `torque_noise_color.std` of a mapping.
     key: &'static str,
     form: Form,
     doc: &'static str,
@@ -53,31 +54,36 @@ use Form::{Each, Flag, Number, Words};
 
 const SECTIONS: [&str; 5] = ["joints", "effects", "sensors", "control", "solver"];
 
+const SIDES: [Side; 2] = [Side::Motor, Side::Link];
+const MODES: [&str; 5] = [Mode::ALL[0].0, Mode::ALL[1].0, Mode::ALL[2].0, Mode::ALL[3].0, Mode::ALL[4].0];
+const METHODS: [Method; 3] = [Method::Auto, Method::Rosenbrock, Method::DormandPrince];
+
+#[rustfmt::skip]
 static KNOWN: [Known; 24] = [
-    known("sensors", "rate", Number, "samples per second, Hz"),
-    known("sensors", "encoder", Each, "step of the encoders, rad; 0 for none"),
-    known("sensors", "position_noise", Each, "white noise of the positions, standard deviation, rad"),
-    known("sensors", "torque_noise", Each, "white noise of the torques, standard deviation, N m"),
-    known("sensors", "torque_noise_color.std", Each, "coloured noise of the torques, standard deviation, N m"),
-    known("sensors", "torque_noise_color.corner", Number, "its corner frequency, Hz"),
-    known("sensors", "torque_step", Each, "step of the torque sensors, N m; 0 for none"),
-    known("sensors", "latency", Number, "age of all samples at their stamp, s"),
-    known("sensors", "jitter", Number, "of the sampling instants, standard deviation, s"),
-    known("sensors", "torque", Words(&["motor", "link"]), "the side of the gear that `tau` is of"),
-    known("sensors", "position", Words(&["motor", "link"]), "the side of the gear that `q` is of"),
-    known("sensors", "dq", Flag, "whether `dq` is recorded"),
-    known("sensors", "velocity_noise", Each, "white noise of `dq`, standard deviation, rad/s"),
-    known("sensors", "qd", Flag, "whether `qd` is recorded"),
-    known("sensors", "temp", Flag, "whether `temp` is recorded"),
-    known("sensors", "wrench", Flag, "whether the external wrench is recorded"),
-    known("control", "mode", Words(&["position", "pd", "torque", "free", "exact"]), "what drives the arm"),
-    known("control", "kp", Each, "position gain, N m/rad"),
-    known("control", "kd", Each, "velocity gain, N m s/rad"),
-    known("control", "bandwidth", Number, "what default gains are made for, rad/s"),
-    known("control", "damping", Number, "damping ratio that default gains are made for"),
-    known("solver", "method", Words(&["auto", "rosenbrock", "dormand-prince"]), "ROS34PW2 or Dormand and Prince 5(4)"),
-    known("solver", "tolerance", Number, "relative error of a step"),
-    known("solver", "step", Number, "longest step, s"),
+    known("sensors", "rate", Number(|r, x| r.sensors.rate = x), "samples per second, Hz"),
+    known("sensors", "encoder", Each(|r, x| r.sensors.encoder = x), "step of the encoders, rad; 0 for none"),
+    known("sensors", "position_noise", Each(|r, x| r.sensors.position_noise = x), "white noise of the positions, standard deviation, rad"),
+    known("sensors", "torque_noise", Each(|r, x| r.sensors.torque_noise = x), "white noise of the torques, standard deviation, N m"),
+    known("sensors", "torque_noise_color.std", Each(|r, x| r.sensors.torque_colour = x), "coloured noise of the torques, standard deviation, N m"),
+    known("sensors", "torque_noise_color.corner", Number(|r, x| r.sensors.colour_corner = x), "its corner frequency, Hz"),
+    known("sensors", "torque_step", Each(|r, x| r.sensors.torque_step = x), "step of the torque sensors, N m; 0 for none"),
+    known("sensors", "latency", Number(|r, x| r.sensors.latency = x), "age of all samples at their stamp, s"),
+    known("sensors", "jitter", Number(|r, x| r.sensors.jitter = x), "of the sampling instants, standard deviation, s"),
+    known("sensors", "torque", Words(&["motor", "link"], |r, k| r.sensors.torque = SIDES[k]), "the side of the gear that `tau` is of"),
+    known("sensors", "position", Words(&["motor", "link"], |r, k| r.sensors.position = SIDES[k]), "the side of the gear that `q` is of"),
+    known("sensors", "dq", Flag(|r, x| r.sensors.velocity = x), "whether `dq` is recorded"),
+    known("sensors", "velocity_noise", Each(|r, x| r.sensors.velocity_noise = x), "white noise of `dq`, standard deviation, rad/s"),
+    known("sensors", "qd", Flag(|r, x| r.sensors.desired = x), "whether `qd` is recorded"),
+    known("sensors", "temp", Flag(|r, x| r.sensors.temperature = x), "whether `temp` is recorded"),
+    known("sensors", "wrench", Flag(|r, x| r.sensors.wrench = x), "whether the external wrench is recorded"),
+    known("control", "mode", Words(&MODES, |r, k| r.control.mode = Mode::ALL[k].1), "what drives the arm"),
+    known("control", "kp", Each(|r, x| r.control.kp = Some(x)), "position gain, N m/rad"),
+    known("control", "kd", Each(|r, x| r.control.kd = Some(x)), "velocity gain, N m s/rad"),
+    known("control", "bandwidth", Number(|r, x| r.control.bandwidth = x), "what default gains are made for, rad/s"),
+    known("control", "damping", Number(|r, x| r.control.damping = x), "damping ratio that default gains are made for"),
+    known("solver", "method", Words(&["auto", "rosenbrock", "dormand-prince"], |r, k| r.solver.method = METHODS[k]), "ROS34PW2 or Dormand and Prince 5(4)"),
+    known("solver", "tolerance", Number(|r, x| r.solver.tolerance = x), "relative error of a step"),
+    known("solver", "step", Number(|r, x| r.solver.longest = x), "longest step, s"),
 ];
 
 impl SimulationFile {
@@ -88,7 +94,7 @@ impl SimulationFile {
         if !text.lines().any(says_something) {
             return Ok(Self::default());
         }
-        let root = yaml::parse(text).map_err(Problems)?;
+        let root = document::tree(text)?;
         let mut found = Findings::default();
         let mut file = Self::default();
         match &root.kind {
@@ -97,9 +103,7 @@ impl SimulationFile {
                     let path = shortened(&word.text);
                     match word.text.as_str() {
                         "joints" => joints(node, &path, robot, &mut file.effects.joints, &mut found),
-                        "effects" => {
-                            file.effects.robot = drive::effects(node, &path, drive::Origin::Simulation, &mut found)
-                        }
+                        "effects" => file.effects.robot = effects_of_robot(node, &path, &mut found),
                         "sensors" | "control" | "solver" => section(word, node, &mut file, &mut found),
                         other => {
                             let mend = match closest(other, SECTIONS) {
@@ -122,12 +126,26 @@ impl SimulationFile {
                 found.problem(root.mark, "", format!("{} stands here", other.describe()), mend);
             }
         }
-        if found.problems.is_empty() {
-            file.notes = found.notes;
-            return Ok(file);
+        file.notes = found.finish()?;
+        Ok(file)
+    }
+
+    /// Sections and keys of the settings, in the file's order.
+    pub fn settings(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
+        self.settings.iter().map(|(place, _)| (KNOWN[*place].section, KNOWN[*place].key))
+    }
+
+    /// Takes over the settings of sensors, control and solver; the effects are the simulator's.
+    pub fn apply(&self, request: &mut Request) {
+        for (place, value) in &self.settings {
+            match (&KNOWN[*place].form, value) {
+                (Number(set), Setting::Numbers(numbers)) => set(request, numbers[0]),
+                (Each(set), Setting::Numbers(numbers)) => set(request, numbers.clone()),
+                (Flag(set), Setting::Flag(flag)) => set(request, *flag),
+                (Words(_, set), Setting::Word(word)) => set(request, *word),
+                _ => unreachable!("a value is read by the form of its key"),
+            }
         }
-        found.problems.sort_by_key(|p| (p.line, p.column));
-        Err(Problems(found.problems))
     }
 }
 
@@ -142,7 +160,7 @@ fn joints(node: &Node, path: &str, robot: &Robot, out: &mut Vec<(usize, Effect)>
                 let row = once(row(&word.text, word.mark, &path, robot, to), word.mark, &path, &mut seen, to);
                 match &node.kind {
                     Kind::Map(fields) => {
-                        let effects = drive::effects_of_joint(fields, &path, to);
+                        let effects = effects_of_joint(fields, &path, to);
                         out.extend(row.iter().flat_map(|&row| effects.iter().map(move |e| (row, e.clone()))));
                     }
                     other => {
@@ -177,7 +195,7 @@ fn joints(node: &Node, path: &str, robot: &Robot, out: &mut Vec<(usize, Effect)>
                         None
                     }
                 };
-                let effects = drive::effects_of_joint(&effects, &path, to);
+                let effects = effects_of_joint(&effects, &path, to);
                 out.extend(row.iter().flat_map(|&row| effects.iter().map(move |e| (row, e.clone()))));
             }
         }
@@ -260,7 +278,7 @@ fn keys(section: &str) -> String {
 
 fn setting(section: &str, name: &str, mark: Mark, node: &Node, file: &mut SimulationFile, to: &mut Findings) {
     let path = join(section, &shortened(name));
-    let Some(known) = KNOWN.iter().find(|k| k.section == section && k.key == name) else {
+    let Some(place) = KNOWN.iter().position(|k| k.section == section && k.key == name) else {
         let mend = match closest(name, KNOWN.iter().filter(|k| k.section == section).map(|k| k.key)) {
             Some(close) => format!("did you mean `{close}`?"),
             None => format!("the keys of {section} are {}", keys(section)),
@@ -268,42 +286,104 @@ fn setting(section: &str, name: &str, mark: Mark, node: &Node, file: &mut Simula
         to.problem(mark, &path, format!("`{}` is not a key of {section}", shortened(name)), mend);
         return;
     };
+    let known = &KNOWN[place];
     let mut wrong = |expected: &str| {
         let mend = format!("write {expected}: {}", known.doc);
         to.problem(node.mark, &path, format!("{} stands here", node.kind.describe()), mend);
     };
     let value = match (&known.form, &node.kind) {
-        (Form::Flag, Kind::Scalar { text, quoted: false }) if text == "true" || text == "false" => {
+        (Flag(_), Kind::Scalar { text, quoted: false }) if text == "true" || text == "false" => {
             Some(Setting::Flag(text == "true"))
         }
-        (Form::Flag, _) => {
+        (Flag(_), _) => {
             wrong("true or false");
             None
         }
-        (Form::Words(words), Kind::Scalar { text, .. }) => {
-            let found = words.iter().find(|word| **word == text.trim());
+        (Words(words, _), Kind::Scalar { text, .. }) => {
+            let found = words.iter().position(|word| *word == text.trim());
             if found.is_none() {
                 let what = format!("`{}` is not a {name}", shortened(text));
                 to.problem(node.mark, &path, what, format!("write {}: {}", words.join(" or "), known.doc));
             }
-            found.map(|word| Setting::Word(word))
+            found.map(Setting::Word)
         }
-        (Form::Words(words), _) => {
+        (Words(words, _), _) => {
             wrong(&words.join(" or "));
             None
         }
-        (Form::Each, Kind::List(items)) if items.is_empty() => {
+        (Each(_), Kind::List(items)) if items.is_empty() => {
             wrong("a number, or one for each joint");
             None
         }
-        (Form::Each, Kind::List(items)) => {
+        (Each(_), Kind::List(items)) => {
             let numbers: Vec<f64> = items.iter().filter_map(|item| to.number(item, &path, known.doc)).collect();
             (numbers.len() == items.len()).then_some(Setting::Numbers(numbers))
         }
-        (Form::Number | Form::Each, _) => to.number(node, &path, known.doc).map(|value| Setting::Numbers(vec![value])),
+        (Number(_) | Each(_), _) => to.number(node, &path, known.doc).map(|value| Setting::Numbers(vec![value])),
     };
     if let Some(value) = value {
-        file.settings.retain(|(s, k, _)| (*s, *k) != (known.section, known.key));
-        file.settings.push((known.section, known.key, value));
+        file.settings.retain(|(other, _)| *other != place);
+        file.settings.push((place, value));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulate::Sensors;
+
+    const EFFECTS: &str = "
+joints:
+  2: { stribeck_friction: { FS: 4.1, VS: 0.08 }, backlash: }
+  shoulder: { joint_elasticity: 3000 }
+effects: { base_tilt: { roll: 90deg } }
+sensors: { encoder: [1e-5, 2e-5], torque_noise_color: { std: 0.02, corner: 5 }, torque: link, dq: true }
+control: { mode: exact }
+";
+
+    fn two_joints() -> Robot {
+        let text =
+            "name: a\nconvention: modified\njoints: [ { type: revolute, name: shoulder }, { type: revolute } ]\n";
+        Robot::from_yaml(text, &|name| Err(format!("{name} was not found"))).unwrap().robot
+    }
+
+    #[test]
+    fn a_file_of_effects_is_read() {
+        let file = SimulationFile::from_yaml(EFFECTS, &two_joints()).unwrap_or_else(|problems| panic!("{problems}"));
+        let named: Vec<(usize, &str)> = file.effects.joints.iter().map(|(row, e)| (*row, e.name())).collect();
+        assert_eq!(named, [(1, "stribeck_friction"), (1, "backlash"), (0, "joint_elasticity")]);
+        assert_eq!(file.effects.joints[2].1.stated(), [("KE".to_string(), 3000.0)]);
+        assert!((file.effects.robot[0].get("roll").unwrap() - core::f64::consts::FRAC_PI_2).abs() < 1e-15);
+        let mut request = Request::default();
+        file.apply(&mut request);
+        let Sensors { encoder, torque_colour, colour_corner, torque, velocity, .. } = request.sensors;
+        assert_eq!((encoder, torque_colour, colour_corner), (vec![1e-5, 2e-5], vec![0.02], 5.0));
+        assert_eq!((torque, velocity, request.control.mode), (Side::Link, true, Mode::Exact));
+        let list = "joints: [ { joint: 2, backlash: {} }, { joint: shoulder, torque_offset: 1 } ]";
+        let file = SimulationFile::from_yaml(list, &two_joints()).unwrap();
+        assert_eq!(file.effects.joints.iter().map(|(row, _)| *row).collect::<Vec<_>>(), [1, 0]);
+        assert_eq!(SimulationFile::from_yaml("# nothing\n", &two_joints()).unwrap(), SimulationFile::default());
+    }
+
+    #[test]
+    fn mistakes_in_a_file_of_effects_are_told_with_their_places() {
+        for (text, expected) in [
+            ("joints: { 3: { backlash: {} } }", "1:11: joints.3: a has no joint `3`; help: write a number from 1 to 2"),
+            ("joints: { 1: { baklash: {} } }", "`baklash` is not an effect; help: did you mean `backlash`?"),
+            ("joints: { 1: { backlash: { BW: 1 } } }", "`BW` is not a key of backlash; help: "),
+            ("joints: { 1: { payload: {} } }", "payload concerns the whole robot"),
+            ("effects: { backlash: {} }", "backlash belongs to one joint"),
+            ("joints: { 1: { gear_coupling: {} } }", "the key `joint` is missing"),
+            ("joints: [ { backlash: {} } ]", "joints[1]: the key `joint` is missing"),
+            ("joint: { 1: {} }", "`joint` is not a key of a file of effects; help: did you mean `joints`?"),
+            ("sensors: { ratte: 1 }", "`ratte` is not a key of sensors; help: did you mean `rate`?"),
+            ("sensors: { torque: both }", "`both` is not a torque; help: write motor or link"),
+            ("sensors: { dq: 1 }", "write true or false"),
+            ("control: exact", "`exact` stands here"),
+            ("[1]", "a file of effects is a mapping"),
+        ] {
+            let problems = SimulationFile::from_yaml(text, &two_joints()).unwrap_err().to_string();
+            assert!(problems.contains(expected), "{text}: {problems}");
+        }
     }
 }

@@ -1,0 +1,48 @@
+//! Settings with which no controller can work.
+
+use core::fmt::{Display, Formatter};
+
+/// The first setting that makes no sense.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ControllerError {
+    /// [`Settings::period`](super::Settings::period).
+    Period,
+    /// [`Settings::joints`](super::Settings::joints): a negative gain.
+    JointGains,
+    /// [`Settings::force`](super::Settings::force): a negative gain.
+    ForceGains,
+    /// The range of the displacement does not hold 0.
+    Range,
+    /// The displacement's speed.
+    Rate,
+    /// [`Settings::torque`](super::Settings::torque) or
+    /// [`Settings::velocity`](super::Settings::velocity).
+    Limits,
+    /// A limit of contact.
+    Contact,
+    /// A share that is fed forward.
+    Share,
+    /// [`Settings::aside_pole`](super::Settings::aside_pole).
+    AsidePole,
+    /// [`Settings::corner`](super::Settings::corner).
+    Corner,
+}
+
+impl Display for ControllerError {
+    fn fmt(&self, f: &mut Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Period => "the period must be greater than 0",
+            Self::JointGains => "the gains of the joints must not be negative",
+            Self::ForceGains => "the gains of the force loop must not be negative",
+            Self::Range => "the range of the displacement must hold 0",
+            Self::Rate => "the displacement's speed must be greater than 0",
+            Self::Limits => "limits of torque and velocity must be greater than 0",
+            Self::Contact => "the limits of contact must not be negative",
+            Self::Share => "shares that are fed forward must be from 0 to 1",
+            Self::AsidePole => "the pole of the force aside must not be negative",
+            Self::Corner => "the corner of the estimate's low-pass must be greater than 0",
+        })
+    }
+}
+
+impl core::error::Error for ControllerError {}
