@@ -46,6 +46,7 @@ mod output;
 mod paint;
 mod prepare;
 mod provenance;
+mod reading;
 mod reproduce;
 mod shell;
 mod simulate;

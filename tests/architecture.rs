@@ -332,6 +332,13 @@ fn functions_are_short() {
     only_shrinks("tests/architecture/long_functions.txt", &table(LONG_FUNCTIONS), &found);
 }
 
+/// Whether the error of this function is a text.
+fn text_error(signature: &syn::Signature) -> bool {
+    let output = signature.output.to_token_stream().to_string();
+    let text = [", String >", ", & 'static str >", ", & str >", ", Box < dyn"];
+    output.contains("Result <") && text.iter().any(|end| output.contains(end))
+}
+
 /// Public functions whose error is a text.
 struct TextErrors<'a> {
     file: &'a str,
@@ -340,9 +347,7 @@ struct TextErrors<'a> {
 
 impl TextErrors<'_> {
     fn add(&mut self, visibility: &syn::Visibility, signature: &syn::Signature) {
-        let output = signature.output.to_token_stream().to_string();
-        let text = output.contains("Result <") && output.contains(", String >");
-        if matches!(visibility, syn::Visibility::Public(_)) && text {
+        if matches!(visibility, syn::Visibility::Public(_)) && text_error(signature) {
             self.found.push(format!("{} {}", self.file, signature.ident));
         }
     }
@@ -355,6 +360,13 @@ impl<'ast> Visit<'ast> for TextErrors<'_> {
     fn visit_impl_item_fn(&mut self, item: &'ast syn::ImplItemFn) {
         self.add(&item.vis, &item.sig);
     }
+    fn visit_item_trait(&mut self, item: &'ast syn::ItemTrait) {
+        for member in &item.items {
+            if let syn::TraitItem::Fn(function) = member {
+                self.add(&item.vis, &function.sig);
+            }
+        }
+    }
     fn visit_item_mod(&mut self, item: &'ast syn::ItemMod) {
         if !for_tests(&item.attrs) {
             visit::visit_item_mod(self, item);
@@ -365,12 +377,132 @@ impl<'ast> Visit<'ast> for TextErrors<'_> {
 #[test]
 fn public_functions_have_errors_of_a_type() {
     let mut found = Vec::new();
-    for (path, file) in ["src", "dh-macro/codegen/src"].iter().flat_map(|folder| sources(folder)) {
+    let folders = ["src", "dh-macro/codegen/src", "dh-macro/runtime-core/src", "dh-macro/runtime/src"];
+    for (path, file) in folders.iter().flat_map(|folder| sources(folder)) {
         let mut functions = TextErrors { file: &path.display().to_string(), found: Vec::new() };
         functions.visit_file(&file);
         found.extend(functions.found);
     }
     assert!(found.is_empty(), "give these an error enum in place of a text:\n{}", found.join("\n"));
+}
+
+/// Places that ask a parameter's name what the parameter is.
+#[derive(Default)]
+struct ParsedNames {
+    found: Vec<String>,
+}
+
+impl<'ast> Visit<'ast> for ParsedNames {
+    fn visit_expr_method_call(&mut self, call: &'ast syn::ExprMethodCall) {
+        let cuts = ["starts_with", "strip_prefix", "strip_suffix", "trim_end_matches", "trim_start_matches"];
+        let symbols = ["IA", "FV", "FC", "FO", "IAM", "FVM", "FCM", "M", "MS", "XX", "YY", "ZZ", "F", "R"];
+        let argument = call.args.first().map(|a| a.to_token_stream().to_string()).unwrap_or_default();
+        let symbol = symbols.iter().any(|s| argument == format!("\"{s}\"") || argument == format!("'{s}'"));
+        if symbol && cuts.contains(&call.method.to_string().as_str()) {
+            self.found.push(call.to_token_stream().to_string());
+        }
+        visit::visit_expr_method_call(self, call);
+    }
+    fn visit_expr_array(&mut self, array: &'ast syn::ExprArray) {
+        let terms = ["\"IA\"", "\"FV\"", "\"FC\"", "\"FO\"", "\"MSX\""];
+        let named = array.elems.iter().filter(|e| terms.contains(&e.to_token_stream().to_string().as_str())).count();
+        let others = array
+            .elems
+            .iter()
+            .any(|e| matches!(e, syn::Expr::Lit(l) if matches!(&l.lit, syn::Lit::Str(s) if s.value() == "TO")));
+        if named > 1 && !others {
+            self.found.push(array.to_token_stream().to_string());
+        }
+        visit::visit_expr_array(self, array);
+    }
+    fn visit_item_mod(&mut self, item: &'ast syn::ItemMod) {
+        if !for_tests(&item.attrs) {
+            visit::visit_item_mod(self, item);
+        }
+    }
+}
+
+/// `StandardParameter` and `arm::param` say what a parameter is.
+#[test]
+fn no_name_of_a_parameter_is_parsed_back() {
+    let mut wrong = Vec::new();
+    for (path, file) in ["src", "dh-macro/codegen/src"].iter().flat_map(|folder| sources(folder)) {
+        let mut names = ParsedNames::default();
+        names.visit_file(&file);
+        wrong.extend(names.found.into_iter().map(|what| format!("{}: {what}", path.display())));
+    }
+    assert!(wrong.is_empty(), "match on `StandardParameter` in place of the name:\n{}", wrong.join("\n"));
+}
+
+/// Identifiers with how often each stands, those that a format string captures counted in.
+fn count_words(tokens: TokenStream, into: &mut BTreeMap<String, usize>) {
+    for tree in tokens {
+        match tree {
+            TokenTree::Ident(word) => *into.entry(word.to_string()).or_default() += 1,
+            TokenTree::Group(group) => count_words(group.stream(), into),
+            TokenTree::Literal(text) => {
+                let text = text.to_string();
+                for captured in text.split('{').skip(1).filter_map(|rest| rest.split(['}', ':']).next()) {
+                    *into.entry(captured.to_string()).or_default() += 1;
+                }
+            }
+            TokenTree::Punct(_) => {}
+        }
+    }
+}
+
+/// Names of public functions, types and constants.
+#[derive(Default)]
+struct PublicNames(Vec<String>);
+
+impl<'ast> Visit<'ast> for PublicNames {
+    fn visit_item(&mut self, item: &'ast syn::Item) {
+        let (visibility, name) = match item {
+            syn::Item::Fn(x) => (&x.vis, &x.sig.ident),
+            syn::Item::Struct(x) => (&x.vis, &x.ident),
+            syn::Item::Enum(x) => (&x.vis, &x.ident),
+            syn::Item::Trait(x) => (&x.vis, &x.ident),
+            syn::Item::Const(x) => (&x.vis, &x.ident),
+            _ => return visit::visit_item(self, item),
+        };
+        if matches!(visibility, syn::Visibility::Public(_)) && !for_tests(attributes(item)) {
+            self.0.push(name.to_string());
+        }
+        visit::visit_item(self, item);
+    }
+    fn visit_impl_item_fn(&mut self, item: &'ast syn::ImplItemFn) {
+        if matches!(item.vis, syn::Visibility::Public(_)) && !for_tests(&item.attrs) {
+            self.0.push(item.sig.ident.to_string());
+        }
+    }
+    fn visit_item_mod(&mut self, item: &'ast syn::ItemMod) {
+        if !for_tests(&item.attrs) {
+            visit::visit_item_mod(self, item);
+        }
+    }
+}
+
+/// Without what only tests name. The rigid-body recursions are the tests' oracle, and public for
+/// it.
+#[test]
+fn public_items_are_used() {
+    let mut words = BTreeMap::new();
+    let mut defined: Vec<(PathBuf, String)> = Vec::new();
+    for folder in ["src", "examples", "benches"] {
+        for (path, mut file) in sources(folder) {
+            file.items.retain(|item| !matches!(item, syn::Item::Use(_)));
+            count_words(file.to_token_stream(), &mut words);
+            if folder == "src" && !path.starts_with("src/model/rigid_body") {
+                let mut names = PublicNames::default();
+                names.visit_file(&file);
+                defined.extend(names.0.into_iter().map(|name| (path.clone(), name)));
+            }
+        }
+    }
+    let definitions = |name: &String| defined.iter().filter(|(_, other)| other == name).count();
+    let unused = defined.iter().filter(|(_, name)| words.get(name).is_none_or(|n| *n <= definitions(name)));
+    let unused: Vec<String> = unused.map(|(path, name)| format!("{}: {name}", path.display())).collect();
+    assert!(unused.is_empty(), "no one uses these but tests; take them out:\n{}", unused.join("\n"));
 }
 
 #[test]

@@ -8,9 +8,9 @@ use super::Failure;
 use super::diagnose::{Diagnose, Given};
 use super::files::{self, RobotFile};
 use super::identify::Identify;
-use super::mapping::MapOption;
-use super::prepare::{Preparation, Torque};
+use super::prepare::Preparation;
 use super::provenance::Provenance;
+use super::reading::ReadOptions;
 use crate::report::Identified;
 
 /// Identify the robot, diagnose what the identified model gets wrong, and measure both on logs that
@@ -36,8 +36,8 @@ pub(super) struct Calibrate {
     #[arg(long, required = true, num_args = 1.., value_name = "LOG")]
     validate: Vec<PathBuf>,
     /// Robot file to write: the one that was read, with identified values, the effects that were
-    /// found, and what made them under `provenance`. Where two causes can't be told apart, the motion
-    /// on which they would differ most stands beside it, with the ending `.next.csv`.
+    /// found, and what made them under `provenance`. Where two causes can't be told apart, the
+    /// motion on which they would differ most stands beside it, with the ending `.next.csv`.
     #[arg(long, value_name = "ROBOT2")]
     out: Option<PathBuf>,
     /// Write the result as JSON; `-` for standard output. It is that of `diagnose`, with that of
@@ -47,34 +47,27 @@ pub(super) struct Calibrate {
     /// Write a page with torques before and after, causes and parameters.
     #[arg(long, value_name = "FILE.html")]
     report: Option<PathBuf>,
-    /// Which torque: `tau` (of a log that has currents alone: `current`), `taum` (motor side), or
-    /// `current` (motor current times the robot file's `torque_constant`).
-    #[arg(long, value_enum, default_value_t = Torque::Tau)]
-    torque: Torque,
-    /// Accept what is normally refused, as for `identify`.
-    #[arg(long, value_delimiter = ',', value_name = "WHAT")]
-    keep: Vec<String>,
     #[command(flatten)]
-    map: MapOption,
+    read: ReadOptions,
 }
 
 impl Calibrate {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
-        let Self { robot, logs, validate, out, json, report, torque, keep, map } = self;
+        let Self { robot, logs, validate, out, json, report, read } = self;
         let file = files::robot(&robot)?;
         let next = out.as_ref().map(|out| out.with_extension("next.csv"));
         files::check_outputs(
             &[("--out", &out), ("--out", &next), ("--json", &json), ("--report", &report)],
             file.read.iter().chain(&logs).chain(&validate),
         )?;
-        let preparation = Preparation::plainly(torque, keep.clone(), map.clone());
+        let preparation = Preparation::plainly(read.clone());
         let identify = Identify::plainly(robot.clone(), logs.clone(), validate.clone(), robot.clone(), preparation);
         let model = identify.model(&file)?;
         let provenance = provenance.robot(&robot, &file).with("low-pass of the identification", &model.low_pass);
         let run = provenance.clone().logs(&model.logbook).run(vec!["parameters, before the diagnosis".into()]);
         let text = file.rewritten(&model.robot, &robot, &run);
         let identified = RobotFile { robot: model.robot, text, read: file.read, notes: file.notes };
-        let diagnose = Diagnose::plainly(robot, logs, validate, Given { out, json, report, torque, keep, map });
+        let diagnose = Diagnose::plainly(robot, logs, validate, Given { out, json, report, read });
         let made = diagnose.made(&identified, provenance)?;
         diagnose.deliver(&made, Some(&Identified { found: &model.found, warnings: &model.warnings }))
     }

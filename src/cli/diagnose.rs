@@ -13,10 +13,10 @@ use super::delivery::deliver;
 use super::files;
 use super::known_effects::FileEffects;
 use super::logbook::{Logbook, Purpose};
-use super::mapping::MapOption;
 use super::motors;
-use super::prepare::{Torque, against_limits, keep, torque_constants, warned};
+use super::prepare::{against_limits, torque_constants, warned};
 use super::provenance::Provenance;
+use super::reading::ReadOptions;
 use crate::data::log::Acceptance;
 use crate::data::signal::{Motion, Prepare, Prepared, lower_cutoff};
 use crate::diagnose::{self, Cause, Diagnosis, Recording, Separation, Settings};
@@ -75,15 +75,8 @@ pub(super) struct Diagnose {
     /// Windows per second over which torques are averaged to separate causes.
     #[arg(long, default_value_t = 100.0)]
     rate: f64,
-    /// Source of the torque: `tau` (of a log that has currents alone: `current`), `taum` (motor
-    /// side), or `current` (motor current times the robot file's `torque_constant`).
-    #[arg(long, value_enum, default_value_t = Torque::Tau)]
-    torque: Torque,
-    /// Accept what is normally refused, as for `identify`.
-    #[arg(long, value_delimiter = ',', value_name = "WHAT")]
-    keep: Vec<String>,
     #[command(flatten)]
-    map: MapOption,
+    read: ReadOptions,
 }
 
 /// Options of a diagnosis that is part of another verb.
@@ -91,9 +84,7 @@ pub(super) struct Given {
     pub(super) out: Option<PathBuf>,
     pub(super) json: Option<PathBuf>,
     pub(super) report: Option<PathBuf>,
-    pub(super) torque: Torque,
-    pub(super) keep: Vec<String>,
-    pub(super) map: MapOption,
+    pub(super) read: ReadOptions,
 }
 
 /// A diagnosis, and what is to be written.
@@ -167,13 +158,13 @@ impl Diagnose {
 
     /// With the defaults of all options that are not given here.
     pub(super) fn plainly(robot: PathBuf, logs: Vec<PathBuf>, validate: Vec<PathBuf>, given: Given) -> Self {
-        let Given { out, json, report, torque, keep, map } = given;
-        Self { robot, logs, validate, out, next: None, json, report, cutoff: None, rate: 100.0, torque, keep, map }
+        let Given { out, json, report, read } = given;
+        Self { robot, logs, validate, out, next: None, json, report, cutoff: None, rate: 100.0, read }
     }
 
     /// The diagnosis of a robot file, and the robot file that comes of it.
     pub(super) fn made(&self, file: &files::RobotFile, provenance: Provenance) -> Result<Made, Failure> {
-        let keep = keep(&self.keep)?;
+        let keep = self.read.keep.acceptance()?;
         let plant = PerturbableRobot::new(&file.robot);
         let effects = FileEffects::of(&file.robot, &[]);
         let known = effects.as_ref().and_then(|effects| effects.known(&plant, plant.given(), None));
@@ -181,7 +172,7 @@ impl Diagnose {
         let mut reading = Reading {
             provenance,
             logbook: Logbook::of(&file.text),
-            columns: self.map.reading(Some(&file.robot))?,
+            columns: self.read.map.reading(Some(&file.robot))?,
             ..Reading::default()
         };
         let mut read = |purpose: Purpose, paths: &[PathBuf]| -> Result<Vec<Recording>, Failure> {
@@ -256,8 +247,8 @@ impl Diagnose {
         self.next.clone().or_else(|| self.out.as_ref().map(|out| out.with_extension("next.csv")))
     }
 
-    /// Files and text; `identified`: the identification that the robot file comes from, where it was
-    /// made on the way.
+    /// Files and text; `identified`: the identification that the robot file comes from, where it
+    /// was made on the way.
     pub(super) fn deliver(&self, made: &Made, identified: Option<&Identified<'_>>) -> Result<(), Failure> {
         let Made { found, written, next, prepared, provenance } = made;
         let mut warnings = report::diagnose_warnings(found, prepared);
@@ -343,7 +334,7 @@ impl Diagnose {
         let before = *before;
         let mut pass = |cutoff: f64| {
             let prepare = Prepare {
-                torque: self.torque.quantity(),
+                torque: self.read.torque.quantity(),
                 torque_constants: constants.clone(),
                 reading: map.clone(),
                 keep,

@@ -7,6 +7,7 @@ use dh_codegen::arm::{Argument, Function, param};
 use dh_codegen::robot::Robot;
 
 use super::Failure;
+use super::delivery::deliver;
 use super::files;
 use super::provenance::Provenance;
 use super::table::Table;
@@ -127,8 +128,9 @@ impl Eval {
             arm.evaluate(function, &states, &tau, &standard)
         };
         let shape = arm.shape(function);
-        let value = report::eval_json(function.name(), &arm, &shape, values);
-        files::json(&self.json, value, &provenance.robot(&self.robot, &file))
+        deliver(&provenance.robot(&self.robot, &file))
+            .json(Some(&self.json), || report::eval_json(function.name(), &arm, &shape, values))?
+            .only_text(String::new)
     }
 }
 

@@ -5,11 +5,13 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand};
 
 use super::Failure;
+use super::delivery::deliver;
 use super::files;
 use super::mapping::{MapOption, joints};
 use super::output::Output;
-use super::prepare::{keep, table};
+use super::prepare::table;
 use super::provenance::Provenance;
+use super::reading::Keep;
 use super::terminal;
 use crate::data::log::csv::CsvWriter;
 use crate::data::log::parquet::ParquetWriter;
@@ -74,17 +76,15 @@ struct Convert {
     /// CSV, or Parquet where the name ends in .parquet.
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
-    /// Accept what is normally refused: bad-rows, gaps, restarts, duplicates, irregular-clock,
-    /// stuck, clipped, dead-torque, large-angles, torque-unit, or all.
-    #[arg(long, value_delimiter = ',', value_name = "WHAT")]
-    keep: Vec<String>,
+    #[command(flatten)]
+    keep: Keep,
 }
 
 impl LogVerb {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         match self.verb {
             Verb::Inspect(verb) => verb.run(provenance),
-            Verb::Convert(verb) => verb.run(),
+            Verb::Convert(verb) => verb.run(provenance),
         }
     }
 }
@@ -97,21 +97,15 @@ impl Inspect {
         let channels = table.summarise().map_err(Failure::input)?;
         let joints = robot.as_ref().map(|r| joints(&r.robot)).unwrap_or_default();
         let proposal = propose(&channels, &joints);
-        if let Some(path) = &self.out {
-            files::write(path, report::mapping_yaml(&proposal, &name).as_bytes())?;
-        }
-        if let Some(target) = &self.json {
-            files::json(target, report::inspect_json(&channels, &proposal), &provenance)?;
-        }
-        if !files::is_stdout(self.json.iter().chain(&self.out)) {
-            files::print(&report::inspect_text(&name, &channels, &proposal))?;
-        }
-        Ok(())
+        deliver(&provenance)
+            .file(self.out.as_ref(), || report::mapping_yaml(&proposal, &name))?
+            .json(self.json.as_ref(), || report::inspect_json(&channels, &proposal))?
+            .only_text(|| report::inspect_text(&name, &channels, &proposal))
     }
 }
 
 impl Convert {
-    fn run(self) -> Result<(), Failure> {
+    fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let robot = self.robot.as_deref().map(files::robot).transpose()?;
         let out = Some(self.out.clone());
         files::check_outputs(&[("--out", &out)], std::slice::from_ref(&self.log))?;
@@ -122,7 +116,7 @@ impl Convert {
         let torque = [Quantity::Tau, Quantity::Taum].into_iter().find(|q| has(*q)).unwrap_or(Quantity::Current);
         let parquet = self.out.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet"));
         let mut output = Output::create(&self.out)?;
-        let passed = match write_rows(&mut *source, torque, keep(&self.keep)?, parquet, &mut output) {
+        let passed = match write_rows(&mut *source, torque, self.keep.acceptance()?, parquet, &mut output) {
             Ok(passed) => passed,
             Err(Stop::Log(error)) => return Err(Failure::input(error)),
             Err(Stop::Parquet(error)) => return Err(Failure::other(error)),
@@ -132,10 +126,9 @@ impl Convert {
         for finding in &passed.findings {
             terminal::say(&format!("{name}: warning: {finding}"));
         }
-        if !files::is_stdout(&out) {
-            files::print(&report::converted_text(&name, &passed, &self.out.display().to_string()))?;
-        }
-        Ok(())
+        let mut out = deliver(&provenance);
+        out.wrote(&self.out);
+        out.only_text(|| report::converted_text(&name, &passed, &self.out.display().to_string()))
     }
 }
 

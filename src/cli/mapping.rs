@@ -13,8 +13,8 @@ use crate::data::log::{Mapping, Reading, SourceJoint};
 #[derive(Args, Clone)]
 pub(super) struct MapOption {
     /// Maps channels of the logs to columns and units: a YAML file, as `denavit log inspect`
-    /// proposes it. Default: `log:` of the robot file; without it columns t, q1.., tau1.., or joints
-    /// by their names.
+    /// proposes it. Default: `log:` of the robot file; without it columns t, q1.., tau1.., or
+    /// joints by their names.
     #[arg(long, value_name = "YAML")]
     pub(super) map: Option<PathBuf>,
 }

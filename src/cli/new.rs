@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, ValueEnum};
 
 use super::Failure;
+use super::delivery::deliver;
 use super::files;
 use super::provenance::Provenance;
 use crate::report::{RobotTemplate, robot_template};
@@ -65,7 +66,7 @@ fn kinds(text: &str) -> Result<Kinds, String> {
 }
 
 impl New {
-    pub(super) fn run(self, _: Provenance) -> Result<(), Failure> {
+    pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let out = Some(self.out.clone());
         files::check_outputs(&[("--out", &out)], [])?;
         if self.out.is_file() && !self.force {
@@ -79,11 +80,9 @@ impl New {
         if let Err(problems) = dh_codegen::robot::Robot::from_yaml(&text, &|name| Err(format!("no file {name}"))) {
             return Err(Failure::input(problems.in_file("the new file").to_string()));
         }
-        files::write(&self.out, text.as_bytes())?;
-        if !files::is_stdout(&out) {
-            let shown = self.out.display();
-            files::print(&format!("wrote {shown}; fill in the table, then run `denavit check {shown}`\n"))?;
-        }
-        Ok(())
+        let shown = self.out.display();
+        deliver(&provenance)
+            .file(Some(&self.out), || &text)?
+            .only_text(|| format!("wrote {shown}; fill in the table, then run `denavit check {shown}`\n"))
     }
 }

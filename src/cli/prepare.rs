@@ -6,19 +6,19 @@ use std::io::{BufReader, Read, Seek};
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use dh_codegen::robot::{Joint, JointKind, Robot};
 use indicatif::{ProgressBar, ProgressStyle};
 use sha2::{Digest, Sha256};
 
 use super::Failure;
 use super::files;
-use super::mapping::MapOption;
 use super::provenance::hexadecimal;
+use super::reading::ReadOptions;
 use super::terminal;
 use crate::data::log::{
-    Acceptance, Finding, Fingerprint, Fingerprinted, Format, Kind, Limits, LogError, Quantity, Reading, Source, Table,
-    beyond, open_parquet, open_table, source, torque_unit,
+    Acceptance, Finding, Fingerprint, Fingerprinted, Format, Kind, Limits, LogError, Reading, Source, Table,
+    beyond_limits, open_parquet, open_table, source, torque_unit,
 };
 use crate::data::signal::{DeadZone, Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
 
@@ -42,58 +42,19 @@ pub(super) struct Preparation {
     /// Use every n-th sample, after the low-pass.
     #[arg(long, default_value_t = 1, value_name = "N")]
     stride: usize,
-    /// Source of the torque: `tau` (of a log that has currents alone: `current`), `taum` (motor
-    /// side), or `current` (motor current times the robot file's `torque_constant`).
-    #[arg(long, value_enum, default_value_t = Torque::Tau)]
-    torque: Torque,
     /// Speed up to which a joint is at rest, rad/s: its dry friction is then anything within its
     /// breakaway level, and its rows do not determine its Coulomb level. Default: three standard
     /// deviations of the speed's noise in the log; 0: never at rest.
     #[arg(long, value_name = "SPEED")]
     dead_zone: Option<f64>,
-    /// Accept what is normally refused: bad-rows, gaps, restarts, duplicates, irregular-clock,
-    /// stuck, clipped, dead-torque, large-angles, torque-unit, misread, or all.
-    #[arg(long, value_delimiter = ',', value_name = "WHAT")]
-    keep: Vec<String>,
     #[command(flatten)]
-    map: MapOption,
-}
-
-/// Source of a log's torque.
-#[derive(Clone, Copy, ValueEnum)]
-pub(super) enum Torque {
-    Tau,
-    Taum,
-    Current,
-}
-
-impl Torque {
-    pub(super) fn quantity(self) -> Quantity {
-        match self {
-            Self::Tau => Quantity::Tau,
-            Self::Taum => Quantity::Taum,
-            Self::Current => Quantity::Current,
-        }
-    }
-}
-
-/// `--keep`.
-pub(super) fn keep(names: &[String]) -> Result<Acceptance, Failure> {
-    let mut keep = Acceptance::default();
-    for name in names {
-        if name == "all" {
-            keep = Acceptance::all();
-        } else if !keep.set(name) {
-            return Err(Failure::input(format!("--keep {name}: choose among {}, all", Acceptance::NAMES.join(", "))));
-        }
-    }
-    Ok(keep)
+    read: ReadOptions,
 }
 
 impl Preparation {
     /// With the defaults of all options that are not given here.
-    pub(super) fn plainly(torque: Torque, keep: Vec<String>, map: MapOption) -> Self {
-        Self { cutoff: None, order: 5, trim: 0.2, delay: 0.0, stride: 1, torque, dead_zone: None, keep, map }
+    pub(super) fn plainly(read: ReadOptions) -> Self {
+        Self { cutoff: None, order: 5, trim: 0.2, delay: 0.0, stride: 1, dead_zone: None, read }
     }
 
     /// Refuses options that would change nothing beside the others. `standing`: why every joint
@@ -110,7 +71,7 @@ impl Preparation {
 
     /// Checked.
     pub(super) fn prepare(&self, robot: &Robot) -> Result<Prepare, Failure> {
-        let keep = keep(&self.keep)?;
+        let keep = self.read.keep.acceptance()?;
         let bad = |what: String| Err(Failure::input(what));
         if let Some(cutoff) = self.cutoff.filter(|cutoff| !(*cutoff >= 0.0 && cutoff.is_finite())) {
             return bad(format!("--cutoff {cutoff}: a frequency in Hz, or 0 for none"));
@@ -136,9 +97,9 @@ impl Preparation {
             trim: self.trim,
             torque_delay: self.delay,
             stride: self.stride,
-            torque: self.torque.quantity(),
+            torque: self.read.torque.quantity(),
             torque_constants: torque_constants(robot),
-            reading: self.map.reading(Some(robot))?,
+            reading: self.read.map.reading(Some(robot))?,
             keep,
             ..Prepare::default()
         })
@@ -203,7 +164,7 @@ pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot, keep: Acc
             return Err(Failure::input(LogError::Rejected { file: log.file.clone(), findings: vec![finding] }));
         }
         log.findings.extend(torque_unit(&log.reached, &limits, keep.torque_unit));
-        log.findings.extend(beyond(&log.reached, &limits));
+        log.findings.extend(beyond_limits(&log.reached, &limits));
     }
     Ok(())
 }

@@ -22,7 +22,7 @@ mod open;
 pub mod parquet;
 mod quality_check;
 mod replay;
-pub mod ros;
+pub(crate) mod ros;
 mod rounded;
 mod table;
 mod unit;
@@ -35,7 +35,7 @@ pub use error::LogError;
 pub use finding::{Clock, Explanation, Finding, Kind, Severity};
 pub use fingerprint::{Common, Fingerprint, Fingerprinted};
 pub use inspect::{ChannelSummary, Proposal, propose};
-pub use limits::{Limits, beyond, torque_unit};
+pub use limits::{Limits, beyond_limits, torque_unit};
 pub use mapping::{Channel, Mapping, Reading, SourceJoint};
 #[cfg(feature = "rosbag2")]
 pub use open::open_sqlite;

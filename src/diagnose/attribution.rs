@@ -16,7 +16,7 @@ use crate::diagnose::hypotheses::{COULOMB, Cause as _, Named, OFFSET, VISCOUS};
 use crate::diagnose::reported_cause::{Item, friction_values, place_of};
 use dh_codegen::robot::effects;
 
-/// A model whose causes are weighed.
+/// A model whose causes get probabilities.
 pub(super) struct Attribution<'a> {
     pub(super) bench: &'a ModelUnderTest<'a>,
     pub(super) fitted: &'a Fitted,
@@ -35,7 +35,7 @@ impl Attribution<'_> {
     /// An item as a cause of the result: errors without it and with it, `on` the fitted logs
     /// (`fit`) or the validating ones (`validate`). Where it is measured on the fitted logs since
     /// its joints differ on the others, the share that it takes there, `far`, counts half.
-    pub(super) fn weigh(
+    pub(super) fn attribute(
         &self,
         item: &Item,
         [without, with]: [&Measured; 2],
@@ -183,7 +183,7 @@ pub(super) fn confusable(
     plain: &[Plain],
 ) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = near(item, accepted, plain).iter().map(|r| r.0).collect();
-    names.extend(item.hypothesis.twins(&bench.scene, &item.place));
+    names.extend(item.hypothesis.indistinguishable(&bench.scene, &item.place));
     // One cause in the place of several plain ones.
     if item.accepted.is_none() && item.friction.len() > 1 {
         names.extend(item.friction.iter().map(|k| [&VISCOUS, &COULOMB, &OFFSET][k % 3].name()));

@@ -265,7 +265,7 @@ pub(super) fn refine(bench: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mu
             }
         }
     }
-    if let Some(k) = candidate.cause.natural() {
+    if let Some(k) = candidate.cause.integer_shape() {
         let mut next = candidate.shape.clone();
         next[k] = next[k].round().max(1.0);
         if let Some(better) = evaluate(bench, fitted, candidate.cause, &candidate.place, &next)

@@ -1,9 +1,9 @@
 //! Deflection of a joint between its motor and its link, where the log has both angles.
 //!
 //! With `d = qm - q` and the transmitted torque `f`, a gear of stiffness `K` gives `d = f / K`. The
-//! file's rotor and friction move with the motor, so beside the link's angle its torque lacks
-//! `IA d'' + FV d' + FC (sign(q' + d') - sign(q'))` (M. W. Spong, *Modeling and control of elastic joint robots*, J. Dyn. Sys.
-//! Meas. Control 109, 1987).
+//! file's rotor and friction move with the motor, so beside the link's angle its torque lacks `IA
+//! d'' + FV d' + FC (sign(q' + d') - sign(q'))` (M. W. Spong, *Modeling and control of elastic
+//! joint robots*, J. Dyn. Sys. Meas. Control 109, 1987).
 
 use dh_codegen::robot::effects;
 

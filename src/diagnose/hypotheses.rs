@@ -236,21 +236,23 @@ pub trait Cause: Sync {
         true
     }
 
-    /// Index of the shape number that is a natural number, by its nature (periods a turn) or by
+    /// Index of the shape number that is an integer, by its nature (periods a turn) or by
     /// preference: as such it is no unknown.
-    fn natural(&self) -> Option<usize> {
+    fn integer_shape(&self) -> Option<usize> {
         None
     }
 
-    /// Standard deviation of that number where it is natural by preference only.
-    fn habit(&self) -> Option<f64> {
+    /// Standard deviation of the prior on that number, where integers are only preferred.
+    fn integer_prior_std(&self) -> Option<f64> {
         None
     }
 
     /// How many numbers of this shape are unknown.
     fn free(&self, shape: &[f64]) -> usize {
         let numbers = self.shape().iter().enumerate().filter(|(_, s)| s.step.is_some());
-        numbers.filter(|(k, _)| self.natural() != Some(*k) || shape.get(*k).is_none_or(|v| v.fract() != 0.0)).count()
+        numbers
+            .filter(|(k, _)| self.integer_shape() != Some(*k) || shape.get(*k).is_none_or(|v| v.fract() != 0.0))
+            .count()
     }
 
     /// The family's columns; none where they do not exist.
@@ -313,7 +315,7 @@ pub trait Cause: Sync {
     }
 
     /// Causes that are the same here, on paper or in what this data can show.
-    fn twins(&self, _scene: &WindowedData<'_>, _place: &[usize]) -> &'static [&'static str] {
+    fn indistinguishable(&self, _scene: &WindowedData<'_>, _place: &[usize]) -> &'static [&'static str] {
         self.same_on_paper()
     }
 
@@ -332,8 +334,8 @@ pub trait Cause: Sync {
         true
     }
 
-    /// Part of its coefficients beyond the resolution of the data.
-    fn beyond(&self, _scene: &WindowedData<'_>, _place: &[usize], x: &[f64]) -> Vec<f64> {
+    /// Part of its coefficients above the resolution of the data.
+    fn above_resolution(&self, _scene: &WindowedData<'_>, _place: &[usize], x: &[f64]) -> Vec<f64> {
         x.to_vec()
     }
 
@@ -349,8 +351,8 @@ pub trait Cause: Sync {
         if self.kind() == Kind::Friction { Over::Velocity } else { Over::Position }
     }
 
-    /// A cause of the whole robot that the same columns with these coefficients rather are.
-    fn rather(
+    /// The cause of the whole robot that has the same columns and explains these coefficients.
+    fn equivalent_robot_cause(
         &self,
         _scene: &WindowedData<'_>,
         _place: &[usize],
@@ -433,8 +435,8 @@ pub(super) const UNIT: f64 = 0.05;
 /// Whether a number of a shape has run to the end of its search range: then it is no estimate, and
 /// another law is meant. 0 is a number that is not in use.
 pub(super) fn at_edge(cause: &dyn Cause, shape: &[f64]) -> bool {
-    let habit = |k: usize| cause.habit().is_some() && cause.natural() == Some(k);
-    let numbers = cause.shape().iter().zip(shape).enumerate().filter(|(k, _)| !habit(*k)).map(|(_, both)| both);
+    let preferred = |k: usize| cause.integer_prior_std().is_some() && cause.integer_shape() == Some(k);
+    let numbers = cause.shape().iter().zip(shape).enumerate().filter(|(k, _)| !preferred(*k)).map(|(_, both)| both);
     numbers.filter(|(number, value)| number.step.is_some() && **value != 0.0).any(|(number, value)| {
         let [least, most] = number.range;
         let near = EDGE * (most - least).min(value.abs());

@@ -7,7 +7,7 @@ use super::measure::{Measured, Meter, bootstrap, matters, root_mean_square, shar
 use super::merge_bodies::single_bodies;
 use super::model::{Chosen, Mode, ModelUnderTest};
 use super::result::{Cause, measured_on};
-use super::search::rather;
+use super::search::equivalent_robot_cause;
 use super::uncertainty::{Uncertainty, parameters};
 use crate::diagnose::attribution::MOST_MARGIN;
 use crate::diagnose::hypotheses::Named;
@@ -46,13 +46,13 @@ impl Case<'_> {
         let without = Meter::new(self.plant, self.validate, &believed).of(&believed, &trusting, &others, true);
         let after = &model.after;
         let known = believed.left_out(&others, &trusting);
-        let told = model.left_out.less(&known, self.ground);
+        let refit = model.left_out.less(&known, self.ground);
         // It has to pay like any other.
         let gains = taken_of(&without.steady, &after.steady, self.scale) > 0.0;
-        if !(told.worth_refit() && gains && matters(&without.steady, &after.steady, self.noise, self.motion)) {
+        if !(refit.worth_refit() && gains && matters(&without.steady, &after.steady, self.noise, self.motion)) {
             return Vec::new();
         }
-        let sure = calibration::links(told.gain, told.error);
+        let sure = calibration::links(refit.gain, refit.error);
         let mut causes: Vec<Cause> = rotors.iter().map(|&j| self.rotor(model, &without, j, sure)).collect();
         if links.is_empty() {
             return causes;
@@ -70,7 +70,7 @@ impl Case<'_> {
             evidence,
             ..self.refitted(model, &without)
         };
-        causes.push(match self.one_body(&mut believed, &others, &known, told.gain) {
+        causes.push(match self.one_body(&mut believed, &others, &known, refit.gain) {
             Some(body) => cause(
                 body.cause,
                 body.joints,
@@ -159,7 +159,7 @@ impl Case<'_> {
         let (body, index) = (trial.last()?, trial.len() - 1);
         let uncertainty = Uncertainty::of(believed, &fitted, &trial);
         let found = parameters(believed, &fitted, &uncertainty, index, body);
-        let named = rather(believed, body, &fitted.terms[index]);
+        let named = equivalent_robot_cause(believed, body, &fitted.terms[index]);
         let cause = named.as_ref().unwrap_or(body);
         let joints: Vec<usize> = cause.place.iter().map(|j| j + 1).collect();
         let suffix = joints.first().map(usize::to_string).unwrap_or_default();

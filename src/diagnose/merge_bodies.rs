@@ -3,7 +3,7 @@
 use super::candidate::logs;
 use super::judge::{Accepted, adopt, chosen_of};
 use super::model::{Chosen, Fitted, ModelUnderTest};
-use super::search::rather;
+use super::search::equivalent_robot_cause;
 use crate::diagnose::hypotheses::hypothesis;
 use dh_codegen::robot::EffectKind;
 
@@ -58,7 +58,7 @@ pub(super) fn merge_bodies(bench: &mut ModelUnderTest<'_>, accepted: &mut Vec<Ac
         return;
     };
     let terms = next.terms.last().map_or(&[][..], |t| t.as_slice());
-    if let Some(named) = trial.last().and_then(|body| rather(bench, body, terms))
+    if let Some(named) = trial.last().and_then(|body| equivalent_robot_cause(bench, body, terms))
         && let Some(last) = trial.last_mut()
     {
         *last = named;

@@ -464,7 +464,7 @@ impl<'a> ModelUnderTest<'a> {
         let free = self.fit_once(&[], None);
         let weights = &free.solution.weights;
         let thinned: Vec<f64> = weights.iter().zip(&free.memory).map(|(w, m)| w / m).collect();
-        let (full, thinned) = (free.moments.told(weights), free.moments.told(&thinned));
+        let (full, thinned) = (free.moments.information(weights), free.moments.information(&thinned));
         let mut stretches = self.stretches(&[]);
         let counts = stretches.counts();
         let ground: Vec<f64> = torque.iter().map(|t| 0.004 * t).collect();

@@ -225,7 +225,7 @@ impl Moments {
     }
 
     /// Information of the whole data on the unknowns: `sum_j w_j A_j' A_j`, without the prior.
-    pub fn told(&self, weights: &[f64]) -> DMatrix<f64> {
+    pub fn information(&self, weights: &[f64]) -> DMatrix<f64> {
         let mut matrix = DMatrix::zeros(self.unknowns, self.unknowns);
         for ((joint, sum), weight) in self.joints.iter().zip(&self.whole).zip(weights) {
             for (i, &p) in joint.columns.iter().enumerate() {
@@ -491,7 +491,7 @@ impl Moments {
     /// goes with what moves, and not as noise does.
     pub fn covariance(&self, at: &Solution, inflation: &[f64]) -> DMatrix<f64> {
         let weights: Vec<f64> = at.weights.iter().zip(inflation).map(|(w, l)| w * l).collect();
-        let mut middle = self.told(&weights);
+        let mut middle = self.information(&weights);
         // The file may be wrong where the prior holds.
         let n = self.hold.mean.len();
         let mut corner = middle.view_mut((0, 0), (n, n));

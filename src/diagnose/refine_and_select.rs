@@ -40,8 +40,8 @@ pub(super) struct Case<'a> {
     pub(super) progress: &'a dyn Fn(&str),
 }
 
-/// Least share of a joint's squared error above the noise that a cause takes which acts in a part of a
-/// log: no other stretch can confirm it.
+/// Least share of a joint's squared error above the noise that a cause takes which acts in a part
+/// of a log: no other stretch can confirm it.
 const LOCAL_SHARE: f64 = 0.25;
 
 /// The fit inside what is possible; the accepted causes have its values.
@@ -161,7 +161,7 @@ impl<'a> Case<'a> {
                 .zip(&others)
                 .map(|(item, other)| {
                     let (with, on) = if other.near { (&after_fit, "fit") } else { (&after, "validate") };
-                    weighing.weigh(item, [&other.measured, with], other.far_share, other.interval, on)
+                    weighing.attribute(item, [&other.measured, with], other.far_share, other.interval, on)
                 })
                 .collect();
             // A cause that loses on data that was not used is no cause, and not in the model.
@@ -282,12 +282,12 @@ impl<'a> Case<'a> {
     fn says(&self, what: &str, a: &LeftOut, b: &LeftOut) -> String {
         let (paired, joint) = (a.less(b, self.ground), a.most_changed(b, self.ground));
         let percent = [paired.gain, paired.error].map(|x| 200.0 * x / (1.0 + paired.gain));
-        let told = if percent[0] < 0.0 { "more" } else { "less" };
+        let sense = if percent[0] < 0.0 { "more" } else { "less" };
         let (of, whole) =
             ([a, b].map(|m| evidence::short(m.joint_rms(joint))), [a, b].map(|m| evidence::short(m.rms())));
         format!(
             "On stretches of the fitted logs that were left out in turn {what}. The error of joint {}, which differs most, is {} N m against {} N m; \
-             over all joints (RMS) it is {} N m against {} N m. With every joint counting alike its square is {:.0} +- {:.0} % {told}.",
+             over all joints (RMS) it is {} N m against {} N m. With every joint counting alike its square is {:.0} +- {:.0} % {sense}.",
             joint + 1,
             of[0],
             of[1],

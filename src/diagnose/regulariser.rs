@@ -47,12 +47,12 @@ impl Regulariser {
         let n = belief.mean.len();
         let root = &belief.root;
         let white = |matrix: &DMatrix<f64>| root.transpose() * matrix.view((0, 0), (n, n)) * root;
-        let told = white(thinned);
-        let told = 0.5 * (&told + told.transpose());
-        if !told.iter().all(|x| x.is_finite()) {
+        let information = white(thinned);
+        let information = 0.5 * (&information + information.transpose());
+        if !information.iter().all(|x| x.is_finite()) {
             return None;
         }
-        let eigen = SymmetricEigen::new(told);
+        let eigen = SymmetricEigen::new(information);
         let all = white(full);
         let inverse = root.clone().try_inverse()?;
         let (mut precision, mut spread) = (DMatrix::zeros(n, n), DMatrix::zeros(n, n));
@@ -178,10 +178,10 @@ mod tests {
         let belief = Prior { mean: DVector::from_vec(vec![1.0, 2.0]), root: DMatrix::from_diagonal_element(2, 2, 0.5) };
         // The data say (3, 7): the first ten thousand times as sharply as the belief, the second a
         // hundredth of that.
-        let told = DMatrix::from_diagonal(&DVector::from_vec(vec![1e4 / 0.25, 1e-2 / 0.25]));
-        let hold = Regulariser::new(&belief, &told, &told, 10.0).unwrap();
-        let right = &told * DVector::from_vec(vec![3.0, 7.0]) + &hold.precision * &hold.mean;
-        let x = (&told + &hold.precision).lu().solve(&right).unwrap();
+        let information = DMatrix::from_diagonal(&DVector::from_vec(vec![1e4 / 0.25, 1e-2 / 0.25]));
+        let hold = Regulariser::new(&belief, &information, &information, 10.0).unwrap();
+        let right = &information * DVector::from_vec(vec![3.0, 7.0]) + &hold.precision * &hold.mean;
+        let x = (&information + &hold.precision).lu().solve(&right).unwrap();
         assert!((x[0] - 3.0).abs() < 1e-4, "{x}");
         assert!((x[1] - 2.0).abs() < 1e-3, "{x}");
         // One that is out of the question does not pull at the others.

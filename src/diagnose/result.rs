@@ -86,7 +86,8 @@ pub struct Cause {
     pub margin: f64,
     /// Part of the squared error of its main joint, above the noise, that it takes.
     pub share: f64,
-    /// How it recurs in disjoint stretches of the fitted logs, 0 to 1: 1 with the same size in each.
+    /// How it recurs in disjoint stretches of the fitted logs, 0 to 1: 1 with the same size in
+    /// each.
     pub recurrence: f64,
     /// A sentence with figures.
     pub evidence: String,

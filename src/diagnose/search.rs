@@ -89,7 +89,7 @@ pub fn search(
                 Some(mut judged) => {
                     judged.rivals = rivals(&ranked, rank, &next);
                     let terms = next.terms.last().map_or(&[][..], |t| t.as_slice());
-                    if let Some(other) = rather(bench, &judged.chosen, terms)
+                    if let Some(other) = equivalent_robot_cause(bench, &judged.chosen, terms)
                         && let Some(last) = trial.last_mut()
                     {
                         *last = other.clone();
@@ -210,13 +210,13 @@ fn together(
     None
 }
 
-/// The same columns as a cause of the whole robot, where they rather are one.
-pub(super) fn rather(
+/// The equivalent cause of the whole robot, where there is one.
+pub(super) fn equivalent_robot_cause(
     bench: &ModelUnderTest<'_>,
     chosen: &Chosen,
     terms: &[crate::diagnose::hypotheses::Term],
 ) -> Option<Chosen> {
-    let cause = chosen.cause.rather(&bench.scene, &chosen.place, terms, &chosen.x)?;
+    let cause = chosen.cause.equivalent_robot_cause(&bench.scene, &chosen.place, terms, &chosen.x)?;
     Some(Chosen { cause, place: Vec::new(), ..chosen.clone() })
 }
 

@@ -14,40 +14,41 @@ pub struct Uncertainty {
     pub covariance: DMatrix<f64>,
     /// Position of each cause's shape in it; `None` for a value that is no estimate.
     shapes: Vec<Vec<Option<usize>>>,
-    /// Those of them that are taken to be natural numbers, by preference.
-    habits: Vec<usize>,
+    /// Those of them that are taken to be integers, by preference.
+    integer_priors: Vec<usize>,
 }
 
 impl Uncertainty {
     /// Of a fit. A number of a shape is an unknown too, and its column is the derivative of what
     /// its cause says.
     pub fn of(bench: &ModelUnderTest<'_>, fitted: &Fitted, chosen: &[Chosen]) -> Self {
-        let (mut shapes, mut more, mut habits) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut shapes, mut more, mut integer_priors) = (Vec::new(), Vec::new(), Vec::new());
         for (index, c) in chosen.iter().enumerate() {
             let places = c.cause.shape().iter().enumerate().map(|(k, number)| {
-                let natural = c.cause.natural() == Some(k) && c.shape[k].fract() == 0.0;
-                let first = number.step.filter(|_| number.named() && !(natural && c.cause.habit().is_none()))?;
+                let integer = c.cause.integer_shape() == Some(k) && c.shape[k].fract() == 0.0;
+                let first =
+                    number.step.filter(|_| number.named() && !(integer && c.cause.integer_prior_std().is_none()))?;
                 let step = if first > 0.0 { 1e-2 * first * c.shape[k] } else { -1e-2 * first };
                 let step = Some(step).filter(|s| *s != 0.0)?;
                 let column = derivative(bench, fitted, index, c, k, step)?;
                 more.push(column);
                 let at = fitted.solution.x.len() + more.len() - 1;
-                habits.extend(c.cause.habit().filter(|_| natural).map(|std| (at, std)));
+                integer_priors.extend(c.cause.integer_prior_std().filter(|_| integer).map(|std| (at, std)));
                 Some(at)
             });
             shapes.push(places.collect());
         }
         if more.is_empty() {
-            return Self { covariance: fitted.covariance(), shapes, habits: Vec::new() };
+            return Self { covariance: fitted.covariance(), shapes, integer_priors: Vec::new() };
         }
         let (moments, solution) = fitted.moments.beside(&fitted.solution, &more);
         let mut covariance = moments.covariance(&solution, &fitted.memory);
         // Prior information: one more measurement of an unknown.
         let units = chosen.iter().enumerate().filter(|(_, c)| c.cause.unit() && !c.x.is_empty());
-        for (at, std) in units.map(|(index, _)| (fitted.first[index], UNIT)).chain(habits.iter().copied()) {
+        for (at, std) in units.map(|(index, _)| (fitted.first[index], UNIT)).chain(integer_priors.iter().copied()) {
             measure(&mut covariance, at, std);
         }
-        Self { covariance, shapes, habits: habits.into_iter().map(|h| h.0).collect() }
+        Self { covariance, shapes, integer_priors: integer_priors.into_iter().map(|h| h.0).collect() }
     }
 }
 
@@ -62,7 +63,7 @@ impl Uncertainty {
             // Its columns are gone: of what is known now it is nothing.
             return f64::NEG_INFINITY;
         }
-        let x = DVector::from_vec(chosen.cause.beyond(&bench.scene, &chosen.place, &chosen.x));
+        let x = DVector::from_vec(chosen.cause.above_resolution(&bench.scene, &chosen.place, &chosen.x));
         let unknowns = x.len() as f64;
         let wald = |covariance: &DMatrix<f64>| {
             let own = covariance.view((first, first), (x.len(), x.len())).into_owned();
@@ -71,7 +72,7 @@ impl Uncertainty {
         // Quantiles of chi-squared, on lines.
         let known = wald(&fitted.covariance()) - (18.0 + 2.5 * unknowns);
         let mut covariance = self.covariance.clone();
-        self.habits.iter().for_each(|&at| measure(&mut covariance, at, 0.0));
+        self.integer_priors.iter().for_each(|&at| measure(&mut covariance, at, 0.0));
         let unknown = wald(&covariance) - (4.2 + 2.1 * unknowns);
         known.min(unknown)
     }
@@ -135,8 +136,8 @@ pub fn parameters(
     let mut x = DVector::from_column_slice(&chosen.x);
     let mut covariance = DMatrix::from_fn(at.len(), at.len(), |i, k| whole[(at[i], at[k])]);
     if let Some(std) = chosen.cause.beliefs(&bench.scene, &chosen.place, &fitted.terms[index]) {
-        let told = fitted.moments.told(&fitted.solution.weights);
-        let own = told.view((fitted.first[index], fitted.first[index]), (x.len(), x.len()));
+        let information = fitted.moments.information(&fitted.solution.weights);
+        let own = information.view((fitted.first[index], fitted.first[index]), (x.len(), x.len()));
         let loose = undetermined(&own.into_owned(), &std);
         let scale = DMatrix::from_diagonal(&DVector::from_vec(std));
         let inverse = scale.map_diagonal(|s| if s > 0.0 { 1.0 / s } else { 0.0 });
@@ -158,12 +159,12 @@ pub fn parameters(
 }
 
 /// Directions, one a column, of unknowns in units of their prior deviation (`std`), on which the
-/// data (`told`, their normal matrix) have less information than that prior. Of a mass on the axis
+/// data (`information`, their normal matrix) have less information than that prior. Of a mass on the axis
 /// and a first moment along it, for example, often only a sum is determined. There the least change
 /// is as good as any other, and as uncertain as the belief.
-fn undetermined(told: &DMatrix<f64>, std: &[f64]) -> DMatrix<f64> {
+fn undetermined(information: &DMatrix<f64>, std: &[f64]) -> DMatrix<f64> {
     let n = std.len();
-    let white = DMatrix::from_fn(n, n, |i, k| told[(i, k)] * std[i] * std[k]);
+    let white = DMatrix::from_fn(n, n, |i, k| information[(i, k)] * std[i] * std[k]);
     if !white.iter().all(|x| x.is_finite()) {
         return DMatrix::zeros(n, 0);
     }
@@ -181,9 +182,9 @@ mod tests {
     fn a_sum_that_is_told_leaves_the_difference_open() {
         // Unknowns in units of 2 and 0.5; the data determine x + y and z to a hundredth of that.
         let column = [1.0, 1.0, 0.0];
-        let mut told = DMatrix::from_fn(3, 3, |i, k| 1e4 * column[i] * column[k]);
-        told[(2, 2)] = 1e4;
-        let loose = undetermined(&told, &[2.0, 0.5, 1.0]);
+        let mut information = DMatrix::from_fn(3, 3, |i, k| 1e4 * column[i] * column[k]);
+        information[(2, 2)] = 1e4;
+        let loose = undetermined(&information, &[2.0, 0.5, 1.0]);
         assert_eq!(loose.shape(), (3, 1));
         // Along it 2 u + 0.5 v stays: (0.5, -2, 0).
         let norm = f64::hypot(0.5, 2.0);

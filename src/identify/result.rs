@@ -5,7 +5,7 @@ use super::Dropped;
 use super::ErrorBudget;
 use super::Noise;
 use crate::data::log::{Finding, Kind};
-use crate::model::StandardParameter;
+use crate::model::{BaseParameter, StandardParameter};
 
 /// Status of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -44,6 +44,17 @@ pub struct Estimate {
 }
 
 impl Estimate {
+    /// Of this parameter: value, standard deviation, and that of the textbook's formula.
+    pub(super) fn of(
+        parameter: &BaseParameter,
+        [value, std, white_std]: [f64; 3],
+        standing: Standing,
+        prior: Option<f64>,
+    ) -> Self {
+        let BaseParameter { leader, name, grouping, unit, .. } = parameter.clone();
+        Self { leader, name, unit, grouping, value, std, white_std, standing, prior }
+    }
+
     /// `100 std / |value|`.
     pub fn relative_std_percent(&self) -> f64 {
         100.0 * self.std / self.value.abs()

@@ -137,14 +137,14 @@ pub fn solve(
     groups.iter().flatten().for_each(|&i| open[solution.active[i]] = true);
     let mut dropped = Vec::new();
     if let Some(essential) = settings.essential {
-        let told: Vec<usize> = everything.iter().copied().filter(|&c| !open[c]).collect();
-        let start = if told.len() < everything.len() {
-            problem.solve(&told, Some(&solution.weights))
+        let identified: Vec<usize> = everything.iter().copied().filter(|&c| !open[c]).collect();
+        let start = if identified.len() < everything.len() {
+            problem.solve(&identified, Some(&solution.weights))
         } else {
             solution.clone()
         };
         let (active, gone) = essential::reduce(&problem, &start, &names, essential);
-        if told.len() == everything.len() || !gone.is_empty() {
+        if identified.len() == everything.len() || !gone.is_empty() {
             dropped = gone;
             solution = problem.solve(&active, Some(&solution.weights));
         }
@@ -195,20 +195,14 @@ pub fn solve(
         parameters: parameters
             .iter()
             .enumerate()
-            .map(|(c, p)| Estimate {
-                leader: p.leader,
-                name: p.name.clone(),
-                unit: p.unit.clone(),
-                grouping: p.grouping.clone(),
-                value: solution.beta[c],
-                std: std[c],
-                white_std: white_std[c],
-                standing: match (open[c], solution.active.contains(&c)) {
+            .map(|(c, p)| {
+                let standing = match (open[c], solution.active.contains(&c)) {
                     (true, _) => Standing::NotIdentifiable,
                     (false, true) => Standing::Identified,
                     (false, false) => Standing::Dropped,
-                },
-                prior: before.as_ref().map(|b| b[c]),
+                };
+                let values = [solution.beta[c], std[c], white_std[c]];
+                Estimate::of(p, values, standing, before.as_ref().map(|b| b[c]))
             })
             .collect(),
         correlation,

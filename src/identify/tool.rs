@@ -17,7 +17,7 @@ mod table;
 
 pub use body::{Body, moving};
 pub use carrying::{Carrying, names};
-pub use catalogue::{FLANGE, MINI_ROLLERS, RollerSeries, SOURCE, WALL_ROLLERS, catalogue};
+pub use catalogue::{FLANGE, MINI_ROLLERS, RollerSeries, WALL_ROLLERS, catalogue};
 pub use found::{Found, InToolFrame, look_up};
 pub use identify::{Carried, LogError, RobotErrors, ToolError, ToolSettings, identify_tool};
 pub use interpolate::{Interval, Relative, interpolate};

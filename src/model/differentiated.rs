@@ -63,11 +63,6 @@ impl Differentiated {
     pub fn interpreted(&self) -> &Interpreted {
         &self.arm
     }
-
-    /// The adjoint of the base regressor, for counting its operations.
-    pub fn base_adjoint(&self) -> &Pullback {
-        &self.base
-    }
 }
 
 fn batch<'a>(states: &'a States, parameters: &'a [f64]) -> Batch<'a> {

@@ -33,7 +33,7 @@ pub use effects::{Effect, EffectKind, RATED};
 pub use inertia::Inertia;
 pub use laws::{Coupling, Laws};
 pub use length::{Length, Polynomial};
-pub use log::{Dimension, LogChannel, LogMapping, log_column};
+pub use log::{Dimension, LogChannel, LogMapping, UnknownColumn, log_column};
 pub use name::crate_name;
 pub use physical::NotPhysical;
 pub use problem::{Note, Problem, Problems};

@@ -283,8 +283,8 @@ impl Stage {
 
 /// Of all samples of observable components, those inside their band.
 pub fn share(all: &[Comparison; 6]) -> f64 {
-    let told: f64 = all.iter().map(|c| c.samples as f64).sum();
-    all.iter().map(|c| c.inside * c.samples as f64).sum::<f64>() / told.max(1.0)
+    let observable: f64 = all.iter().map(|c| c.samples as f64).sum();
+    all.iter().map(|c| c.inside * c.samples as f64).sum::<f64>() / observable.max(1.0)
 }
 
 /// Coverage over runs on this stage, of each method.

@@ -7,7 +7,7 @@ mod table_three;
 mod trials;
 mod waves;
 
-pub use bench::{Bench, BenchError, PAPER_TORQUE_NOISE, POSITION_NOISE};
+pub use bench::{Bench, BenchError, PAPER_TORQUE_NOISE};
 pub use recording::{Recording, SensorNoise};
 pub use table_three::{Column, PaperRoller, Row, TABLE_THREE, table_three};
 pub use trials::{OTHER_SIZE, SizeTrial, TrialSettings, Trials, trials};

@@ -73,7 +73,7 @@ impl Checker {
     }
 
     /// Whether an instant at this time is wanted.
-    pub fn wants(&mut self, segment: usize, time: f64) -> bool {
+    pub fn takes(&mut self, segment: usize, time: f64) -> bool {
         if segment != self.segment || time < self.next - 2.0 * self.spacing {
             (self.segment, self.next) = (segment, f64::NEG_INFINITY);
         }
@@ -121,7 +121,7 @@ impl Checker {
             white = solve(&white)?;
             let mut model = solve(&i.model)?;
             let mut rest = solve(&noise.map(f64::sqrt))?;
-            let mut told = n as f64;
+            let mut rank = n as f64;
             if let Some(push) = &i.push {
                 let left = solve(push)?.svd(true, false);
                 let most = left.singular_values.max();
@@ -132,14 +132,14 @@ impl Checker {
                         let along = axis.transpose() * &*part;
                         *part -= &axis * along;
                     }
-                    told -= 1.0;
+                    rank -= 1.0;
                 }
             } else {
                 for (j, sum) in joints.iter_mut().enumerate() {
                     *sum += i.error[j] * i.error[j] / covariance[(j, j)] / m as f64;
                 }
             }
-            freedom += told;
+            freedom += rank;
             total += white.norm_squared();
             models.push(model);
             noises.push(rest);

@@ -102,8 +102,8 @@ pub(super) fn pick(
         if got == 0 {
             break;
         }
-        let told = |j: usize, s: usize| if sign.is_empty() { 0.0 } else { sign[j * len + picked.samples[from + s]] };
-        block.sign = (0..if sign.is_empty() { 0 } else { n * got }).map(|k| told(k / got, k % got)).collect();
+        let sign_of = |j: usize, s: usize| if sign.is_empty() { 0.0 } else { sign[j * len + picked.samples[from + s]] };
+        block.sign = (0..if sign.is_empty() { 0 } else { n * got }).map(|k| sign_of(k / got, k % got)).collect();
         rows.evaluate(arm, &block.states, &block.sign, &mut regressor);
         for (k, entry) in regressor.chunks_exact(got).enumerate() {
             picked.entries[k * count + from..k * count + from + got].copy_from_slice(entry);

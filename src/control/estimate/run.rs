@@ -244,10 +244,10 @@ impl<'a> Run<'a> {
                 series.measured.push(std::array::from_fn(|i| picked.measured[i * count + s]));
             }
             let judged = self.settings.nothing_touches || inside(&self.judged, time);
-            if judged && self.free.wants(motion.segment, time) {
+            if judged && self.free.takes(motion.segment, time) {
                 self.free.add(&external, &model, &variance, None);
             }
-            if n > 6 && self.anywhere.wants(motion.segment, time) {
+            if n > 6 && self.anywhere.takes(motion.segment, time) {
                 let jacobian = &row.jacobian;
                 let push = DMatrix::from_fn(n, 6, |j, i| jacobian[i * n + j]);
                 self.anywhere.add(&external, &model, &variance, Some(push));

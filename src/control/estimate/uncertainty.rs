@@ -59,9 +59,9 @@ impl Uncertainty {
             if size > 0.0 { 0.5 * (self.covariance[i * b + j] + self.covariance[j * b + i]) / size } else { 0.0 }
         });
         let eigen = scaled.symmetric_eigen();
-        let told: Vec<usize> = (0..b).filter(|&k| eigen.eigenvalues[k] > 1e-12).collect();
-        DMatrix::from_fn(b, told.len(), |i, k| {
-            std[i] * eigen.eigenvectors[(i, told[k])] * eigen.eigenvalues[told[k]].sqrt()
+        let kept: Vec<usize> = (0..b).filter(|&k| eigen.eigenvalues[k] > 1e-12).collect();
+        DMatrix::from_fn(b, kept.len(), |i, k| {
+            std[i] * eigen.eigenvectors[(i, kept[k])] * eigen.eigenvalues[kept[k]].sqrt()
         })
     }
 }

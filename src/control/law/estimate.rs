@@ -60,7 +60,6 @@ pub struct Estimator<B, const N: usize> {
     tau: [[f64; N]; 3],
     before: [f64; N],
     speed: [f64; N],
-    bias: [f64; N],
     wrench: Option<[f64; 6]>,
     seen: u32,
     rest: Rest<N>,
@@ -80,7 +79,6 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
             tau: [[0.0; N]; 3],
             before: [0.0; N],
             speed: [0.0; N],
-            bias: [0.0; N],
             wrench: None,
             seen: 0,
             rest: Rest::new(settings.rest),
@@ -97,12 +95,6 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
     /// The model, to look at or to change.
     pub fn body(&mut self) -> &mut B {
         &mut self.body
-    }
-
-    /// Torques that are to be taken for zero, N m: what was left in free motion.
-    pub fn set_bias(&mut self, bias: [f64; N]) {
-        self.bias = bias;
-        self.wrench = None;
     }
 
     /// Torques of the environment at the joints, `Gamma - Gamma_dyn`, of a sample; `None` until the
@@ -131,7 +123,7 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         (self.before, self.speed) = (place, speed);
         self.seen = self.seen.saturating_add(1);
         let model = self.body.torques(&place, &speed, &change, period);
-        (self.seen > 3).then(|| core::array::from_fn(|j| torque[j] - model[j] - self.bias[j]))
+        (self.seen > 3).then(|| core::array::from_fn(|j| torque[j] - model[j]))
     }
 
     /// Wrench of the tool on its surroundings, world axes, about the point of contact: force (N)

@@ -71,7 +71,8 @@ impl Fingerprint {
         (self.span[1] - self.span[0]).max(0.0)
     }
 
-    /// Keeps so many rows at most, in so much memory; stretches that are shorter are then overlooked.
+    /// Keeps so many rows at most, in so much memory; stretches that are shorter are then
+    /// overlooked.
     pub fn shrink(&mut self, rows: usize) {
         self.thin(rows.min(MOST_ROWS));
         self.kept.shrink_to_fit();

@@ -46,7 +46,7 @@ const STILL: f64 = 2e-3;
 
 /// Columns far outside what the joints (in their order) can do: of another robot, in other units,
 /// in another order; and a log in which none moves.
-pub fn beyond(reached: &[Reached], joints: &[Limits]) -> Vec<Finding> {
+pub fn beyond_limits(reached: &[Reached], joints: &[Limits]) -> Vec<Finding> {
     let mut findings = Vec::new();
     let positions = || reached.iter().filter(|r| r.column.starts_with('q'));
     if positions().count() > 0 && positions().all(|r| r.range[1] - r.range[0] < STILL) {
@@ -91,15 +91,15 @@ mod tests {
         let log = |q: [f64; 2], tau: [f64; 2]| {
             vec![Reached { column: "q1".into(), range: q }, Reached { column: "tau1".into(), range: tau }]
         };
-        assert!(beyond(&log([-2.1, 2.3], [-150.0, 20.0]), &[joint]).is_empty());
-        assert!(beyond(&log([-90.0, 2.0], [-1e5, 20.0]), &[free]).is_empty());
+        assert!(beyond_limits(&log([-2.1, 2.3], [-150.0, 20.0]), &[joint]).is_empty());
+        assert!(beyond_limits(&log([-90.0, 2.0], [-1e5, 20.0]), &[free]).is_empty());
         let millinewtons = torque_unit(&log([-0.5, 0.5], [-8e4, 20.0]), &[joint], false).unwrap();
         assert!(millinewtons.is_fatal() && millinewtons.to_string().contains("N mm"), "{millinewtons}");
         assert!(torque_unit(&log([-0.5, 0.5], [-150.0, 20.0]), &[joint], false).is_none());
         assert!(torque_unit(&log([-0.5, 0.5], [-8e4, 20.0]), &[free], false).is_none());
-        let found = beyond(&log([-9.0, 2.0], [-1e5, 20.0]), &[joint]);
+        let found = beyond_limits(&log([-9.0, 2.0], [-1e5, 20.0]), &[joint]);
         let said: Vec<String> = found.iter().map(ToString::to_string).collect();
-        assert_eq!(beyond(&log([0.5, 0.5001], [0.0, 1.0]), &[joint])[0].kind, Kind::Standstill);
+        assert_eq!(beyond_limits(&log([0.5, 0.5001], [0.0, 1.0]), &[joint])[0].kind, Kind::Standstill);
         assert!(
             said[0].contains("`q1`: reaches -9.0000 rad") && said[1].contains("`tau1`: reaches 100000.0000 N m"),
             "{said:?}"

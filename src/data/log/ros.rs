@@ -10,8 +10,8 @@ mod recording;
 #[cfg(feature = "rosbag2")]
 mod sqlite;
 
-pub use mcap::McapMessages;
+pub(crate) use mcap::McapMessages;
 pub(crate) use names::columns;
-pub use recording::{Message, Messages, Recording};
+pub(crate) use recording::Recording;
 #[cfg(feature = "rosbag2")]
-pub use sqlite::SqliteMessages;
+pub(crate) use sqlite::SqliteMessages;

@@ -1,9 +1,9 @@
 //! A log in order first, then one thing wrong per test.
 
-mod doctor;
 mod fingerprint;
 mod formats;
 mod measured;
+mod quality_check;
 
 use super::*;
 

@@ -68,12 +68,12 @@ pub struct Passed {
     pub rows: usize,
     /// Segments.
     pub segments: usize,
-    /// What the doctor found.
+    /// Findings of the quality check.
     pub findings: Vec<Finding>,
 }
 
-/// Hands on the rows that pass the doctor, a block at a time: one vector per column, and the rows
-/// of the block that begin a segment. A log that is refused is so after its last row.
+/// Hands on the rows that pass the quality check, a block at a time: one vector per column, and the
+/// rows of the block that begin a segment. A log that is refused is so after its last row.
 ///
 /// # Errors
 /// Where the log can't be used, and those of `sink`.
@@ -84,7 +84,7 @@ pub fn each_block<E: From<LogError>>(
     mut sink: impl FnMut(&[Vec<f64>], &[usize]) -> Result<(), E>,
 ) -> Result<Passed, E> {
     let layout = source.layout().clone();
-    let mut doctor = QualityCheck::new(&layout, torque, keep);
+    let mut check = QualityCheck::new(&layout, torque, keep);
     let (mut block, mut verdicts) = (Block::default(), Vec::new());
     let (mut rows, mut segments) = (0, 0);
     loop {
@@ -92,7 +92,7 @@ pub fn each_block<E: From<LogError>>(
         if block.is_empty() {
             break;
         }
-        doctor.admit(&block, &mut verdicts);
+        check.admit(&block, &mut verdicts);
         let mut starts = Vec::new();
         let mut columns: Vec<Vec<f64>> = vec![Vec::new(); layout.roles.len()];
         for (row, verdict) in verdicts.iter().enumerate().filter(|(_, v)| **v != Verdict::Drop) {
@@ -105,7 +105,7 @@ pub fn each_block<E: From<LogError>>(
         segments += starts.len();
         sink(&columns, &starts)?;
     }
-    let findings = doctor.finish();
+    let findings = check.finish();
     if findings.iter().any(Finding::is_fatal) {
         return Err(LogError::Rejected { file: layout.file, findings }.into());
     }

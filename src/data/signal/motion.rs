@@ -63,8 +63,8 @@ pub struct Motion {
     /// Temperatures as recorded, joint-major, deg C; empty where they were not asked for or not
     /// recorded.
     pub temperature: Vec<f64>,
-    /// Positions of the motors as recorded, on the joints' side of the gears, joint-major, rad; empty
-    /// where they were not asked for or not recorded.
+    /// Positions of the motors as recorded, on the joints' side of the gears, joint-major, rad;
+    /// empty where they were not asked for or not recorded.
     pub motor: Vec<f64>,
     /// External wrench as recorded, `fx .. mz` one after the other, `6 * len`, treated like the
     /// torque; empty where it was not asked for or not recorded.

@@ -284,7 +284,7 @@ pub fn each_motion(
     }
     let prepare = &prepare.for_layout(&layout)?;
     let mut preparer = Preparer::new(&layout, dof, prepare)?;
-    let mut doctor = QualityCheck::new(&layout, prepare.torque, prepare.keep);
+    let mut check = QualityCheck::new(&layout, prepare.torque, prepare.keep);
     let (mut block, mut verdicts) = (Block::default(), Vec::new());
     let mut row_values = Vec::new();
     let (mut rows, mut samples) = (0, 0);
@@ -296,8 +296,8 @@ pub fn each_motion(
     };
     // Time that runs back or stands still makes a rate that no filter fits: the quality check's
     // finding on the clock comes first.
-    let explained = |error: PrepareError, doctor: &QualityCheck, file: &str| -> PrepareError {
-        let findings = doctor.clone().finish();
+    let explained = |error: PrepareError, check: &QualityCheck, file: &str| -> PrepareError {
+        let findings = check.clone().finish();
         let clock = |f: &Finding| f.is_fatal() && f.column.as_deref() == Some("t");
         match findings.iter().any(clock) {
             true => {
@@ -311,22 +311,22 @@ pub fn each_motion(
         if block.is_empty() {
             break;
         }
-        doctor.admit(&block, &mut verdicts);
-        preparer.nominal = doctor.period();
+        check.admit(&block, &mut verdicts);
+        preparer.nominal = check.period();
         for (row, verdict) in verdicts.iter().enumerate().filter(|(_, v)| **v != Verdict::Drop) {
             if *verdict == Verdict::Start {
-                hand_on(preparer.end_segment().map_err(|e| explained(e, &doctor, &layout.file))?);
+                hand_on(preparer.end_segment().map_err(|e| explained(e, &check, &layout.file))?);
             }
             row_values.clear();
             row_values.extend(preparer.sources.iter().map(|&column| block.columns[column][row]));
             preparer.push(block.columns[preparer.time][row], &row_values);
             rows += 1;
         }
-        hand_on(preparer.advance().map_err(|e| explained(e, &doctor, &layout.file))?);
+        hand_on(preparer.advance().map_err(|e| explained(e, &check, &layout.file))?);
     }
-    hand_on(preparer.end_segment().map_err(|e| explained(e, &doctor, &layout.file))?);
-    let reached = prepare.in_torque(doctor.reached());
-    let mut findings = doctor.finish();
+    hand_on(preparer.end_segment().map_err(|e| explained(e, &check, &layout.file))?);
+    let reached = prepare.in_torque(check.reached());
+    let mut findings = check.finish();
     findings.append(&mut preparer.findings);
     if prepare.torque == Quantity::Current {
         let kind = Kind::FromCurrents { gains: prepare.torque_gains.clone() };
@@ -954,8 +954,8 @@ impl Preparer {
     }
 }
 
-/// Periods of the cutoff after which what a low-pass makes of an end has faded, and the most that is
-/// cut off for it, s.
+/// Periods of the cutoff after which what a low-pass makes of an end has faded, and the most that
+/// is cut off for it, s.
 const SETTLED: f64 = 2.0;
 const MOST_TRIM: f64 = 1.0;
 

@@ -48,7 +48,7 @@ impl Cause for EncoderOffset {
         true
     }
 
-    fn twins(&self, scene: &WindowedData<'_>, place: &[usize]) -> &'static [&'static str] {
+    fn indistinguishable(&self, scene: &WindowedData<'_>, place: &[usize]) -> &'static [&'static str] {
         // A gap that always lies to the same side.
         if both_ways(scene, place[0]) { &[] } else { &[effects::Backlash::NAME] }
     }

@@ -35,14 +35,14 @@ impl Cause for LinkInertiaError {
         &[effects::Payload::NAME, effects::RotorInertia::NAME]
     }
 
-    fn twins(&self, scene: &WindowedData<'_>, place: &[usize]) -> &'static [&'static str] {
+    fn indistinguishable(&self, scene: &WindowedData<'_>, place: &[usize]) -> &'static [&'static str] {
         let last = place.first().is_some_and(|j| j + 1 == scene.dof());
         if last { &[effects::Payload::NAME] } else { &[] }
     }
 
     /// A last link that is heavier by something that can be a body has a payload on it: the columns
     /// are the same.
-    fn rather(
+    fn equivalent_robot_cause(
         &self,
         scene: &WindowedData<'_>,
         place: &[usize],

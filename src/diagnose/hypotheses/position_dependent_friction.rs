@@ -44,7 +44,7 @@ impl Cause for PositionDependentFriction {
         moves(scene, place[0]) && shape[0] * (high - low) >= 2.0
     }
 
-    fn natural(&self) -> Option<usize> {
+    fn integer_shape(&self) -> Option<usize> {
         Some(0)
     }
 

@@ -44,11 +44,11 @@ impl Cause for StribeckFriction {
         moves(scene, place[0]) && shape[0] <= 0.5 * fastest(scene, place[0])
     }
 
-    fn natural(&self) -> Option<usize> {
+    fn integer_shape(&self) -> Option<usize> {
         Some(1) // 1 (Tustin) or 2 (Gauss), unless the data contradict it
     }
 
-    fn habit(&self) -> Option<f64> {
+    fn integer_prior_std(&self) -> Option<f64> {
         Some(0.5) // what was measured lies between 0.5 and 2 (Armstrong-Helouvry, Dupont and Canudas de Wit 1994)
     }
 

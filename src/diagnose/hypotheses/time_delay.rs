@@ -70,11 +70,12 @@ impl Cause for TimeDelay {
 
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
         let own: Vec<usize> = if place.is_empty() { (0..scene.dof()).collect() } else { place.to_vec() };
-        own.iter().all(|&j| (scene.delays[j] + x[0]).abs() <= MOST_DELAY) && self.beyond(scene, place, x)[0] > 0.0
+        own.iter().all(|&j| (scene.delays[j] + x[0]).abs() <= MOST_DELAY)
+            && self.above_resolution(scene, place, x)[0] > 0.0
     }
 
     /// Beyond half a sample, the resolution of sampling times. Of one joint: from the others.
-    fn beyond(&self, scene: &WindowedData<'_>, place: &[usize], x: &[f64]) -> Vec<f64> {
+    fn above_resolution(&self, scene: &WindowedData<'_>, place: &[usize], x: &[f64]) -> Vec<f64> {
         let own: Vec<usize> = if place.is_empty() { (0..scene.dof()).collect() } else { place.to_vec() };
         let mut others: Vec<f64> = (0..scene.dof()).filter(|j| !own.contains(j)).map(|j| scene.delays[j]).collect();
         others.sort_by(f64::total_cmp);

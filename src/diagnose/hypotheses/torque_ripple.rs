@@ -117,7 +117,7 @@ impl Cause for TorqueRipple {
         moves(scene, place[0]) && shape[0] * (high - low) >= 9.4
     }
 
-    fn natural(&self) -> Option<usize> {
+    fn integer_shape(&self) -> Option<usize> {
         Some(0)
     }
 

@@ -31,9 +31,9 @@ fn a_joint_at_rest() {
             .to_vec();
     assert_eq!(groups, expected);
     for p in &found.parameters {
-        let told = !groups.iter().any(|(g, _)| g.contains(&p.name));
-        assert_eq!(p.standing == Standing::Identified, told, "{}", p.name);
-        assert_eq!(p.std.is_finite(), told);
+        let identified = !groups.iter().any(|(g, _)| g.contains(&p.name));
+        assert_eq!(p.standing == Standing::Identified, identified, "{}", p.name);
+        assert_eq!(p.std.is_finite(), identified);
     }
     assert!(found.fit.rms.iter().all(|r| *r < 0.12));
     let truth = arm.beta();

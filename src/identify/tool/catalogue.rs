@@ -154,7 +154,8 @@ fn tool(name: String, inertia: Inertia, size: Option<[f64; 2]>) -> Tool {
 }
 
 /// First line of a tool file.
-pub const SOURCE: &str = "geometry and density, by src/identify/tool/catalogue.rs; dry";
+#[cfg(test)]
+const SOURCE: &str = "geometry and density, by src/identify/tool/catalogue.rs; dry";
 
 /// The tools of `robots/tools/`.
 pub fn catalogue() -> Vec<Tool> {

@@ -89,7 +89,7 @@ pub enum ToolError {
     #[error(
         "the logs don't determine the mass, so that of the scale can't be combined with theirs; leave --mass-std out to use it as exact"
     )]
-    MassNotTold,
+    MassUnidentified,
     /// The data say nothing of the tool.
     #[error(
         "the loaded log has no information on the body that the arm carries: none of its ten parameters is determined; record a motion that moves the wrist"
@@ -239,7 +239,7 @@ pub fn identify_tool(
         }
     };
     if let (Some(mass), None) = (settings.known_mass, exact) {
-        weigh(&mut solved, mass, settings.mass_std)?;
+        add_scale_reading(&mut solved, mass, settings.mass_std)?;
     }
     let beta = unknown.whole(&solved.values());
 
@@ -302,11 +302,11 @@ fn mass_of(solved: &Identification) -> Option<[f64; 2]> {
 
 /// Takes in what a scale says of the mass, the first of the last ten parameters: the conditional
 /// mean and covariance of a normal distribution.
-fn weigh(solved: &mut Identification, mass: f64, std: f64) -> Result<(), ToolError> {
+fn add_scale_reading(solved: &mut Identification, mass: f64, std: f64) -> Result<(), ToolError> {
     let count = solved.parameters.len();
     let at = count - 10;
     if solved.parameters[at].standing != Standing::Identified {
-        return Err(ToolError::MassNotTold);
+        return Err(ToolError::MassUnidentified);
     }
     let determined: Vec<bool> = solved.parameters.iter().map(|p| p.standing == Standing::Identified).collect();
     let stds: Vec<f64> = solved.parameters.iter().map(|p| p.std).collect();

@@ -384,9 +384,9 @@ impl<'a> TorqueColumns<'a> {
             return None;
         }
         let rough = if 2 * count < n { ROUGH_OF_FEW } else { ROUGH };
-        let told = || moments.iter().zip(&sizes).filter(|(_, size)| size.is_some()).map(|(moments, _)| moments);
-        let left = (told().map(|[t, m, p]| 1.0 - (p * p / (t * m)).min(1.0)).sum::<f64>() / count as f64).sqrt();
-        let recorded = (told().map(|[t, m, p]| (t - 2.0 * p + m) / t).sum::<f64>() / count as f64).sqrt();
+        let explained = || moments.iter().zip(&sizes).filter(|(_, size)| size.is_some()).map(|(moments, _)| moments);
+        let left = (explained().map(|[t, m, p]| 1.0 - (p * p / (t * m)).min(1.0)).sum::<f64>() / count as f64).sqrt();
+        let recorded = (explained().map(|[t, m, p]| (t - 2.0 * p + m) / t).sum::<f64>() / count as f64).sqrt();
         let common = |times: &dyn Fn(usize) -> Option<f64>| -> Option<f64> {
             let logs: Vec<f64> =
                 (0..n).filter_map(|j| Some((sizes[j]? * times(j)?).ln())).filter(|x| x.is_finite()).collect();

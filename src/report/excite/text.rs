@@ -112,12 +112,12 @@ fn finite(x: f64) -> Value {
 /// Values missing in the file, one line per kind and remedy.
 pub fn missing_text(missing: &[Missing]) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    let mut told: Vec<(&str, &str)> = Vec::new();
+    let mut reported: Vec<(&str, &str)> = Vec::new();
     for first in missing {
-        if told.contains(&(first.limit, first.taken.as_str())) {
+        if reported.contains(&(first.limit, first.taken.as_str())) {
             continue;
         }
-        told.push((first.limit, &first.taken));
+        reported.push((first.limit, &first.taken));
         let alike: Vec<String> = missing
             .iter()
             .filter(|m| (m.limit, &m.taken) == (first.limit, &first.taken) && !m.joint.is_empty())

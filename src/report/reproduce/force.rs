@@ -39,11 +39,11 @@ pub(in crate::report) fn tables(found: &Force) -> Vec<Table> {
     let cells = |f: &dyn Fn(usize) -> String| (0..6).map(f).collect::<Vec<_>>();
     let rows = found.accuracy.iter().map(|r| {
         let rms = |i: usize| format!("{} ± {}", digits(r.components[i].rms, 2), digits(r.components[i].half, 2));
-        let told = r.components.iter().map(|c: &Comparison| c.observable).sum::<f64>() / 6.0;
+        let observable = r.components.iter().map(|c: &Comparison| c.observable).sum::<f64>() / 6.0;
         let mut row = vec![r.method.name().to_string(), r.state.to_string()];
         row.extend(cells(&rms));
         row.push(format!("{:.1}", 100.0 * share(&r.components)));
-        row.push(format!("{:.0}", 100.0 * told));
+        row.push(format!("{:.0}", 100.0 * observable));
         row
     });
     let mut head = vec!["estimator", "arm"];

@@ -101,15 +101,15 @@ fn parameters(body: &mut String, found: &Found) {
     body.push_str("</tr></thead><tbody>\n");
     let relative = carried.relative_std_percent();
     for (k, name) in names().iter().enumerate() {
-        let told = carried.standing[k] == Standing::Identified;
+        let known = carried.standing[k] == Standing::Identified;
         let class = match relative[k] {
-            _ if !told => "open",
+            _ if !known => "open",
             r if r < 10.0 => "known",
             r if r < 50.0 => "fair",
             _ => "poor",
         };
         let (std, share) =
-            if told { (figure(carried.std[k]), percent(relative[k])) } else { ("open".into(), "–".into()) };
+            if known { (figure(carried.std[k]), percent(relative[k])) } else { ("open".into(), "–".into()) };
         let _ = write!(
             body,
             "<tr class={class}><th>{name}<td>{}<td>{std}<td class=share>{share}",

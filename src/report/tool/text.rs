@@ -186,9 +186,9 @@ pub fn tool_text(found: &Found, logs: &[Prepared], warnings: &Warnings) -> Strin
     let mut rows: Vec<Vec<String>> = vec![head.into_iter().map(String::from).collect()];
     let relative = carried.relative_std_percent();
     for (k, name) in names().iter().enumerate() {
-        let told = carried.standing[k] == Standing::Identified;
+        let known = carried.standing[k] == Standing::Identified;
         let mut row = vec![name.clone(), figure(carried.values[k])];
-        row.extend(if told { [figure(carried.std[k]), percent(relative[k])] } else { ["open".into(), "–".into()] });
+        row.extend(if known { [figure(carried.std[k]), percent(relative[k])] } else { ["open".into(), "–".into()] });
         if let (Some(entry), Some(r)) = (table, &found.recognition) {
             row.extend([figure(entry.values[k]), digits(r.nearest().deviations[k], 2)]);
         }

@@ -495,7 +495,7 @@ impl BaseParameters {
 /// The constants as groupings write them: `constants.M2` where a parameter has the name too.
 fn unlike_parameters(constants: &[(String, f64)], parameters: &[Parameter]) -> Vec<(String, f64)> {
     let names: Vec<String> = parameters.iter().map(|p| p.name()).collect();
-    let is_parameter = |word: &str| names.iter().any(|n| n == word || word.strip_suffix('R') == Some(n.as_str()));
+    let is_parameter = |word: &str| names.iter().any(|n| word == n || word == format!("{n}R"));
     let one = |(word, value): &(String, f64)| match is_parameter(word) {
         true => (format!("constants.{word}"), *value),
         false => (word.clone(), *value),

@@ -117,11 +117,26 @@ pub struct LogMapping {
     pub arrival: bool,
 }
 
+/// A column that no log has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct UnknownColumn;
+
+impl core::fmt::Display for UnknownColumn {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(
+            "the columns are t, seg, fx .. mz, and of joints q1.., dq1.., ddq1.., qm1.., qd1.., tau1.., taum1.., i1.., temp1.., \
+             or q* and so on for all joints",
+        )
+    }
+}
+
+impl core::error::Error for UnknownColumn {}
+
 /// What a column measures: `None` for the recording number `seg`.
 ///
 /// # Errors
-/// Where there is no such column: which ones there are.
-pub fn log_column(column: &str) -> Result<Option<Dimension>, &'static str> {
+/// Where there is no such column; the message lists those that there are.
+pub fn log_column(column: &str) -> Result<Option<Dimension>, UnknownColumn> {
     match column {
         "t" => return Ok(Some(Dimension::Time)),
         "seg" => return Ok(None),
@@ -132,8 +147,5 @@ pub fn log_column(column: &str) -> Result<Option<Dimension>, &'static str> {
     let (prefix, number) = column.split_at(digits);
     let counts = number.parse::<usize>().is_ok_and(|n| n > 0) && !number.starts_with('0');
     let found = JOINT_COLUMNS.iter().find(|(name, _)| *name == prefix && (number == "*" || counts));
-    found.map(|(_, dimension)| Some(*dimension)).ok_or(
-        "the columns are t, seg, fx .. mz, and of joints q1.., dq1.., ddq1.., qm1.., qd1.., tau1.., taum1.., i1.., temp1.., \
-         or q* and so on for all joints",
-    )
+    found.map(|(_, dimension)| Some(*dimension)).ok_or(UnknownColumn)
 }

@@ -20,7 +20,8 @@ use crate::numerics::prng::Random;
 pub const PAPER_TORQUE_NOISE: [f64; 7] = [0.4, 0.4, 0.4, 0.2, 0.2, 0.1, 0.1];
 
 /// Of its encoders, rad: the order of their resolution.
-pub const POSITION_NOISE: f64 = 1e-5;
+#[cfg(test)]
+pub(super) const POSITION_NOISE: f64 = 1e-5;
 
 /// A robot, its motion and its sensors.
 pub struct Bench {

@@ -1,5 +1,6 @@
 //! The paper's figures, and calibrated answers.
 
+use super::bench::POSITION_NOISE;
 use super::*;
 use crate::identify::tool::{Entry, RecogniseSettings, Tolerance, catalogue};
 use dh_codegen::robot::Robot;

@@ -90,7 +90,8 @@ impl Trials {
 
     /// Root mean square of the errors of length and width over unknown rollers that fit a family,
     /// m.
-    pub fn size_error(&self) -> [f64; 2] {
+    #[cfg(test)]
+    pub(super) fn size_error(&self) -> [f64; 2] {
         let fitting: Vec<&SizeTrial> = self.sizes.iter().filter(|s| s.fits).collect();
         [0, 1].map(|k| {
             let squares: f64 = fitting.iter().map(|s| (s.found[k] - s.truth[k]).powi(2)).sum();

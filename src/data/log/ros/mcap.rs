@@ -33,7 +33,7 @@ struct Channel {
 }
 
 /// Messages of an MCAP file.
-pub struct McapMessages<R> {
+pub(crate) struct McapMessages<R> {
     input: R,
     started: bool,
     schemas: HashMap<u16, (String, String)>,

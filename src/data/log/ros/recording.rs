@@ -16,7 +16,7 @@ const PREVIEW: (usize, usize) = (20_000, 8 << 20);
 const MOST_DAMAGED: usize = 100;
 
 /// A message of the recording.
-pub struct Message {
+pub(crate) struct Message {
     /// Topic.
     pub topic: String,
     /// Time at which the recorder received it, ns.
@@ -26,7 +26,7 @@ pub struct Message {
 }
 
 /// Messages in the order in which they were recorded.
-pub trait Messages {
+pub(crate) trait Messages {
     /// The next one on a topic that can be decoded; `None` at the end.
     ///
     /// # Errors
@@ -52,7 +52,7 @@ struct Topic {
 }
 
 /// A recording of messages.
-pub struct Recording<M> {
+pub(crate) struct Recording<M> {
     file: String,
     kind: &'static str,
     messages: M,
@@ -144,11 +144,6 @@ impl<M: Messages> Recording<M> {
                 self.owner.push(message.topic.clone());
             }
         }
-    }
-
-    /// Topics and channels that can't be read, in words.
-    pub fn passed_over(&self) -> Vec<String> {
-        self.messages.passed_over()
     }
 
     /// The next message, those that were looked through first.

@@ -18,7 +18,7 @@ struct Topic {
 }
 
 /// Messages of a `.db3` file, in the order in which they were recorded.
-pub struct SqliteMessages {
+pub(crate) struct SqliteMessages {
     connection: Connection,
     topics: HashMap<i64, Topic>,
     passed_over: Vec<String>,

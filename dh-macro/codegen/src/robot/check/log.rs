@@ -44,7 +44,12 @@ fn channel(word: &Word, value: &Node, path: &str, to: &mut Findings) -> Option<L
     let dimension = match log_column(&word.text) {
         Ok(dimension) => dimension,
         Err(columns) => {
-            to.problem(word.mark, &path, format!("`{}` is no column of a log", shortened(&word.text)), columns);
+            to.problem(
+                word.mark,
+                &path,
+                format!("`{}` is no column of a log", shortened(&word.text)),
+                columns.to_string(),
+            );
             return None;
         }
     };
