@@ -19,9 +19,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let arm = Interpreted::new(&robot, &Interpreted::PLACED);
     let inverse = Kinematics::new(&robot, arm.model()).ok_or("an arm of up to ten joints")?;
-    let surface = Surface::new([0.9, 0.2, 0.6], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], 0.3, 0.5)?;
+    let surface = Surface::new([0.9, 0.2, 0.6], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0], 0.2, 0.3)?;
     let task = Task::new(&arm, &inverse, &robot, surface, roller, 0.5)?;
-    let found = plan(&task, &|_, _| {})?;
+    let found = plan(&task, &|_, _| {}).map_err(|e| e.to_string())?;
     println!("{:.1} s, {:.0} % of the wall", found.duration(), 100.0 * found.coverage().painted);
     Ok(())
 }
