@@ -9,7 +9,6 @@ use std::fs::read_to_string;
 use denavit::control::estimate::{Known, Linear, NoisePass, NoiseSource, Run, Settings, Uncertainty};
 use denavit::data::log::Replay;
 use denavit::data::signal::{Prepare, each_motion};
-use denavit::model::Arm;
 use denavit::model::interpreted::Interpreted;
 use denavit::simulate::{Control, Mode, Request, Sensors, SimulationFile, Simulator, Trajectory};
 use dh_codegen::arm::param::standard_values;
