@@ -124,9 +124,11 @@ impl Judge<'_> {
         let same = |a: &Accepted| {
             a.chosen.place == last.place && a.chosen.cause.kind() == last.cause.kind() && !last.place.is_empty()
         };
+        let most = (0..taken.len()).any(|j| taken[j] > 0.5 * size(j));
         let overshadowed = accepted.iter().any(|a| {
             let share = if same(a) { settings.least_share } else { 0.3 * settings.least_share };
-            let joints = !a.chosen.place.is_empty() && a.chosen.place == last.place;
+            // A law of another kind that takes most of what is left is no misfit.
+            let joints = !a.chosen.place.is_empty() && a.chosen.place == last.place && !most;
             (same(a) || joints) && variance < share * a.variance
         });
         if overshadowed {
