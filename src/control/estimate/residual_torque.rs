@@ -1,7 +1,7 @@
 //! Unexplained torques of a stretch of motion, at the samples that are used.
 
 use super::torques::Torques;
-use crate::data::signal::{Filter, Motion, MotionBlock, low_pass};
+use crate::data::signal::{DeadZone, Filter, Motion, MotionBlock, low_pass};
 use crate::identify::regression::rows::Rows;
 use crate::model::{Arm, States};
 
@@ -120,10 +120,14 @@ const STANDS: f64 = 0.3;
 
 /// Whether each joint's friction may be anything between its levels, joint-major. This holds at
 /// rest, sticking at a reversal, and below half a percent of its largest speed in the motion, where
-/// the ringing of the low-pass after a stop has signs of its own.
+/// the ringing of the low-pass after a stop has signs of its own. A definition of rest that was
+/// given is taken as it is.
 fn still(motion: &Motion, n: usize) -> Vec<bool> {
     let len = motion.states.len;
     let mut still = motion.resting.get(..n * len).map_or_else(|| vec![false; n * len], <[bool]>::to_vec);
+    if motion.dead_zone != DeadZone::FromNoise {
+        return still;
+    }
     if motion.stuck.len() == n * len {
         still.iter_mut().zip(&motion.stuck).for_each(|(s, stuck)| *s |= stuck);
     }
@@ -158,4 +162,20 @@ fn near(still: &[bool], len: usize, within: usize, picks: &[usize]) -> Vec<bool>
         picks.iter().map(|&s| row[reach(s)].contains(&true)).collect()
     };
     still.chunks_exact(len.max(1)).flat_map(of).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A given dead zone is the definition of rest: no slower speed is added to it.
+    #[test]
+    fn a_given_dead_zone_is_taken_as_it_is() {
+        let states = States { len: 4, dq: vec![0.001, 0.004, -0.5, 1.0], ..States::default() };
+        let motion = Motion { states, resting: vec![true, false, false, false], ..Motion::default() };
+        assert_eq!(still(&motion, 1), [true, true, false, false]);
+        let given = |dead_zone, resting: [bool; 4]| Motion { dead_zone, resting: resting.to_vec(), ..motion.clone() };
+        assert_eq!(still(&given(DeadZone::Fixed(0.002), [true, false, false, false]), 1), [true, false, false, false]);
+        assert_eq!(still(&given(DeadZone::Off, [false; 4]), 1), [false; 4]);
+    }
 }

@@ -129,7 +129,7 @@ fn table(rows: &[Comparison; 6]) -> String {
     let mut text = String::new();
     let head = HEAD.map(String::from);
     for row in std::iter::once(head).chain(rows.iter().enumerate().map(|(i, c)| cells(i, c))) {
-        let line: String = row.iter().enumerate().map(|(k, c)| pad(c, if k == 0 { 12 } else { 10 }, k > 0)).collect();
+        let line: String = row.iter().enumerate().map(|(k, c)| pad(c, if k == 0 { 12 } else { 13 }, k > 0)).collect();
         let _ = writeln!(text, "  {}", line.trim_end());
     }
     text
