@@ -554,13 +554,17 @@ impl Identify {
         let gears: Vec<Option<f64>> = moving(robot).map(|joint| joint.drive.gear_ratio).collect();
         let file: Option<Vec<f64>> = found.parameters.iter().map(|p| p.prior).collect();
         let file = file.filter(|values| values.iter().any(|v| *v != 0.0));
-        let mut explained = Vec::new();
+        let (mut explained, mut distinguish) = (Vec::new(), true);
         for path in self.logs.iter().chain(&self.validate) {
             let mut columns = TorqueColumns::new(arm);
             pass(path, arm.dof(), prepare, |motion| columns.absorb(&without(known, motion)))?;
+            distinguish &= columns.distinguishes();
             let model = file.as_ref().map(|beta| Reference::Model(beta));
             let mut references = std::iter::once(Reference::Fit).chain(model);
             explained.extend(references.find_map(|r| columns.explained(r, &gears)).map(|finding| (path, finding)));
+        }
+        if explained.is_empty() && distinguish {
+            found.rule_out_columns();
         }
         found.take_explanations(explained.iter().map(|(path, f)| (path.display().to_string(), f.clone())).collect());
         Ok(())

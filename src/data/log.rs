@@ -32,7 +32,7 @@ pub use acceptance::Acceptance;
 pub use block::{BadCell, Block, Source};
 pub use column::{Layout, Quantity, Role};
 pub use error::LogError;
-pub use finding::{Clock, Explanation, Finding, Kind, Severity};
+pub use finding::{Clock, Explanation, Finding, Kind, Severity, Unexplained};
 pub use fingerprint::{Common, Fingerprint, Fingerprinted};
 pub use inspect::{ChannelSummary, Proposal, propose};
 pub use limits::{Limits, beyond_limits, torque_unit};

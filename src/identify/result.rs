@@ -4,7 +4,7 @@ use super::Accuracy;
 use super::Dropped;
 use super::ErrorBudget;
 use super::Noise;
-use crate::data::log::{Finding, Kind};
+use crate::data::log::{Finding, Kind, Unexplained};
 use crate::model::{BaseParameter, StandardParameter};
 
 /// Status of a parameter.
@@ -191,6 +191,15 @@ impl Identification {
                 *of = Some(log);
             }
             self.findings.insert(0, finding);
+        }
+    }
+
+    /// Takes note that no other order or unit of the torque columns explains the logs.
+    pub fn rule_out_columns(&mut self) {
+        for finding in &mut self.findings {
+            if let Kind::Unexplained { reason: reason @ Unexplained::Open, .. } = &mut finding.kind {
+                *reason = Unexplained::Columns;
+            }
         }
     }
 

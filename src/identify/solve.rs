@@ -179,7 +179,7 @@ pub fn solve(
     let fitted = total(fit, &solution.beta);
     // A sign says more.
     if findings.is_empty() {
-        findings = unexplained(&fitted);
+        findings = unexplained(&fitted, parameters, &joints);
     }
     findings.extend(disagree(fit, &solution.weights, parameters.len()));
     let pairs = joints.iter().zip(&noise.effective_samples);

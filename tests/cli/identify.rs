@@ -501,3 +501,22 @@ fn a_log_that_was_fitted_before_is_called_so() {
     let said = json(&["identify", ROBOT, &b, "--validate", &a, "--json", "-"]);
     assert!(!said["warnings"].to_string().contains("was fitted"), "{}", said["warnings"]);
 }
+
+/// A robot file with the geometry alone leaves most of a real arm's torque, whose columns are right:
+/// friction is what it lacks, and no exchange of columns is advised.
+#[test]
+fn a_file_without_friction_is_told_what_it_lacks() {
+    let place = folder("identify-geometry");
+    let mut robot = read_robot("robots/staubli-tx40.yaml");
+    robot.links.clear();
+    robot.joints.iter_mut().for_each(|joint| joint.drive = Default::default());
+    let bare = file(&place, "bare.yaml", robot.to_yaml());
+    let log = "data/staubli-tx40/first.csv.gz";
+    let run = denavit(&["identify", &bare, log, "--stride", "4"]);
+    assert!(run.out.contains("of the torque unexplained"), "{}\n{}", run.out, run.err);
+    assert!(run.out.contains("has no friction of this joint"), "{}", run.out);
+    assert!(!run.out.contains("swapped"), "{}", run.out);
+    // With friction the coupling of the wrist is missing: the columns were tried, and that is said.
+    let run = denavit(&["identify", "robots/staubli-tx40.yaml", log, "--stride", "4"]);
+    assert!(!run.out.contains("swapped"), "{}", run.out);
+}

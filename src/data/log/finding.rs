@@ -127,6 +127,33 @@ impl Clock {
     }
 }
 
+/// What is known of the reason for which a fitted model leaves a large part of a torque.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unexplained {
+    /// The robot file has no friction of the joint.
+    NoFriction,
+    /// The columns were tried in other orders and units, with other signs, and none explains it.
+    Columns,
+    /// Nothing was tried.
+    Open,
+}
+
+impl Unexplained {
+    fn advice(self) -> &'static str {
+        match self {
+            Self::NoFriction => {
+                "the robot file has no friction of this joint: give its `drive` a `friction` with levels of 0, as `denavit new` writes it, and they are identified; if that is not it, `denavit diagnose` looks for what the model lacks"
+            }
+            Self::Columns => {
+                "no other order or unit of the columns explains it; `denavit diagnose` looks for what the model lacks, and look whether the log is of this robot"
+            }
+            Self::Open => {
+                "look for columns that were swapped, a wrong sign or unit, another robot's log; `denavit diagnose` looks for what the model lacks"
+            }
+        }
+    }
+}
+
 /// The finding. Times in s, levels in the column's unit.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
@@ -251,6 +278,8 @@ pub enum Kind {
     Unexplained {
         /// Of the joint's torque (root mean square), percent.
         percent: f64,
+        /// What is known of the reason.
+        reason: Unexplained,
     },
     /// Logs that contradict each other.
     Disagree {
@@ -364,7 +393,7 @@ impl Finding {
                 format!("reaches {reaches:.4} {unit}, where the robot file's limit is {limit:.4} {unit}")
             }
             Kind::TorqueUnit { times, thousandth } => torque_unit(*times, *thousandth),
-            Kind::Unexplained { percent } => {
+            Kind::Unexplained { percent, .. } => {
                 format!("the fitted model leaves {percent:.0} % of the torque unexplained")
             }
             Kind::Disagree { times, worst } => disagree(*times, worst.as_deref()),
@@ -403,9 +432,7 @@ impl Finding {
             }
             Kind::BeyondLimit { .. } => "look whether torques are in N m on the joint side, and of this robot",
             Kind::TorqueUnit { .. } => "write N m of the joint side of the gear",
-            Kind::Unexplained { .. } => {
-                "look for columns that were swapped, a wrong sign or unit, another robot's log; `denavit diagnose` looks for what the model lacks"
-            }
+            Kind::Unexplained { reason, .. } => reason.advice(),
             Kind::Disagree { .. } => {
                 "look whether all are of this robot, with the same tool, and with columns and units alike; identify them apart to see which is wrong"
             }

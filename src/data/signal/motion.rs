@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::Band;
+use super::{Band, DeadZone};
 use crate::model::States;
 
 /// Filtered motion and torque of consecutive, evenly spaced samples of one segment.
@@ -52,6 +52,8 @@ pub struct Motion {
     /// anything within its breakaway level, and `sign` is
     /// 0. Joint-major, those of the sums behind; empty where velocities are set to zero.
     pub resting: Vec<bool>,
+    /// Definition of rest that `resting` follows.
+    pub dead_zone: DeadZone,
     /// Whether each joint sticks (it does not move beyond the noise of its encoder), joint-major;
     /// empty where velocities do not come from filtered positions.
     pub stuck: Vec<bool>,

@@ -890,6 +890,7 @@ impl Preparer {
         if self.settings.derivatives == Derivatives::AtRest {
             return;
         }
+        motion.dead_zone = self.settings.dead_zone;
         let noise: Vec<rest::Noise> =
             (0..self.dof).map(|j| self.noise(j, motion.velocity_noise[j], motion.period)).collect();
         if self.settings.derivatives == Derivatives::FromPosition {

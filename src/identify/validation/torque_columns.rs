@@ -133,14 +133,22 @@ impl<'a> TorqueColumns<'a> {
         2 * self.range.iter().filter(|[low, high]| high - low > TRAVEL).count() >= self.range.len()
     }
 
+    /// Whether the log suffices to distinguish readings of the columns by a fit.
+    pub fn distinguishes(&self) -> bool {
+        self.samples > 0 && !self.is_short() && self.travels()
+    }
+
+    /// Too little to distinguish a fit from a coincidence: 20 independent values per second and
+    /// joint.
+    fn is_short(&self) -> bool {
+        self.seconds * 20.0 * self.arm.dof() as f64 <= 3.0 * self.arm.base_parameters().len() as f64
+    }
+
     /// Reading that explains the torques far better than the recorded columns, with its evidence.
     /// `gears`: ratio of each joint, where it is known.
     pub fn explained(&self, reference: Reference<'_>, gears: &[Option<f64>]) -> Option<Finding> {
         let n = self.arm.dof();
-        // Too little to distinguish a fit from a coincidence: 20 independent values per second and
-        // joint.
-        let few = self.seconds * 20.0 * n as f64 <= 3.0 * self.arm.base_parameters().len() as f64;
-        if self.samples == 0 || (few && matches!(reference, Reference::Fit)) {
+        if self.samples == 0 || (self.is_short() && matches!(reference, Reference::Fit)) {
             return None;
         }
         let as_recorded = Reading::as_recorded(n);
