@@ -224,7 +224,7 @@ pub enum PrepareError {
     },
     /// Decimation would fold frequencies that the low-pass lets through.
     #[error(
-        "{file}: every {stride}th sample of {rate:.1} Hz is too few for a low-pass of {cutoff} Hz; at most every {most}th"
+        "{file}: one of {stride} samples of {rate:.1} Hz is too few for a low-pass of {cutoff} Hz; give a --stride of at most {most}"
     )]
     Stride {
         /// File.
