@@ -35,7 +35,7 @@ impl Displacement {
         Self { rotation: Matrix3::identity() + k * s + k * k * (1.0 - c), origin: Vector3::zeros() }
     }
 
-    /// From a quaternion `w x y z` of any length; no rotation where that is zero.
+    /// From a quaternion `w x y z` of any length but zero, of which [`Self::is_rotation`] is false.
     pub fn quaternion([w, x, y, z]: [f64; 4]) -> Self {
         let square = w * w + x * x + y * y + z * z;
         let two = |a: f64, b: f64| 2.0 * a * b / square;

@@ -121,7 +121,7 @@ const STANDS: f64 = 0.3;
 /// Whether each joint's friction may be anything between its levels, joint-major. This holds at
 /// rest, sticking at a reversal, and below half a percent of its largest speed in the motion, where
 /// the ringing of the low-pass after a stop has signs of its own. A definition of rest that was
-/// given is taken as it is.
+/// given holds alone.
 fn still(motion: &Motion, n: usize) -> Vec<bool> {
     let len = motion.states.len;
     let mut still = motion.resting.get(..n * len).map_or_else(|| vec![false; n * len], <[bool]>::to_vec);
@@ -170,7 +170,7 @@ mod tests {
 
     /// A given dead zone is the definition of rest: no slower speed is added to it.
     #[test]
-    fn a_given_dead_zone_is_taken_as_it_is() {
+    fn a_given_dead_zone_holds_alone() {
         let states = States { len: 4, dq: vec![0.001, 0.004, -0.5, 1.0], ..States::default() };
         let motion = Motion { states, resting: vec![true, false, false, false], ..Motion::default() };
         assert_eq!(still(&motion, 1), [true, true, false, false]);
