@@ -5,6 +5,9 @@
 //! stroke: median, 99th and 99.99th percentile and worst, by three clocks. Costly cases get a tenth
 //! as many steps: a wall out of reach, an outstretched arm, a wrist in line, missing samples.
 //!
+//! `cargo bench --bench control -- --hostile 100000000` takes so many steps in which something is
+//! wrong half of the time, and prints a histogram of the times.
+//!
 //! - wall: with whatever else the machine did meanwhile; worth something on an idle machine, or on
 //!   a core of its own;
 //! - thread: processor time of the thread alone, so that being preempted does not count
@@ -13,11 +16,14 @@
 //! - best of three: the same step from the same state three times, the fastest by the wall clock:
 //!   what the law itself asks for, caches warm.
 
+#[path = "control/hostile.rs"]
+mod hostile;
+
 use std::time::{Duration, Instant};
 
 use denavit::control::law::{
-    Body, Controller, Estimator, EstimatorSettings, ForceSettings, JointLoop, Model, Sample, Settings, Status, Target,
-    Tool, moved,
+    Body, Controller, Estimator, EstimatorSettings, ForceSettings, JointLoop, Limits, Model, Sample, Settings, Status,
+    Target, Tool, moved,
 };
 use kuka_lwr4::ik::{Query, Reference};
 
@@ -124,6 +130,20 @@ const SCENES: [Scene; 5] = {
 /// One and the same wall for all scenes, N/m.
 const STIFFNESS: f64 = 8e3;
 
+/// All limits are watched, and none is exceeded by the scenes.
+fn limits() -> Limits<N> {
+    Limits {
+        position: [[-3.0, 3.0]; N],
+        acceleration: [15.0; N],
+        jerk: [7500.0; N],
+        tool: [1.7, 13.0, 6500.0],
+        torque_rate: [1e6; N],
+        saturated: 1e9,
+        frozen: [0.5; N],
+        stuck: [1e9; 2],
+    }
+}
+
 fn main() {
     let beta = std::array::from_fn(|k| 0.3 + 0.01 * k as f64);
     let settings = Settings {
@@ -144,7 +164,14 @@ fn main() {
         aside_pole: 20.0,
         drag: 1.0,
         corner: 10.0,
+        limits: limits(),
+        stop: 0.25,
     };
+    let mut arguments = std::env::args().skip_while(|a| a != "--hostile").skip(1);
+    if let Some(steps) = arguments.next().and_then(|a| a.parse().ok()) {
+        hostile::run(Lwr { beta }, settings, steps);
+        return;
+    }
     // `cargo test --benches` asks for a look, not a measurement.
     let steps: usize = if std::env::args().any(|a| a == "--bench") { 1_000_000 } else { 1_000 };
     for (k, scene) in SCENES.iter().enumerate() {
@@ -185,18 +212,19 @@ impl Measured {
     }
 }
 
+const ESTIMATOR: EstimatorSettings<N> = EstimatorSettings {
+    period: 1e-3,
+    corner: 10.0,
+    weights: [1.0; N],
+    damping: 1e-4,
+    moment: 0.87,
+    turning: [0.5; N],
+    rest: [1e-4; N],
+};
+
 fn measure(scene: &Scene, lwr: Lwr, settings: Settings<N>, steps: usize) -> Option<Measured> {
-    let estimator = EstimatorSettings {
-        period: 1e-3,
-        corner: 10.0,
-        weights: [1.0; N],
-        damping: 1e-4,
-        moment: 0.87,
-        turning: [0.5; N],
-        rest: [1e-4; N],
-    };
     let mut controller = Controller::new(lwr.clone(), settings).ok()?;
-    let mut estimator = Estimator::new(lwr, estimator);
+    let mut estimator = Estimator::new(lwr, ESTIMATOR);
     let mut times: [Vec<u32>; 3] = std::array::from_fn(|_| Vec::with_capacity(steps));
     let (mut sum, mut preempted, mut pressing, mut displacement) = (0.0, 0, 0, 0.0);
     for k in 0..steps {

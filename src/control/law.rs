@@ -10,6 +10,7 @@
 //! Uses `core` alone: no allocation, no panic, no square root. Whoever calls brings the robot, as
 //! [`Model`] and [`Body`].
 
+mod contact;
 mod controller;
 mod drag;
 mod error;
@@ -17,16 +18,23 @@ mod estimate;
 mod force;
 mod joint;
 mod least;
+mod limits;
+mod machine;
 mod model;
 mod rest;
+mod settings;
+mod stop;
 mod watch;
 
-pub use controller::{Command, Controller, Fault, Settings, Status, Target};
+pub use controller::{Command, Controller};
 pub use drag::Drag;
 pub use error::ControllerError;
 pub use estimate::{Estimator, EstimatorSettings};
 pub use force::{ForceLoop, ForceSettings};
 pub use joint::JointLoop;
 pub use least::damped;
+pub use limits::Limits;
+pub use machine::{Arrival, Bounds, Fault, Machine, Reaction, Seen, Status, Touch, Wanted};
 pub use model::{Body, Model, Tool, moved};
+pub use settings::{Settings, Target};
 pub use watch::{Sample, Watch};

@@ -11,8 +11,8 @@ use super::wall::{RollerWall, WallSensor};
 use crate::apps::painting::drag_calibration_stroke::wipe;
 use crate::control::iterative_learning::{Learned, learned};
 use crate::control::law::{
-    Controller, ControllerError, Estimator, EstimatorSettings, ForceSettings, JointLoop, Model, Sample, Settings,
-    Status, Target,
+    Controller, ControllerError, Estimator, EstimatorSettings, ForceSettings, JointLoop, Limits, Model, Sample,
+    Settings, Status, Target,
 };
 use crate::control::robot::{RobotModel, STANDING};
 use crate::model::Dynamics;
@@ -203,6 +203,11 @@ const ASIDE_POLE: f64 = 4.0;
 const AWAY: f64 = 0.02;
 const REST: f64 = 0.3;
 const COME: f64 = 1.5;
+/// Time of a stop along the path, s.
+const STOP: f64 = 0.25;
+/// Share of its torque limit that a joint's spring may have while its position does not change by a
+/// bit: above static friction.
+const STUCK: f64 = 0.15;
 /// Between postures in which what is learned has its own linear model, s.
 const APART: f64 = 1.0;
 /// The last of these by default.
@@ -228,6 +233,33 @@ pub fn run(
     }
 }
 
+/// Limits of torque (N m) and speed (rad/s) of the file, and what stands for those that it has not.
+fn strength<const N: usize>(robot: &Robot) -> [[f64; N]; 2] {
+    let limits: Vec<_> = robot.moving().iter().map(|&row| &robot.joints[row].limits).collect();
+    [
+        std::array::from_fn(|j| limits[j].torque.unwrap_or(1e3)),
+        std::array::from_fn(|j| limits[j].velocity.unwrap_or(2.0)),
+    ]
+}
+
+/// Limits of the file; what it has not is libfranka's for the tool (its jerk is what takes 2 ms to
+/// the full acceleration, for joints too), and for the torques a wide one, their range
+/// in 2 ms: where the displacement begins to move, the joints' loops answer its speed at once.
+fn limits_of<const N: usize>(robot: &Robot, kp: &[f64; N], torque: &[f64; N]) -> Limits<N> {
+    let limits: Vec<_> = robot.moving().iter().map(|&row| &robot.joints[row].limits).collect();
+    let acceleration: [f64; N] = std::array::from_fn(|j| limits[j].acceleration.unwrap_or(f64::INFINITY));
+    Limits {
+        position: std::array::from_fn(|j| limits[j].position.unwrap_or([f64::NEG_INFINITY, f64::INFINITY])),
+        acceleration,
+        jerk: std::array::from_fn(|j| limits[j].jerk.unwrap_or(acceleration[j] / 2e-3)),
+        tool: [1.7, 13.0, 6500.0],
+        torque_rate: torque.map(|most| most / 1e-3),
+        saturated: 0.1,
+        frozen: std::array::from_fn(|j| STUCK * torque[j] / kp[j].max(1e-6)),
+        stuck: [2e-3, 0.2],
+    }
+}
+
 fn run_n<const N: usize>(
     known: &Known<'_>,
     real: &Simulator,
@@ -244,9 +276,7 @@ fn run_n<const N: usize>(
     let lend = || RobotModel::new(known.robot, bodies(), kinematics, known.drives.clone());
     let mut lent = lend();
 
-    let limits: Vec<_> = known.robot.moving().iter().map(|&row| known.robot.joints[row].limits.clone()).collect();
-    let torque: [f64; N] = std::array::from_fn(|j| limits[j].torque.unwrap_or(1e3));
-    let velocity: [f64; N] = std::array::from_fn(|j| limits[j].velocity.unwrap_or(2.0));
+    let [torque, velocity] = strength(known.robot);
     let mut hint = 0;
     let mut points = vec![[0.0; 3]; N];
     let mut moment = |t: f64| -> [[f64; N]; 3] {
@@ -298,6 +328,8 @@ fn run_n<const N: usize>(
         aside_pole: ASIDE_POLE,
         drag: task.law.drag,
         corner: task.corner,
+        limits: limits_of(known.robot, &std::array::from_fn(|j| tuning.joints[j].kp), &torque),
+        stop: STOP,
     };
     let mut controller = Controller::new(lend(), settings)?;
     let estimator = EstimatorSettings {

@@ -6,7 +6,7 @@ use dh_codegen::robot::{Effects, Robot};
 use super::run_tests::FILE;
 use super::tune::{Demands, Tuning, tune};
 use super::wall::RollerWall;
-use crate::control::law::{Controller, ForceSettings, JointLoop, Sample, Settings, Target};
+use crate::control::law::{Controller, ForceSettings, JointLoop, Limits, Sample, Settings, Target};
 use crate::control::robot::{RobotModel, contact_point};
 use crate::model::interpreted::Interpreted;
 use crate::simulate::{External, Sampled, Sensors, Simulator, Solver};
@@ -75,6 +75,8 @@ fn stepped(stiffness: f64, factor: impl Fn(&Tuning) -> f64) -> (Tuning, Vec<f64>
         aside_pole: 0.0,
         drag: 0.0,
         corner: CORNER,
+        limits: Limits::NONE,
+        stop: 0.25,
     };
     let mut controller = Controller::new(lend(), settings).unwrap();
     let run = Sampled {

@@ -1,154 +1,27 @@
-//! The two loops of the paper's Fig. 8 and the reactions to what goes wrong.
+//! The two loops of the paper's Fig. 8, under the state machine of [`Machine`].
 //!
 //! | what happens | what is done |
 //! |---|---|
-//! | a sample is missing, late, stale, not a number, or a leap | torques and displacement are held
-//! ([`Status::Holding`]) |
-//! | more than `patience` in a row | [`Fault::Position`]: gravity at the last known place; with samples again, damping to rest; until [`Controller::reset`] |
-//! | the force is missing | the displacement stands still; longer than `patience`: [`Fault::Force`], the tool leaves the wall |
-//! | contact is lost | the displacement may follow by `regain`; after `give_up` seconds [`Fault::Contact`], the tool leaves the wall |
-//! | the force exceeds `most` | [`Fault::Excess`], the tool leaves the wall |
-//! | the inverse kinematics finds nothing | desired positions stay |
-//! | the model gives no numbers | torques stay |
+//! | a sample is missing, late, stale, not a number, or a leap; the model gives no numbers | torques and displacement are held ([`Status::Holding`]), for `patience` steps at most |
+//! | positions are missing for longer, or are frozen | gravity, brakes; with samples again, damping |
+//! | stamps and steps disagree, the model is dead, a joint is too far or too fast, torques are at their limits | damping and gravity to rest, then brakes |
+//! | targets beyond the limits, no posture, no force, no contact, too much or a stuck force | the tool leaves the wall while the path is followed to a stop; then brakes |
+//! | contact is lost | the displacement may follow by `regain` |
+//! | the inverse kinematics finds nothing | desired positions stay, for `give_up` seconds at most |
 //!
-//! Torques are finite and within their limits whatever arrives.
+//! Torques are finite, within their limits, and change no faster than theirs, whatever arrives.
+//! A fault lasts until [`Controller::reset`].
 
+use super::contact::Contact;
 use super::drag::Drag;
 use super::error::ControllerError;
-use super::force::{ForceLoop, ForceSettings};
-use super::joint::JointLoop;
+use super::force::ForceLoop;
+use super::limits::{Exceeded, Freeze, Plan};
+use super::machine::{Arrival, Bounds, Fault, Machine, Reaction, Seen, Status, Touch, Wanted};
 use super::model::Model;
-use super::watch::{Judged, Sample, Watch};
-
-/// All gains and limits.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Settings<const N: usize> {
-    /// Time between samples, s.
-    pub period: f64,
-    /// Inner loop.
-    pub joints: JointLoop<N>,
-    /// Outer loop.
-    pub force: ForceSettings,
-    /// Torque limits, N m, both ways.
-    pub torque: [f64; N],
-    /// Speed limits, rad/s: desired positions move no faster, and measured ones that move three
-    /// times as fast are rejected.
-    pub velocity: [f64; N],
-    /// Samples in a row that may fail.
-    pub patience: u32,
-    /// Force that means contact, N.
-    pub contact: f64,
-    /// Contact that is gone for this long is lost, s.
-    pub lost_after: f64,
-    /// How far the displacement may follow a contact that was lost, m.
-    pub regain: f64,
-    /// How long it is looked for, s.
-    pub give_up: f64,
-    /// Force above which the tool leaves the wall, N.
-    pub most: f64,
-    /// Share of the desired force that is fed forward as torques while the tool presses. At 0
-    /// (equation 13) the springs of the joint loop carry the force and give way aside too; at 1
-    /// they carry none of it.
-    pub carry: f64,
-    /// Share of the planned motion's torques ([`Model::moving`]) that is fed forward; 0 is equation
-    /// (13).
-    pub feed: f64,
-    /// Share of the estimated force aside of the normal (a roller that is dragged) that is fed
-    /// forward while the tool presses, so that the springs of the joint loop need not give way to
-    /// it. 0 is equation (13). It must stay below 1, or friction is overcome for good and the tool
-    /// creeps.
-    pub aside: f64,
-    /// Pole of the low-pass of that force, rad/s.
-    pub aside_pole: f64,
-    /// Share of the drag that is fed forward before the estimate shows it: friction along the
-    /// tool's axes as learned so far ([`Drag`]), where and when the plan slides. With 0 all
-    /// information about it comes late, from the estimate.
-    pub drag: f64,
-    /// Corner of the low-pass of the estimate (three equal poles), Hz: how late it is.
-    pub corner: f64,
-}
-
-impl<const N: usize> Settings<N> {
-    /// Their first mistake, if there is one.
-    pub fn problem(&self) -> Option<ControllerError> {
-        let positive = |x: f64| x > 0.0 && x.is_finite();
-        let not_negative = |x: f64| x >= 0.0 && x.is_finite();
-        let all = |x: &[f64]| x.iter().all(|x| not_negative(*x));
-        let ForceSettings { kp, ki, range, rate } = self.force;
-        let shares = [self.carry, self.feed, self.aside, self.drag];
-        let rules = [
-            (positive(self.period), ControllerError::Period),
-            (all(&self.joints.kp) && all(&self.joints.kd), ControllerError::JointGains),
-            (all(&[kp, ki]), ControllerError::ForceGains),
-            (all(&[-range[0], range[1]]), ControllerError::Range),
-            (positive(rate), ControllerError::Rate),
-            (self.torque.iter().chain(&self.velocity).all(|x| positive(*x)), ControllerError::Limits),
-            (all(&[self.contact, self.lost_after, self.regain, self.give_up, self.most]), ControllerError::Contact),
-            (shares.iter().all(|share| (0.0..=1.0).contains(share)), ControllerError::Share),
-            (not_negative(self.aside_pole), ControllerError::AsidePole),
-            (positive(self.corner), ControllerError::Corner),
-        ];
-        rules.into_iter().find(|(holds, _)| !holds).map(|(_, error)| error)
-    }
-}
-
-/// Reference values at one instant.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Target<const N: usize> {
-    /// The planned posture, whose tool touches the wall.
-    pub q: [f64; N],
-    /// Its planned velocity, rad/s or m/s; read where [`Settings::feed`] is not 0.
-    pub dq: [f64; N],
-    /// Its planned acceleration, rad/s^2 or m/s^2; read there too.
-    pub ddq: [f64; N],
-    /// Unit vector in world axes along which the tool presses, into the wall.
-    pub normal: [f64; 3],
-    /// Force to press with, N, not negative; `None` away from the wall.
-    pub force: Option<f64>,
-    /// Displacement along the normal that is known to be needed here, m, added to what the force
-    /// loop asks for: learned on the coat before, or 0. The limits of the displacement hold for the
-    /// sum, and away from the wall it is not used.
-    pub ahead: f64,
-}
-
-impl<const N: usize> Target<N> {
-    /// At a posture, without velocity and acceleration.
-    pub fn at(q: [f64; N], normal: [f64; 3], force: Option<f64>) -> Self {
-        Self { q, dq: [0.0; N], ddq: [0.0; N], normal, force, ahead: 0.0 }
-    }
-}
-
-/// Why it does not press any more.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Fault {
-    /// No positions for too long.
-    Position,
-    /// No force for too long.
-    Force,
-    /// No contact for too long.
-    Contact,
-    /// Too much force.
-    Excess,
-}
-
-/// State of the controller.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Status {
-    /// Follows the plan; no force was asked for.
-    Free,
-    /// On the way to the wall.
-    Approaching,
-    /// Presses.
-    Pressing,
-    /// Looks for a contact that is lost.
-    Lost,
-    /// Waits for a sample.
-    Holding,
-    /// Leaves the wall and follows the plan beside it.
-    Leaving(Fault),
-    /// Comes to rest, or hangs on gravity where positions are missing: apply the brakes.
-    Stopped(Fault),
-}
+use super::settings::{Settings, Target};
+use super::stop::{PathStop, Still};
+use super::watch::{Sample, Watch};
 
 /// Output of the controller.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -159,28 +32,69 @@ pub struct Command<const N: usize> {
     pub desired: [f64; N],
     /// Along the normal, m.
     pub displacement: f64,
-    /// State of the controller.
+    /// State of the controller; [`Status::brakes`] requests the brakes.
     pub status: Status,
 }
 
-/// The controller.
+/// The controller. Each call of [`Controller::step`] is a period of its clock.
 #[derive(Debug, Clone)]
 pub struct Controller<M, const N: usize> {
     model: M,
     settings: Settings<N>,
+    bounds: Bounds,
     watch: Watch<N>,
     force: ForceLoop,
-    target: Option<Target<N>>,
+    state: State<N>,
+    drag: Drag,
+}
+
+/// All that begins again with a reset.
+#[derive(Debug, Clone, Copy)]
+struct State<const N: usize> {
+    machine: Machine,
+    plan: Plan<N>,
+    stop: Option<PathStop<N>>,
+    contact: Contact,
+    freeze: Freeze<N>,
+    exceeded: Exceeded,
+    still: Still<N>,
     desired: Option<[f64; N]>,
-    torque: [f64; N],
-    fault: Option<Fault>,
-    blind: u32,
-    touched: bool,
-    away: f64,
-    anchor: f64,
+    /// The last torques.
+    torque: Option<[f64; N]>,
+    /// The last gravity that was a number.
+    gravity: [f64; N],
+    /// Whether the model gave numbers when it was last asked.
+    answers: bool,
     carried: f64,
     aside: [f64; 3],
-    drag: Drag,
+}
+
+impl<const N: usize> State<N> {
+    fn new() -> Self {
+        Self {
+            machine: Machine::default(),
+            plan: Plan::NONE,
+            stop: None,
+            contact: Contact::default(),
+            freeze: Freeze::NONE,
+            exceeded: Exceeded::default(),
+            still: Still::NONE,
+            desired: None,
+            torque: None,
+            gravity: [0.0; N],
+            answers: true,
+            carried: 0.0,
+            aside: [0.0; 3],
+        }
+    }
+}
+
+/// A sample that can be used.
+struct Measured<'a, const N: usize> {
+    sample: &'a Sample<N>,
+    /// The position before it; the same where nothing is known of the motion in between.
+    before: [f64; N],
+    dt: f64,
 }
 
 impl<M: Model<N>, const N: usize> Controller<M, N> {
@@ -195,20 +109,12 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         let fastest = settings.velocity.map(|v| 3.0 * v);
         Ok(Self {
             model,
+            bounds: settings.bounds(),
             watch: Watch::new(settings.period, settings.patience, fastest),
             force: ForceLoop::new(settings.force),
-            settings,
-            target: None,
-            desired: None,
-            torque: [0.0; N],
-            fault: None,
-            blind: 0,
-            touched: false,
-            away: 0.0,
-            anchor: 0.0,
-            carried: 0.0,
-            aside: [0.0; 3],
+            state: State::new(),
             drag: Drag::default(),
+            settings,
         })
     }
 
@@ -222,155 +128,209 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         &self.drag
     }
 
+    /// Longest stays in the states that end by themselves.
+    pub fn bounds(&self) -> &Bounds {
+        &self.bounds
+    }
+
     /// Clears faults and restarts from the present posture.
     pub fn reset(&mut self) {
         self.watch.reset();
         self.force.reset();
-        (self.target, self.desired, self.fault) = (None, None, None);
-        (self.blind, self.touched, self.away, self.carried) = (0, false, 0.0, 0.0);
-        self.aside = [0.0; 3];
         self.drag.reset();
+        self.state = State::new();
     }
 
     /// One period: what is wanted and what was measured in, torques out.
     pub fn step(&mut self, target: &Target<N>, sample: &Sample<N>) -> Command<N> {
-        if is_sound(target) {
-            self.target = Some(*target);
-        }
+        let Self { model, settings, state, .. } = self;
+        let plan =
+            state.plan.take(target, &settings.limits, &settings.velocity, settings.period, || model.touch(&target.q));
+        let relies = !matches!(self.reaction(), Some(Reaction::Damped | Reaction::Blind));
         let before = self.watch.position();
-        let dt = match self.watch.judge(sample) {
-            Judged::Good(dt) => dt,
-            Judged::Late => {
-                self.fault = Some(Fault::Position);
-                self.settings.period
-            }
-            Judged::Bad(missed) => return self.wait(missed, before),
-        };
-        let q = sample.q;
-        // After a pause there is no velocity to speak of.
-        let before = match (before, self.fault) {
-            (Some(before), None) => before,
-            (Some(before), Some(_)) if self.is_close(&q, &before) => before,
-            _ => q,
-        };
-        let gravity = self.model.gravity(&q);
-        let target = match (self.target, self.fault) {
-            (Some(target), fault) if fault != Some(Fault::Position) => target,
-            // Nothing to follow, or nothing that it could be trusted to follow.
-            (_, fault) => {
-                self.desired = Some(q);
-                self.force.reset();
-                (self.carried, self.aside) = (0.0, [0.0; 3]);
-                let torque = self.settings.joints.rest([&q, &before], dt, &gravity);
-                let status = fault.map_or(Status::Holding, Status::Stopped);
-                return self.answer(torque, q, status);
-            }
-        };
-        let status = self.press(&target, sample.force, dt);
-        let last = self.desired.unwrap_or(q);
-        let desired = self.send(&target, &last, dt);
-        let mut torque = self.settings.joints.torques([&desired, &last], [&q, &before], dt, &gravity);
-        self.carry(&target, status, dt);
-        let drag = self.slide(&q, &target, &sample.push, status, dt);
-        self.yield_aside(&target, &sample.push, &drag[1], status, dt);
-        if self.settings.carry > 0.0 || self.settings.aside > 0.0 || self.settings.drag > 0.0 {
-            let push = core::array::from_fn(|k| self.carried * target.normal[k] + self.aside[k] + drag[0][k]);
-            let pressing = self.model.pressing(&q, &push);
-            (0..N).for_each(|j| torque[j] += pressing[j]);
+        let (arrival, dt) = self.watch.judge(sample, relies);
+        let arrived = matches!(arrival, Arrival::Good | Arrival::Jumped);
+        let measured = arrived.then(|| Measured { sample, before: self.before(before, &sample.q, dt), dt });
+        let seen = self.look(arrival, plan, measured.as_ref());
+        self.advance(&seen);
+        match measured {
+            Some(measured) => self.control(&measured, seen.force),
+            None => self.wait(before),
         }
-        if self.settings.feed > 0.0 && self.fault.is_none() {
-            let moving = self.model.moving(&q, &target.dq, &target.ddq);
-            (0..N).for_each(|j| torque[j] += self.settings.feed * moving[j]);
-        }
-        self.desired = Some(desired);
-        self.answer(torque, desired, status)
     }
 
-    fn is_close(&self, q: &[f64; N], before: &[f64; N]) -> bool {
-        let reach = 3.0 * self.settings.period;
-        (0..N).all(|j| (q[j] - before[j]).abs() <= self.settings.velocity[j] * reach)
+    /// How the present fault is answered.
+    fn reaction(&self) -> Option<Reaction> {
+        self.state.machine.status().fault().map(Fault::reaction)
+    }
+
+    /// The position before. No joint is taken to be faster than three times its limit, so that a
+    /// leap gives a bounded damping, and an arm that is as fast as that is damped all the same.
+    fn before(&self, before: Option<[f64; N]>, q: &[f64; N], dt: f64) -> [f64; N] {
+        let Some(before) = before else { return *q };
+        let reach = 3.0 * dt.max(self.settings.period);
+        core::array::from_fn(|j| {
+            let (most, way) = (self.settings.velocity[j] * reach, q[j] - before[j]);
+            if way.abs() <= most { before[j] } else { q[j] - way.clamp(-most, most) }
+        })
+    }
+
+    /// The guards of this step.
+    fn look(&mut self, arrival: Arrival, plan: bool, measured: Option<&Measured<'_, N>>) -> Seen {
+        let displacement = self.force.displacement();
+        let Settings { limits, velocity, patience, period, most, give_up, .. } = self.settings;
+        let search = self.settings.search();
+        let state = &mut self.state;
+        let force = state.plan.last().map(|target| target.force);
+        let wanted = match force {
+            None => Wanted::Nothing,
+            Some(None) => Wanted::Free,
+            Some(Some(_)) => Wanted::Press,
+        };
+        let over = state.stop.as_ref().is_none_or(PathStop::is_over);
+        let mut seen = Seen {
+            arrival,
+            model: state.answers,
+            plan,
+            wanted,
+            force: true,
+            touch: Touch::NotYet,
+            limit: None,
+            clear: over && displacement <= self.settings.force.range[0],
+            rest: false,
+        };
+        let Some(Measured { sample, before, dt }) = measured else { return seen };
+        seen.rest = state.still.step(&sample.q, &velocity, period) && over;
+        seen.force = sample.force.is_finite();
+        let sent = state.desired.unwrap_or(sample.q);
+        let frozen = state.freeze.position(&sample.q, &sent, &limits);
+        let joint = state.exceeded.joints([&sample.q, before], *dt, &limits, &velocity, patience);
+        let pushed = state.exceeded.push(&sample.push, most, patience);
+        let excess = pushed || (wanted == Wanted::Press && seen.force && sample.force > most);
+        let mut stuck = false;
+        match force.flatten() {
+            Some(wanted) if seen.force && !excess && state.machine.status().fault().is_none() => {
+                seen.touch = state.contact.step(sample.force, wanted, displacement, *dt, &search);
+                stuck = state.freeze.force(sample.force, displacement, &sent, &limits) && state.contact.touches();
+            }
+            Some(_) => {}
+            None => state.contact = Contact::default(),
+        }
+        let lost = state.exceeded.unreached(give_up);
+        let others = [(lost, Fault::Reach), (excess, Fault::Excess), (stuck, Fault::Stuck)];
+        let other = others.into_iter().find(|(is, _)| *is).map(|(_, fault)| fault);
+        seen.limit = if frozen { Some(Fault::Frozen) } else { joint.or(other) };
+        seen
+    }
+
+    /// The machine's step, and what begins with a new state.
+    fn advance(&mut self, seen: &Seen) {
+        let state = &mut self.state;
+        let healthy = state.machine.status().fault().is_none();
+        state.machine = state.machine.next(seen, &self.bounds);
+        if healthy && state.machine.status().fault().is_some() {
+            state.stop = state.plan.last().map(|from| PathStop::new(*from, self.settings.stop));
+            state.still = Still::NONE;
+        }
     }
 
     /// Without a sample.
-    fn wait(&mut self, missed: u32, last: Option<[f64; N]>) -> Command<N> {
-        if missed > self.settings.patience {
-            self.fault = Some(Fault::Position);
-        }
-        let desired = self.desired.or(last).unwrap_or([0.0; N]);
-        match (self.fault, last) {
-            (Some(Fault::Position), Some(q)) => {
-                let torque = self.model.gravity(&q);
-                self.answer(torque, desired, Status::Stopped(Fault::Position))
+    fn wait(&mut self, last: Option<[f64; N]>) -> Command<N> {
+        let desired = self.state.desired.or(last).unwrap_or([0.0; N]);
+        match (self.reaction(), last) {
+            (None | Some(Reaction::Path), _) => self.answer(self.state.torque.unwrap_or([0.0; N]), desired, false),
+            (Some(_), Some(q)) => {
+                self.weigh(&q);
+                self.answer(self.state.gravity, desired, true)
             }
-            (Some(Fault::Position), None) => self.answer([0.0; N], desired, Status::Stopped(Fault::Position)),
-            _ => self.answer(self.torque, desired, Status::Holding),
+            (Some(_), None) => self.answer([0.0; N], desired, true),
         }
     }
 
-    /// Moves the displacement.
-    fn press(&mut self, target: &Target<N>, force: f64, dt: f64) -> Status {
-        let Settings { patience, contact, lost_after, regain, give_up, most, .. } = self.settings;
-        if let Some(fault) = self.fault {
-            let away = self.settings.force.range[0];
-            self.force.go(away, dt);
-            return Status::Leaving(fault);
+    /// Gravity of the model; the last one where it gives no numbers.
+    fn weigh(&mut self, q: &[f64; N]) {
+        let gravity = self.model.gravity(q);
+        self.state.answers = gravity.iter().all(|g| g.is_finite());
+        if self.state.answers {
+            self.state.gravity = gravity;
         }
-        let Some(wanted) = target.force else {
-            self.force.go(0.0, dt);
-            (self.touched, self.away, self.blind) = (false, 0.0, 0);
-            return Status::Free;
+    }
+
+    /// With a sample.
+    fn control(&mut self, measured: &Measured<'_, N>, has_force: bool) -> Command<N> {
+        let Measured { sample, before, dt } = measured;
+        let (q, dt) = (&sample.q, *dt);
+        self.weigh(q);
+        let status = self.state.machine.status();
+        let target = match self.reaction() {
+            Some(Reaction::Damped | Reaction::Blind) => None,
+            Some(Reaction::Path) => self.state.stop.as_mut().map(|stop| stop.step(dt)),
+            None => self.state.plan.last().copied(),
         };
-        if !force.is_finite() {
-            self.blind = self.blind.saturating_add(1);
-            if self.blind > patience {
-                self.fault = Some(Fault::Force);
+        // Nothing to follow, or nothing that it could be trusted to follow.
+        let Some(target) = target else {
+            self.state.desired = Some(*q);
+            self.force.reset();
+            (self.state.carried, self.state.aside) = (0.0, [0.0; 3]);
+            let torque = self.settings.joints.rest([q, before], dt, &self.state.gravity);
+            return self.answer(torque, *q, true);
+        };
+        if !self.state.answers {
+            let desired = self.state.desired.unwrap_or(*q);
+            return self.answer(self.state.torque.unwrap_or(self.state.gravity), desired, false);
+        }
+        self.press(&target, sample.force, has_force, dt);
+        let last = self.state.desired.unwrap_or(*q);
+        let desired = self.send(&target, &last, dt);
+        let gravity = self.state.gravity;
+        let mut torque = self.settings.joints.torques([&desired, &last], [q, before], dt, &gravity);
+        self.carry(&target, status, dt);
+        let drag = self.slide(q, &target, &sample.push, status, dt);
+        self.yield_aside(&target, &sample.push, &drag[1], status, dt);
+        let Settings { carry, aside, drag: share, feed, .. } = self.settings;
+        if carry > 0.0 || aside > 0.0 || share > 0.0 {
+            let State { carried, aside, .. } = self.state;
+            let push = core::array::from_fn(|k| carried * target.normal[k] + aside[k] + drag[0][k]);
+            let pressing = self.model.pressing(q, &push);
+            (0..N).for_each(|j| torque[j] += pressing[j]);
+        }
+        if feed > 0.0 {
+            let moving = self.model.moving(q, &target.dq, &target.ddq);
+            (0..N).for_each(|j| torque[j] += feed * moving[j]);
+        }
+        self.state.desired = Some(desired);
+        self.answer(torque, desired, false)
+    }
+
+    /// Moves the displacement.
+    fn press(&mut self, target: &Target<N>, force: f64, has_force: bool, dt: f64) {
+        match (self.state.machine.status(), target.force) {
+            (Status::Leaving(_), _) => {
+                self.force.go(self.settings.force.range[0], dt);
             }
-            return Status::Holding;
-        }
-        self.blind = 0;
-        if force > most {
-            self.fault = Some(Fault::Excess);
-            return Status::Leaving(Fault::Excess);
-        }
-        let mut ceiling = f64::MAX;
-        let mut status = Status::Pressing;
-        if force >= contact {
-            (self.touched, self.away) = (true, 0.0);
-        } else if self.touched {
-            if self.away == 0.0 {
-                self.anchor = self.force.displacement();
+            (Status::Free, _) => {
+                self.force.go(0.0, dt);
             }
-            self.away += dt;
-            ceiling = self.anchor + regain;
-            if self.away > lost_after {
-                status = Status::Lost;
+            (Status::Approaching | Status::Pressing | Status::Lost, Some(wanted)) if has_force => {
+                let ceiling = self.state.contact.ceiling(&self.settings.search());
+                self.force.press(wanted - force, dt, ceiling, target.ahead);
             }
-        } else {
-            status = Status::Approaching;
-            // At the end of its range there is no wall to be found.
-            let end = self.force.displacement() >= self.settings.force.range[1];
-            self.away = if end { self.away + dt } else { 0.0 };
+            _ => {}
         }
-        if self.away > give_up {
-            self.fault = Some(Fault::Contact);
-            return Status::Leaving(Fault::Contact);
-        }
-        self.force.press(wanted - force, dt, ceiling, target.ahead);
-        status
     }
 
     /// Comes within half a second of contact, and goes within 20 ms of its end.
     fn carry(&mut self, target: &Target<N>, status: Status, dt: f64) {
         let wanted = target.force.unwrap_or(0.0);
-        let presses = self.presses(status);
-        let to = if presses { self.settings.carry * wanted } else { 0.0 };
-        let full = wanted.max(self.carried);
+        let to = if self.presses(status) { self.settings.carry * wanted } else { 0.0 };
+        let carried = self.state.carried;
+        let full = wanted.max(carried);
         let (up, down) = (full * dt / 0.5, full * dt / 0.02);
-        self.carried = to.clamp(self.carried - down, self.carried + up);
+        self.state.carried = to.clamp(carried - down, carried + up);
     }
 
     fn presses(&self, status: Status) -> bool {
-        status == Status::Pressing && self.touched && self.away == 0.0
+        status == Status::Pressing && self.state.contact.touches()
     }
 
     /// The push that drag will take (N, world axes): where the plan slides now, with the delay of
@@ -404,7 +364,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             let to = if presses { self.settings.aside * left } else { 0.0 };
             // Without an estimate it is held.
             if to.is_finite() {
-                self.aside[k] = (to + keep * (self.aside[k] - to)).clamp(-most, most);
+                self.state.aside[k] = (to + keep * (self.state.aside[k] - to)).clamp(-most, most);
             }
         }
     }
@@ -413,31 +373,36 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
     fn send(&mut self, target: &Target<N>, last: &[f64; N], dt: f64) -> [f64; N] {
         let by = target.normal.map(|n| n * self.force.displacement());
         let wanted = self.model.displaced(&target.q, &by, last);
-        let Some(wanted) = wanted.filter(|q| q.iter().all(|x| x.is_finite())) else { return *last };
+        let wanted = wanted.filter(|q| q.iter().all(|x| x.is_finite()) && self.settings.limits.contain(q));
+        self.state.exceeded.reach(wanted.is_some(), self.settings.period);
+        let Some(wanted) = wanted else { return *last };
         core::array::from_fn(|j| {
             let reach = self.settings.velocity[j] * dt;
             wanted[j].clamp(last[j] - reach, last[j] + reach)
         })
     }
 
-    /// Within the limits, and finite.
-    fn answer(&mut self, torque: [f64; N], desired: [f64; N], status: Status) -> Command<N> {
-        if torque.iter().all(|t| t.is_finite()) {
-            self.torque = core::array::from_fn(|j| {
-                let limit = self.settings.torque[j];
-                torque[j].clamp(-limit, limit)
-            });
-        }
-        Command { torque: self.torque, desired, displacement: self.force.displacement(), status }
+    /// Within the limits of size and rate, and finite: torques that are no numbers are held, or, in
+    /// a stop that must not hold any (`stops`), replaced by gravity.
+    fn answer(&mut self, torque: [f64; N], desired: [f64; N], stops: bool) -> Command<N> {
+        let Settings { torque: most, limits, period, .. } = &self.settings;
+        let state = &mut self.state;
+        let numbers = torque.iter().all(|t| t.is_finite());
+        state.answers &= numbers;
+        let held = state.torque.unwrap_or([0.0; N]);
+        let wanted: [f64; N] = match (numbers, stops) {
+            (true, _) => torque,
+            (false, true) => core::array::from_fn(|j| if torque[j].is_finite() { torque[j] } else { state.gravity[j] }),
+            (false, false) => held,
+        };
+        // The first torques take the arm over from its brakes.
+        let last = state.torque.unwrap_or(wanted);
+        let next = core::array::from_fn(|j| {
+            let step = limits.torque_rate[j] * period;
+            wanted[j].clamp(last[j] - step, last[j] + step).clamp(-most[j], most[j])
+        });
+        state.exceeded.saturate(next != wanted, *period);
+        state.torque = Some(next);
+        Command { torque: next, desired, displacement: self.force.displacement(), status: state.machine.status() }
     }
-}
-
-fn is_sound<const N: usize>(target: &Target<N>) -> bool {
-    let Target { q, dq, ddq, normal, force, ahead } = target;
-    let length: f64 = normal.iter().map(|n| n * n).sum();
-    // A NaN is in no range.
-    q.iter().chain(dq).chain(ddq).all(|x| x.is_finite())
-        && (0.98..1.02).contains(&length)
-        && force.is_none_or(|f| (0.0..1e6).contains(&f))
-        && ahead.abs() < 1.0
 }

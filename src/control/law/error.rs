@@ -15,8 +15,9 @@ pub enum ControllerError {
     Range,
     /// The displacement's speed.
     Rate,
-    /// [`Settings::torque`](super::Settings::torque) or
-    /// [`Settings::velocity`](super::Settings::velocity).
+    /// [`Settings::torque`](super::Settings::torque),
+    /// [`Settings::velocity`](super::Settings::velocity) or
+    /// [`Settings::limits`](super::Settings::limits).
     Limits,
     /// A limit of contact.
     Contact,
@@ -26,6 +27,8 @@ pub enum ControllerError {
     AsidePole,
     /// [`Settings::corner`](super::Settings::corner).
     Corner,
+    /// [`Settings::stop`](super::Settings::stop).
+    Stop,
 }
 
 impl Display for ControllerError {
@@ -36,11 +39,14 @@ impl Display for ControllerError {
             Self::ForceGains => "the gains of the force loop must not be negative",
             Self::Range => "the range of the displacement must hold 0",
             Self::Rate => "the displacement's speed must be greater than 0",
-            Self::Limits => "limits of torque and velocity must be greater than 0",
+            Self::Limits => {
+                "limits of torque, velocity and motion must be greater than 0, ranges of position not empty"
+            }
             Self::Contact => "the limits of contact must not be negative",
             Self::Share => "shares that are fed forward must be from 0 to 1",
             Self::AsidePole => "the pole of the force aside must not be negative",
             Self::Corner => "the corner of the estimate's low-pass must be greater than 0",
+            Self::Stop => "the time of a stop must be greater than 0",
         })
     }
 }

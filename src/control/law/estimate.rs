@@ -49,6 +49,10 @@ const HELD: f64 = 0.5;
 /// friction explains it: to begin with, and as long as it did.
 const EXPLAINED: [f64; 2] = [9.0, 25.0];
 
+/// How far a joint may go while no torque changes by a bit, rad or m. Beyond it the torques are those
+/// of another time.
+const FROZEN: f64 = 0.05;
+
 /// State that runs along with the arm.
 #[derive(Debug, Clone)]
 pub struct Estimator<B, const N: usize> {
@@ -64,6 +68,8 @@ pub struct Estimator<B, const N: usize> {
     seen: u32,
     rest: Rest<N>,
     friction_alone: bool,
+    /// The last torques that differed from those before, and where that was.
+    changed: Option<[[f64; N]; 2]>,
 }
 
 impl<B: Body<N>, const N: usize> Estimator<B, N> {
@@ -83,6 +89,7 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
             seen: 0,
             rest: Rest::new(settings.rest),
             friction_alone: false,
+            changed: None,
         }
     }
 
@@ -98,9 +105,10 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
     }
 
     /// Torques of the environment at the joints, `Gamma - Gamma_dyn`, of a sample; `None` until the
-    /// differences are there, and for a sample that is no number.
+    /// differences are there, for a sample that is no number, and for torques that are frozen while
+    /// the arm moves.
     pub fn external(&mut self, q: &[f64; N], tau: &[f64; N]) -> Option<[f64; N]> {
-        if q.iter().chain(tau).any(|x| !x.is_finite()) {
+        if q.iter().chain(tau).any(|x| !x.is_finite()) || self.is_frozen(q, tau) {
             self.wrench = None;
             return None;
         }
@@ -124,6 +132,15 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         self.seen = self.seen.saturating_add(1);
         let model = self.body.torques(&place, &speed, &change, period);
         (self.seen > 3).then(|| core::array::from_fn(|j| torque[j] - model[j]))
+    }
+
+    /// Whether all torques have been the same to the bit while the arm has moved.
+    fn is_frozen(&mut self, q: &[f64; N], tau: &[f64; N]) -> bool {
+        let [_, place] = *self.changed.insert(match self.changed {
+            Some([last, place]) if last == *tau => [last, place],
+            _ => [*tau, *q],
+        });
+        (0..N).any(|j| (q[j] - place[j]).abs() > FROZEN)
     }
 
     /// Wrench of the tool on its surroundings, world axes, about the point of contact: force (N)

@@ -16,10 +16,12 @@ pub(in crate::report) fn status(run: &Run) -> String {
 fn words(status: Status) -> String {
     match status {
         Status::Free | Status::Pressing => "painted to the end".into(),
+        Status::Waiting => "ended before there was a target within the limits".into(),
         Status::Approaching => "ended before it reached the wall".into(),
         Status::Lost => "ended while it looked for the wall".into(),
         Status::Holding => "ended while it waited for samples".into(),
         Status::Leaving(fault) => format!("left the wall: {}", reason(fault)),
+        Status::Stopping(fault) => format!("ended while it came to rest: {}", reason(fault)),
         Status::Stopped(fault) => format!("stopped: {}", reason(fault)),
     }
 }
@@ -27,9 +29,18 @@ fn words(status: Status) -> String {
 fn reason(fault: Fault) -> &'static str {
     match fault {
         Fault::Position => "no positions for too long",
+        Fault::Frozen => "a joint's position is frozen",
+        Fault::Clock => "time stamps and steps disagree",
+        Fault::Model => "the model gives no numbers",
+        Fault::Joint => "a joint is beyond its range",
+        Fault::Speed => "a joint is too fast",
+        Fault::Torque => "torques are at their limits for too long",
+        Fault::Plan => "the plan is beyond the limits",
+        Fault::Reach => "no posture for the target",
+        Fault::Excess => "too much force",
+        Fault::Stuck => "the force is stuck",
         Fault::Force => "no force for too long",
         Fault::Contact => "no contact for too long",
-        Fault::Excess => "too much force",
     }
 }
 

@@ -1,0 +1,238 @@
+//! Limits of the plan and of the arm, as libfranka has them for its motions and torques.
+
+use super::error::ControllerError;
+use super::machine::Fault;
+use super::model::Tool;
+use super::settings::Target;
+
+/// Limits beyond torque and speed. Each may be infinite.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits<const N: usize> {
+    /// Least and largest position of each joint, rad or m. Targets outside are not followed;
+    /// measured positions may be outside by a fiftieth of the range.
+    pub position: [[f64; 2]; N],
+    /// Largest planned acceleration, rad/s^2 or m/s^2.
+    pub acceleration: [f64; N],
+    /// Largest planned jerk, rad/s^3 or m/s^3.
+    pub jerk: [f64; N],
+    /// Largest planned speed (m/s), acceleration (m/s^2) and jerk (m/s^3) of the point of contact
+    /// ([`Model::touch`](super::Model::touch)).
+    pub tool: [f64; 3],
+    /// Fastest change of the torques, N m/s.
+    pub torque_rate: [f64; N],
+    /// How long torques may stay at a limit of size or rate, s.
+    pub saturated: f64,
+    /// How far a joint may be sent while its measured position does not change by a bit, rad or m:
+    /// more than its static friction bends the spring of the joint loop.
+    pub frozen: [f64; N],
+    /// How far the displacement (m) and any joint (rad or m) may be sent while a force of contact
+    /// does not change by a bit.
+    pub stuck: [f64; 2],
+}
+
+impl<const N: usize> Limits<N> {
+    /// No limit at all.
+    pub const NONE: Self = Self {
+        position: [[f64::NEG_INFINITY, f64::INFINITY]; N],
+        acceleration: [f64::INFINITY; N],
+        jerk: [f64::INFINITY; N],
+        tool: [f64::INFINITY; 3],
+        torque_rate: [f64::INFINITY; N],
+        saturated: f64::INFINITY,
+        frozen: [f64::INFINITY; N],
+        stuck: [f64::INFINITY; 2],
+    };
+
+    pub(super) fn problem(&self) -> Option<ControllerError> {
+        let positive = |x: &f64| *x > 0.0;
+        let ranges = self.position.iter().all(|[low, high]| low < high);
+        let motion = self.acceleration.iter().chain(&self.jerk).chain(&self.tool).all(positive);
+        let torque = self.torque_rate.iter().all(positive) && positive(&self.saturated);
+        let still = self.frozen.iter().chain(&self.stuck).all(positive);
+        (!(ranges && motion && torque && still)).then_some(ControllerError::Limits)
+    }
+
+    /// Whether a posture is within the range of each joint.
+    pub(super) fn contain(&self, q: &[f64; N]) -> bool {
+        (0..N).all(|j| (self.position[j][0]..=self.position[j][1]).contains(&q[j]))
+    }
+
+    /// Whether a measured posture is beyond it.
+    fn is_beyond(&self, q: &[f64; N]) -> bool {
+        const MARGIN: f64 = 0.02;
+        (0..N).any(|j| {
+            let [low, high] = self.position[j];
+            let margin = MARGIN * (high - low);
+            q[j] < low - margin || q[j] > high + margin
+        })
+    }
+}
+
+/// A planned value may be at its limit, up to rounding.
+const ROUNDING: f64 = 1.0 + 1e-6;
+
+/// The last target that was sound, and the motion of its tool.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Plan<const N: usize> {
+    last: Option<Target<N>>,
+    velocity: Option<[f64; 3]>,
+    acceleration: Option<[f64; 3]>,
+    /// Steps since it was taken.
+    since: u32,
+}
+
+impl<const N: usize> Plan<N> {
+    pub(super) const NONE: Self = Self { last: None, velocity: None, acceleration: None, since: 0 };
+
+    pub(super) fn last(&self) -> Option<&Target<N>> {
+        self.last.as_ref()
+    }
+
+    /// Counts a step and takes its target, if that is sound and within the limits. `touch` is the
+    /// point of contact at the target, read where there are limits of its motion.
+    pub(super) fn take(
+        &mut self,
+        target: &Target<N>,
+        limits: &Limits<N>,
+        velocity: &[f64; N],
+        period: f64,
+        touch: impl FnOnce() -> Option<Tool<N>>,
+    ) -> bool {
+        self.since = self.since.saturating_add(1);
+        let dt = f64::from(self.since) * period;
+        let within = |x: &[f64; N], most: &[f64; N]| (0..N).all(|j| x[j].abs() <= ROUNDING * most[j]);
+        let jerk = |from: &Target<N>| core::array::from_fn(|j| (target.ddq[j] - from.ddq[j]) / dt);
+        let sound = is_sound(target)
+            && limits.contain(&target.q)
+            && within(&target.dq, velocity)
+            && within(&target.ddq, &limits.acceleration)
+            && self.last.as_ref().is_none_or(|from| within(&jerk(from), &limits.jerk));
+        if !sound {
+            return false;
+        }
+        let tool = if limits.tool.iter().any(|limit| limit.is_finite()) { touch() } else { None };
+        let Some(motion) = self.tool(tool.as_ref(), target, dt, &limits.tool) else { return false };
+        *self = Self { last: Some(*target), since: 0, ..motion };
+        true
+    }
+
+    /// The motion of the tool, by differences from target to target; `None` beyond its limits.
+    fn tool(&self, tool: Option<&Tool<N>>, target: &Target<N>, dt: f64, limits: &[f64; 3]) -> Option<Self> {
+        let Some(tool) = tool else { return Some(Self { velocity: None, acceleration: None, ..*self }) };
+        let size = |x: &[f64; 3]| x.iter().map(|x| x * x).sum::<f64>();
+        let within = |x: &[f64; 3], most: f64| size(x) <= ROUNDING * most * most;
+        let change = |now: &[f64; 3], then: Option<[f64; 3]>| {
+            then.map(|then| -> [f64; 3] { core::array::from_fn(|i| (now[i] - then[i]) / dt) })
+        };
+        let velocity: [f64; 3] = core::array::from_fn(|i| (0..N).map(|j| tool.jacobian[i][j] * target.dq[j]).sum());
+        let acceleration = change(&velocity, self.velocity);
+        let jerk = acceleration.and_then(|now| change(&now, self.acceleration));
+        let sound = within(&velocity, limits[0])
+            && acceleration.is_none_or(|a| within(&a, limits[1]))
+            && jerk.is_none_or(|j| within(&j, limits[2]));
+        sound.then_some(Self { velocity: Some(velocity), acceleration, ..*self })
+    }
+}
+
+fn is_sound<const N: usize>(target: &Target<N>) -> bool {
+    let Target { q, dq, ddq, normal, force, ahead } = target;
+    let length: f64 = normal.iter().map(|n| n * n).sum();
+    // A NaN is in no range.
+    q.iter().chain(dq).chain(ddq).all(|x| x.is_finite())
+        && (0.98..1.02).contains(&length)
+        && force.is_none_or(|f| (0.0..1e6).contains(&f))
+        && ahead.abs() < 1.0
+}
+
+/// Values that stay the same to the bit while they ought to change.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Freeze<const N: usize> {
+    q: [f64; N],
+    /// Where each joint was sent when its position changed last.
+    sent: [f64; N],
+    force: f64,
+    /// Displacement and posture sent when the force changed last.
+    displaced: f64,
+    posture: [f64; N],
+}
+
+impl<const N: usize> Freeze<N> {
+    pub(super) const NONE: Self =
+        Self { q: [f64::NAN; N], sent: [0.0; N], force: f64::NAN, displaced: 0.0, posture: [0.0; N] };
+
+    /// Whether a position is frozen, of joints that are sent to a posture.
+    pub(super) fn position(&mut self, q: &[f64; N], sent: &[f64; N], limits: &Limits<N>) -> bool {
+        for j in 0..N {
+            if q[j] != self.q[j] {
+                (self.q[j], self.sent[j]) = (q[j], sent[j]);
+            }
+        }
+        (0..N).any(|j| (sent[j] - self.sent[j]).abs() > limits.frozen[j])
+    }
+
+    /// Whether a force of contact is stuck.
+    pub(super) fn force(&mut self, force: f64, displaced: f64, sent: &[f64; N], limits: &Limits<N>) -> bool {
+        if force != self.force {
+            (self.force, self.displaced, self.posture) = (force, displaced, *sent);
+        }
+        let [deeper, along] = limits.stuck;
+        (displaced - self.displaced).abs() > deeper || (0..N).any(|j| (sent[j] - self.posture[j]).abs() > along)
+    }
+}
+
+/// Counts how long limits are exceeded that a moment's noise may exceed.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Exceeded {
+    fast: u32,
+    pushed: u32,
+    saturated: f64,
+    unreached: f64,
+}
+
+/// Measured speeds may be this many times the speed limit: desired positions go at the limit, and
+/// the arm swings about them.
+const OVERSPEED: f64 = 1.5;
+
+impl Exceeded {
+    /// Counts whether the last torques were at a limit, and for how long.
+    pub(super) fn saturate(&mut self, at_limit: bool, period: f64) {
+        self.saturated = if at_limit { self.saturated + period } else { 0.0 };
+    }
+
+    /// The same for targets without a posture.
+    pub(super) fn reach(&mut self, found: bool, period: f64) {
+        self.unreached = if found { 0.0 } else { self.unreached + period };
+    }
+
+    /// Whether there was no posture for longer than this, s.
+    pub(super) fn unreached(&self, give_up: f64) -> bool {
+        self.unreached > give_up
+    }
+
+    /// Limits of the arm's state: the gravest that is exceeded.
+    pub(super) fn joints<const N: usize>(
+        &mut self,
+        [q, before]: [&[f64; N]; 2],
+        dt: f64,
+        limits: &Limits<N>,
+        velocity: &[f64; N],
+        patience: u32,
+    ) -> Option<Fault> {
+        let fast = (0..N).any(|j| (q[j] - before[j]).abs() > OVERSPEED * velocity[j] * dt);
+        self.fast = if fast { self.fast.saturating_add(1) } else { 0 };
+        if limits.is_beyond(q) {
+            Some(Fault::Joint)
+        } else if self.fast > patience {
+            Some(Fault::Speed)
+        } else {
+            (self.saturated > limits.saturated).then_some(Fault::Torque)
+        }
+    }
+
+    /// Whether the estimated push, in any direction, has been above this for too long, N.
+    pub(super) fn push(&mut self, push: &[f64; 3], most: f64, patience: u32) -> bool {
+        let above = push.iter().map(|x| x * x).sum::<f64>() > most * most;
+        self.pushed = if above { self.pushed.saturating_add(1) } else { 0 };
+        self.pushed > patience
+    }
+}
