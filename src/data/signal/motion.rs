@@ -23,7 +23,8 @@ pub struct Motion {
     pub tau: Vec<f64>,
     /// Sign of each velocity (zero at rest), through the same low-pass as the torque, joint-major;
     /// empty where velocities are set to zero. The low-pass rounds the steps of the Coulomb torque,
-    /// and this is what it makes of them. Behind the joints stand the signs of
+    /// and this is what it makes of them. Where a joint is held at a reversal the friction passes
+    /// evenly from one level to the other. Behind the joints stand the signs of
     /// [`crate::data::signal::Prepare::sums`].
     pub sign: Vec<f64>,
     /// Samples to be used.

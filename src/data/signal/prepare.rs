@@ -21,7 +21,7 @@ use crate::data::log::{
 };
 use crate::data::signal::breakaway_band::Derived;
 use crate::data::signal::resample::smoother_evenly;
-use crate::data::signal::stiction::stiction;
+use crate::data::signal::stiction::{Stick, sticks, stuck};
 use crate::model::{States, VelocitySum};
 use crate::numerics::sos::Sos;
 
@@ -819,7 +819,7 @@ impl Preparer {
             band: self.band(),
             ..Motion::default()
         };
-        let mut speeds = Vec::with_capacity(dof);
+        let (mut speeds, mut reversals) = (Vec::with_capacity(dof), Vec::new());
         for joint in 0..dof {
             let own = self.narrow.get(joint);
             let mut q = through(&self.evened[joint], own.map(|n| (n.filter, &n.sos)), clock.period);
@@ -852,9 +852,9 @@ impl Preparer {
             };
             motion.velocity_noise.push(match (own.map(|n| n.filter), self.settings.derivatives) {
                 (Some(filter), Derivatives::FromPosition) => {
-                    motion
-                        .stuck
-                        .extend_from_slice(&stiction(&self.evened[joint], &q, filter.cutoff, clock.period)[from..to]);
+                    let held = self.held(joint, &q, filter, clock.period);
+                    motion.stuck.extend_from_slice(&stuck(&held, n)[from..to]);
+                    reversals.push(held);
                     velocity_noise(&self.evened[joint], &q, filter, rate)
                 }
                 _ => 0.0,
@@ -864,7 +864,7 @@ impl Preparer {
             motion.states.ddq.extend_from_slice(&ddq[from..to]);
             speeds.push(dq);
         }
-        self.rests(&mut motion, &speeds, from..to);
+        self.rests(&mut motion, &speeds, &reversals, from..to);
         for joint in 0..dof {
             let recorded = &self.evened[dof + joint];
             let mut tau = if self.settings.raw_torque { recorded.clone() } else { smooth(recorded) };
@@ -884,9 +884,17 @@ impl Preparer {
         motion
     }
 
+    /// Where a joint sticks as it turns about, unless rest is switched off.
+    fn held(&self, joint: usize, q: &[f64], filter: Filter, period: f64) -> Vec<Stick> {
+        match self.settings.dead_zone {
+            DeadZone::Off => Vec::new(),
+            _ => sticks(&self.evened[joint], q, filter.cutoff, period),
+        }
+    }
+
     /// Rest of joints, and of the sums of velocities, and the signs of their velocities: of the
-    /// samples `span`.
-    fn rests(&self, motion: &mut Motion, speeds: &[Vec<f64>], span: std::ops::Range<usize>) {
+    /// samples `span`. `reversals`: where each joint sticks as it turns about.
+    fn rests(&self, motion: &mut Motion, speeds: &[Vec<f64>], reversals: &[Vec<Stick>], span: std::ops::Range<usize>) {
         if self.settings.derivatives == Derivatives::AtRest {
             return;
         }
@@ -906,11 +914,16 @@ impl Preparer {
         });
         let sums: Vec<(Vec<f64>, rest::Noise)> = sums.collect();
         let own = speeds.iter().zip(&noise);
-        for (dq, noise) in own.chain(sums.iter().map(|(dq, noise)| (dq, noise))) {
+        let all = own.chain(sums.iter().map(|(dq, noise)| (dq, noise)));
+        for (row, (dq, noise)) in all.enumerate() {
             let resting = rest::rests(dq, *noise, motion.period, self.settings.dead_zone);
             let sign = |(v, rests): (&f64, &bool)| if *rests || *v == 0.0 { 0.0 } else { v.signum() };
-            let signs: Vec<f64> = dq.iter().zip(&resting).map(sign).collect();
-            let signs = if self.settings.raw_torque { signs } else { self.smooth(&signs, motion.period) };
+            let mut signs: Vec<f64> = dq.iter().zip(&resting).map(sign).collect();
+            if !self.settings.raw_torque {
+                // The low-pass carries friction of a held joint to the rows around.
+                reversals.get(row).into_iter().flatten().for_each(|stick| stick.put_friction(&mut signs));
+                signs = self.smooth(&signs, motion.period);
+            }
             motion.sign.extend_from_slice(&signs[span.clone()]);
             motion.resting.extend_from_slice(&resting[span.clone()]);
         }

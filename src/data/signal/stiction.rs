@@ -6,6 +6,8 @@
 //! The friction torque balances the other torques: it passes from one level to the other. A law of
 //! the velocity says nothing there.
 
+use std::ops::Range;
+
 /// Half of the time over which a displacement is looked at, s.
 const NEAR: f64 = 0.01;
 /// A displacement of fewer standard deviations of the position's noise is none.
@@ -16,14 +18,43 @@ const SMEAR: f64 = 0.25;
 /// s.
 const LONGEST: f64 = 0.3;
 
-/// Whether the joint sticks where it turns about, at each sample. `raw`, `smooth`: recorded
-/// position, unfiltered and behind a low-pass of `cutoff` Hz; `period`: spacing, s.
-pub(super) fn stiction(raw: &[f64], smooth: &[f64], cutoff: f64, period: f64) -> Vec<bool> {
+/// A joint held by dry friction where it turns about.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Stick {
+    /// Samples at which it does not move.
+    pub held: Range<usize>,
+    /// The same, and what the low-pass makes of them.
+    pub seen: Range<usize>,
+    /// Sign of the velocity behind it.
+    pub to: f64,
+}
+
+impl Stick {
+    /// Expected dry friction by its level while the joint is held: it passes from one level to the
+    /// other with the torques that it balances, and nothing is known of its path but the ends.
+    pub fn put_friction(&self, signs: &mut [f64]) {
+        let (from, length) = (self.held.start, self.held.len() as f64);
+        for k in self.held.clone() {
+            signs[k] = self.to * (2.0 * ((k - from) as f64 + 0.5) / length - 1.0);
+        }
+    }
+}
+
+/// Whether each of `n` samples belongs to one of these.
+pub(super) fn stuck(held: &[Stick], n: usize) -> Vec<bool> {
+    let mut marks = vec![false; n];
+    held.iter().for_each(|stick| marks[stick.seen.clone()].fill(true));
+    marks
+}
+
+/// Where the joint sticks as it turns about. `raw`, `smooth`: recorded position, unfiltered and
+/// behind a low-pass of `cutoff` Hz; `period`: spacing, s.
+pub(super) fn sticks(raw: &[f64], smooth: &[f64], cutoff: f64, period: f64) -> Vec<Stick> {
     let n = raw.len();
-    let mut stuck = vec![false; n];
+    let mut found = Vec::new();
     let near = ((NEAR / period).round() as usize).max(1);
     if n <= 2 * near {
-        return stuck;
+        return found;
     }
     let least = NOTHING * noise(raw, smooth);
     let still = |k: usize| (raw[k + near] - raw[k - near]).abs() <= least;
@@ -37,20 +68,20 @@ pub(super) fn stiction(raw: &[f64], smooth: &[f64], cutoff: f64, period: f64) ->
         let end = (k..n - near).find(|&i| !still(i)).unwrap_or(n - near);
         // A parabola is still for an instant at its top.
         let long = near.div_ceil(2) + 1..=(LONGEST / period) as usize;
-        let span = k.saturating_sub(wide)..(end + wide).min(n);
-        if long.contains(&(end - k)) && turns(&smooth[span.clone()]) {
-            stuck[span].fill(true);
+        let seen = k.saturating_sub(wide)..(end + wide).min(n);
+        if let Some(to) = turns(&smooth[seen.clone()]).filter(|_| long.contains(&(end - k))) {
+            found.push(Stick { held: k - near..end + near, seen, to });
         }
         k = end;
     }
-    stuck
+    found
 }
 
-/// Whether it comes back to the side from which it came.
-fn turns(smooth: &[f64]) -> bool {
+/// Sign of the velocity at the end, if it comes back to the side from which it came.
+fn turns(smooth: &[f64]) -> Option<f64> {
     match smooth {
-        [first, second, .., before, last] => (second - first) * (last - before) < 0.0,
-        _ => false,
+        [first, second, .., before, last] if (second - first) * (last - before) < 0.0 => Some((last - before).signum()),
+        _ => None,
     }
 }
 
@@ -88,7 +119,8 @@ mod tests {
                 read(0.5 * angle.cos())
             })
             .collect();
-        let stuck = stiction(&held, &through(&held), 15.0, PERIOD);
+        let found = sticks(&held, &through(&held), 15.0, PERIOD);
+        let stuck = stuck(&found, held.len());
         for k in 200..3800 {
             let within = (k as f64 * PERIOD) % turn;
             if within > turn - hold {
@@ -98,8 +130,24 @@ mod tests {
             }
         }
         let free: Vec<f64> = (0..4000).map(|k| read(0.5 * (4.0 * k as f64 * PERIOD).cos())).collect();
-        assert!(stiction(&free, &through(&free), 15.0, PERIOD)[100..3900].iter().all(|s| !s));
+        assert_eq!(within(&sticks(&free, &through(&free), 15.0, PERIOD)), 0);
+        // Friction passes from one level to the other, about the middle of the hold.
+        for stick in found.iter().filter(|s| s.held.start > 200 && s.held.end < 3800) {
+            let mut signs = vec![0.0; held.len()];
+            stick.put_friction(&mut signs);
+            let middle = (stick.held.start + stick.held.end) / 2;
+            let turn_back = held[stick.held.end + 50] > held[middle];
+            assert_eq!(stick.to > 0.0, turn_back);
+            assert!(signs[middle].abs() < 0.1 && signs[stick.held.end - 1] * stick.to > 0.9, "{stick:?}");
+            assert!(signs[stick.held.start] * stick.to < -0.9 && signs[stick.held.end] == 0.0);
+        }
     }
+
+    /// Sticks away from the ends.
+    fn within(found: &[Stick]) -> usize {
+        found.iter().filter(|s| s.seen.end > 100 && s.seen.start < 3900).count()
+    }
+
     /// Nor does one that creeps onwards, or rests.
     #[test]
     fn creeping_and_resting_are_not_sticking() {
@@ -112,7 +160,7 @@ mod tests {
             })
             .collect();
         for q in [creeping, resting] {
-            assert!(stiction(&q, &through(&q), 15.0, PERIOD)[100..3900].iter().all(|s| !s));
+            assert_eq!(within(&sticks(&q, &through(&q), 15.0, PERIOD)), 0);
         }
     }
 }

@@ -15,10 +15,18 @@
 //! fit itself removes (Bell and McCaffrey 2002 correct for the same). Then `B = sum_j lambda_j
 //! w_j^2 W_j' W_j`, and joint `j` has `N_j / lambda_j` effective samples. Because the scores carry
 //! the regressor's own spectrum, `lambda` is that of the frequencies at which the motion excites.
+//!
+//! One number per joint takes the error to be spread over the motion as the regressor is. It is
+//! not where friction is wrong for some hundredths of a second at each reversal, and accelerations
+//! are largest: inertias then err more, viscous friction less. [`Directions`] compares for each
+//! parameter what the batches show with what `lambda` expects.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use crate::identify::regression::wls::{JointSystem, Solution, positions};
+
+/// Fewer degrees of freedom show nothing of a single parameter.
+const LEAST: f64 = 4.0;
 
 /// Noise of the joints' torques, as the residual shows it.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -43,6 +51,7 @@ pub(in crate::identify) fn covariance(
     let position = positions(&solution.active, parameters);
     let inverse = &solution.inverse_information;
     let mut covariance = DMatrix::zeros(p, p);
+    let mut directions = Directions::new(p);
     let mut noise = Noise { sigma: solution.sigma.clone(), ..Noise::default() };
     for ((joint, &weight), &sigma) in joints.iter().zip(&solution.weights).zip(&solution.sigma) {
         let pairs = joint.active(&position);
@@ -51,6 +60,7 @@ pub(in crate::identify) fn covariance(
         noise.inflation.push(lambda);
         noise.effective_samples.push(joint.samples as f64 / lambda);
         noise.batches.push(joint.batches.len());
+        directions.add(joint, &pairs, inverse, [weight, lambda * (weight * sigma).powi(2)], &solution.beta);
         if joint.samples > 0 {
             // A^-1 w_j R_j' sqrt(lambda_j) w_j sigma_j, then its square; w_j sigma_j is 1 unless
             // weights were not wanted.
@@ -62,7 +72,95 @@ pub(in crate::identify) fn covariance(
             covariance.gemm(1.0, &part, &part.transpose(), 1.0);
         }
     }
+    let wider = directions.ratios();
+    for (mut column, &b) in covariance.column_iter_mut().zip(&wider) {
+        column.iter_mut().zip(&wider).for_each(|(entry, a)| *entry *= (a * b).sqrt());
+    }
     (noise, covariance)
+}
+
+/// Gram matrix and score of one batch over the active parameters, weighted.
+fn weighted(
+    joint: &JointSystem,
+    gram: &[f64],
+    pairs: &[(usize, usize)],
+    w2: f64,
+    beta: &[f64],
+) -> (DMatrix<f64>, DVector<f64>) {
+    let n = joint.columns.len() + 1;
+    let a = DMatrix::from_fn(pairs.len(), pairs.len(), |i, k| w2 * gram[pairs[i].0 + pairs[k].0 * n]);
+    let mut score = DVector::from_fn(pairs.len(), |i, _| w2 * gram[pairs[i].0 + (n - 1) * n]);
+    for (i, score) in score.iter_mut().enumerate() {
+        for (k, &column) in joint.columns.iter().enumerate() {
+            *score -= w2 * gram[pairs[i].0 + k * n] * beta[column];
+        }
+    }
+    (a, score)
+}
+
+/// For each active parameter, squares of the batches' shares in its error: shown and expected.
+struct Directions {
+    shown: Vec<f64>,
+    expected: Vec<f64>,
+    /// Sum of the squares of what is expected of each batch.
+    squares: Vec<f64>,
+}
+
+impl Directions {
+    fn new(parameters: usize) -> Self {
+        let zeros = || vec![0.0; parameters];
+        Self { shown: zeros(), expected: zeros(), squares: zeros() }
+    }
+
+    /// Adds a joint's batches. `variance`: of a weighted row, with its inflation.
+    fn add(
+        &mut self,
+        joint: &JointSystem,
+        pairs: &[(usize, usize)],
+        inverse: &DMatrix<f64>,
+        [weight, variance]: [f64; 2],
+        beta: &[f64],
+    ) {
+        let rows: Vec<usize> = pairs.iter().map(|pair| pair.1).collect();
+        // Column k: what a score of this joint adds to the error of parameter k.
+        let gains = inverse.select_rows(&rows);
+        let local = gains.select_columns(&rows);
+        for gram in &joint.batches {
+            let (a, score) = weighted(joint, gram, pairs, weight * weight, beta);
+            let errors = gains.tr_mul(&score);
+            let through = a * &gains;
+            let removed = &local * &through;
+            for k in 0..errors.len() {
+                let (gain, own) = (gains.column(k), through.column(k));
+                let expected = variance * (gain.dot(&own) - own.dot(&removed.column(k))).max(0.0);
+                self.shown[k] += errors[k].powi(2);
+                self.expected[k] += expected;
+                self.squares[k] += expected.powi(2);
+            }
+        }
+    }
+
+    /// Factor of each parameter's variance: shown by expected, drawn together as far as the
+    /// parameters differ by chance alone. (Smyth 2004: with `d` degrees of freedom each, the
+    /// logarithm scatters by `2 / d`, and what it scatters more is theirs.)
+    fn ratios(&self) -> Vec<f64> {
+        let freedom = |k: usize| if self.squares[k] > 0.0 { self.expected[k].powi(2) / self.squares[k] } else { 0.0 };
+        let known: Vec<usize> = (0..self.shown.len()).filter(|&k| freedom(k) >= LEAST && self.shown[k] > 0.0).collect();
+        let ratio = |k: usize| self.shown[k] / self.expected[k];
+        // E ln(chi2_d / d) = digamma(d / 2) - ln(d / 2), about -1 / d.
+        let logs: Vec<f64> = known.iter().map(|&k| ratio(k).ln() + freedom(k).recip()).collect();
+        let count = known.len().max(1) as f64;
+        let mean = logs.iter().sum::<f64>() / count;
+        let chance = known.iter().map(|&k| 2.0 / freedom(k)).sum::<f64>() / count;
+        let scatter = logs.iter().map(|l| (l - mean).powi(2)).sum::<f64>() / (count - 1.0).max(1.0);
+        let prior = 2.0 / (scatter - chance).max(1e-3);
+        let center = mean.exp();
+        let mut out = vec![1.0; self.shown.len()];
+        for k in known {
+            out[k] = (prior * center + freedom(k) * ratio(k)) / (prior + freedom(k));
+        }
+        out
+    }
 }
 
 /// `lambda_j`, given the block of `A^-1` that belongs to the joint's parameters.
@@ -74,16 +172,9 @@ fn inflation(
     beta: &[f64],
 ) -> f64 {
     let w2 = weight * weight;
-    let n = joint.columns.len() + 1;
     let (mut shown, mut white) = (0.0, 0.0);
     for gram in &joint.batches {
-        let a = DMatrix::from_fn(pairs.len(), pairs.len(), |i, k| w2 * gram[pairs[i].0 + pairs[k].0 * n]);
-        let mut score = nalgebra::DVector::from_fn(pairs.len(), |i, _| w2 * gram[pairs[i].0 + (n - 1) * n]);
-        for (i, score) in score.iter_mut().enumerate() {
-            for (k, &column) in joint.columns.iter().enumerate() {
-                *score -= w2 * gram[pairs[i].0 + k * n] * beta[column];
-            }
-        }
+        let (a, score) = weighted(joint, gram, pairs, w2, beta);
         shown += score.dot(&(inverse * &score));
         let product = &a * inverse;
         white += product.trace() - product.dot(&product.transpose());
