@@ -53,6 +53,7 @@ mod simulate;
 mod table;
 mod terminal;
 mod tool;
+mod torque_columns;
 
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 

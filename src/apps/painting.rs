@@ -10,7 +10,7 @@
 //!   `leg_timing`: shortest time, cost of the jerk and broken limits of a leg.
 //! - `clearance`: distances. `cost`: a candidate's cost. `search`: the search over candidates, by
 //!   `numerics::pattern_search`. `motion`: the joints' spline.
-//! - `plan`: the result. `coverage`: the painted area.
+//! - `joint_torques`: what the motion and the wall ask of the joints. `plan`: the result. `coverage`: the painted area.
 //! - [`run`]: a plan under control against the simulated wall ([`wall`]), with the gains of
 //!   [`tune`].
 
@@ -18,6 +18,7 @@ mod clearance;
 mod cost;
 mod coverage;
 mod drag_calibration_stroke;
+mod joint_torques;
 mod leg_timing;
 mod motion;
 mod plan;
@@ -32,6 +33,7 @@ mod vector;
 pub mod wall;
 
 pub use coverage::Coverage;
+pub use joint_torques::joint_torques;
 pub use motion::Motion;
 pub use plan::{Infeasible, Moment, Plan, Side, Span, plan};
 pub use search::Progress;

@@ -9,6 +9,7 @@ use dh_codegen::robot::Robot;
 use super::Failure;
 use super::delivery::deliver;
 use super::files;
+use super::motors;
 use super::provenance::Provenance;
 use super::table::Table;
 use crate::model::file_torque_model::FileTorqueModel;
@@ -98,6 +99,10 @@ impl Eval {
         let function = self.quantity.function();
         let arm = Interpreted::with_effects(&file.robot, &[function]);
         let table = Table::read(&self.states)?;
+        if table.len == 0 {
+            let file = &table.file;
+            return Err(Failure::input(format!("{file} has a header and no rows; write one row of numbers per state")));
+        }
         let arguments = function.arguments();
         let n = arm.dof();
         let wants = |a| arguments.contains(&a);
@@ -111,6 +116,10 @@ impl Eval {
             ddq: column("ddq", Argument::Accelerations)?,
         };
         let tau = if wants(Argument::Torques) { table.joints("tau", n)? } else { Vec::new() };
+        motors::no_torque_without_motor(&self.states, &file.robot, &tau, table.len)?;
+        if matches!(function, Function::InverseDynamics | Function::Gravity | Function::Coriolis) {
+            motors::note(&self.robot, &file.robot);
+        }
         let standard = if wants(Argument::StandardParameters) || wants(Argument::BaseParameters) {
             param::standard_values(&file.robot.effective()).ok_or_else(|| {
                 Failure::input(format!(

@@ -12,6 +12,7 @@ use self::folder::{Folder, Stale};
 use super::Failure;
 use super::delivery::deliver;
 use super::files;
+use super::motors;
 use super::provenance::Provenance;
 
 /// Write the drop-in crate with the robot's closed-form functions.
@@ -101,6 +102,7 @@ impl Generate {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
         files::check_outputs(&[("--json", &self.json)], &file.read)?;
+        motors::note(&self.robot, &file.robot);
         let further: &[Function] = if self.adjoints { &Function::ADJOINTS } else { &[] };
         let crate_files = dh_codegen::krate_on(&file.robot, &file.text, further, &self.runtime()?);
         let there = Folder::at(&self.out)?;

@@ -12,15 +12,16 @@ use super::files;
 use super::known_effects::{FileEffects, without};
 use super::logbook::{Logbook, Purpose};
 use super::motors;
-use super::prepare::{Preparation, against_limits, moving, pass, warned};
+use super::prepare::{Preparation, against_limits, pass, warned};
 use super::provenance::Provenance;
+use super::torque_columns::Tried;
 use crate::data::signal::{Derivatives, Motion, Prepare, Prepared};
 use crate::identify::tool::Body;
 use crate::identify::{
     AccumulatorSettings, Better, Bounds, BudgetCollector, CarryOver, Consistent, ConsistentError, ConsistentSettings,
     Essential, Factors, Identification, IdentifyError, IdentifySettings, KnownEffects, LeftOutError, Preference,
-    PriorBody, QrAccumulator, Reference, TorqueColumns, Trace, Tracer, buildable_links, carry_over, consistent,
-    geometric_bodies, left_out, nonnegative_drives, possible_bodies, prior_bodies, recover_standard, solve,
+    PriorBody, QrAccumulator, Reference, Trace, Tracer, buildable_links, carry_over, consistent, geometric_bodies,
+    left_out, nonnegative_drives, possible_bodies, prior_bodies, recover_standard, solve,
 };
 use crate::model::coupled::Coupled;
 use crate::model::interpreted::Interpreted;
@@ -202,6 +203,12 @@ impl Identify {
     ) -> Result<T, Failure> {
         let why = "an identification takes the torque of every joint from the log";
         motors::on_every_joint(&self.robot, &file.robot, why)?;
+        if self.prior == PriorFrom::None && file.robot.links.iter().all(Option::is_none) {
+            return Err(Failure::input(format!(
+                "{}: --prior none leaves the links of the robot file out, and it has none; leave the option out, too",
+                self.robot.display()
+            )));
+        }
         let mut prepare = self.prepare(&file.robot)?;
         let bodies = Interpreted::new(&file.robot, &[]);
         let couplings = robot_edit::couplings(&file.robot);
@@ -538,8 +545,7 @@ impl Identify {
         Ok(read)
     }
 
-    /// If the torques are wrong: a second pass that tries other readings of their columns. One that
-    /// explains far more takes the place of a suspicion against a sign.
+    /// Looks for other orders and units of the torque columns where the torques may be misread.
     fn explain(
         &self,
         found: &mut Identification,
@@ -551,22 +557,15 @@ impl Identify {
         if !found.is_suspicious() {
             return Ok(());
         }
-        let gears: Vec<Option<f64>> = moving(robot).map(|joint| joint.drive.gear_ratio).collect();
         let file: Option<Vec<f64>> = found.parameters.iter().map(|p| p.prior).collect();
         let file = file.filter(|values| values.iter().any(|v| *v != 0.0));
-        let (mut explained, mut distinguish) = (Vec::new(), true);
+        let references: Vec<Reference<'_>> =
+            std::iter::once(Reference::Fit).chain(file.as_ref().map(|beta| Reference::Model(beta))).collect();
+        let mut tried = Tried::new(robot, prepare, known);
         for path in self.logs.iter().chain(&self.validate) {
-            let mut columns = TorqueColumns::new(arm);
-            pass(path, arm.dof(), prepare, |motion| columns.absorb(&without(known, motion)))?;
-            distinguish &= columns.distinguishes();
-            let model = file.as_ref().map(|beta| Reference::Model(beta));
-            let mut references = std::iter::once(Reference::Fit).chain(model);
-            explained.extend(references.find_map(|r| columns.explained(r, &gears)).map(|finding| (path, finding)));
+            tried.log(path, arm, &references)?;
         }
-        if explained.is_empty() && distinguish {
-            found.rule_out_columns();
-        }
-        found.take_explanations(explained.iter().map(|(path, f)| (path.display().to_string(), f.clone())).collect());
+        tried.tell(found);
         Ok(())
     }
 

@@ -107,7 +107,14 @@ impl Ik {
         let swivels = matches!(kinematics.inverse().family, Family::Swivel(_));
         let why = "the arm has no swivel angle";
         provenance.refuse_idle(&[("--reference", swivels, why), ("--second-reference", swivels, why)])?;
-        let poses = self.solve(robot.dof(), &kinematics, reference, tool)?;
+        let table = Table::read(&self.poses)?;
+        if !redundant && table.has("swivel") && table.column("swivel")?.iter().any(|s| *s != 0.0) {
+            return Err(Failure::input(format!(
+                "{}, line 1: there is a column swivel, and the arm is not redundant; delete the column",
+                table.file
+            )));
+        }
+        let poses = self.solve(&table, robot.dof(), &kinematics, reference, tool)?;
         deliver(&provenance.robot(&self.robot, &file))
             .json(self.json.as_ref(), || report::ik_json(&robot.name, kinematics.inverse(), redundant, &poses))?
             .text(|| report::ik_text(&robot.name, kinematics.inverse(), &poses))
@@ -129,12 +136,12 @@ impl Ik {
 
     fn solve(
         &self,
+        table: &Table,
         n: usize,
         kinematics: &Kinematics,
         reference: Reference,
         tool: Option<Displacement>,
     ) -> Result<Vec<Answer>, Failure> {
-        let table = Table::read(&self.poses)?;
         let file = &table.file;
         let mut entries = Vec::with_capacity(12);
         for name in ENTRIES {

@@ -1,24 +1,63 @@
-//! Verbs that need a motor on every joint.
+//! Joints that move without a motor: refused where a verb needs one, named where it does not.
 
 use std::path::Path;
 
 use dh_codegen::robot::Robot;
 
 use super::Failure;
+use super::terminal::say;
 
 /// Refuses a robot with joints that move and have no motor (`actuated: false`). `needs` says what
 /// the verb takes from each joint.
 pub(super) fn on_every_joint(path: &Path, robot: &Robot, needs: &str) -> Result<(), Failure> {
-    let without: Vec<String> =
-        robot.unactuated().map(|row| format!("{} ({})", row + 1, robot.joints[row].name)).collect();
-    if without.is_empty() {
-        return Ok(());
+    match without(robot) {
+        None => Ok(()),
+        Some(joints) => Err(Failure::input(format!(
+            "{}: {joints} no motor (`actuated: false`), and {needs}. Delete `actuated: false` where there is a motor after all; \
+             a joint that is held still is `type: fixed`, with its position in `theta` (or `r`)",
+            path.display(),
+        ))),
     }
-    let (joints, have) = if without.len() == 1 { ("joint", "has") } else { ("joints", "have") };
-    Err(Failure::input(format!(
-        "{}: {joints} {} {have} no motor (`actuated: false`), and {needs}. Delete `actuated: false` where there is a motor after all; \
-         a joint that is held still is `type: fixed`, with its position in `theta` (or `r`)",
-        path.display(),
-        without.join(", "),
-    )))
+}
+
+/// Says what a torque means at joints without a motor.
+pub(super) fn note(path: &Path, robot: &Robot) {
+    if let Some(joints) = without(robot) {
+        say(&format!(
+            "{}: note: {joints} no motor (`actuated: false`): inverse dynamics gives the torque that something else must apply there",
+            path.display()
+        ));
+    }
+}
+
+/// Refuses torques at joints that have no motor. `tau`: joint-major, `len` states.
+pub(super) fn no_torque_without_motor(path: &Path, robot: &Robot, tau: &[f64], len: usize) -> Result<(), Failure> {
+    let passive = robot.moving().into_iter().enumerate().filter(|&(_, row)| !robot.joints[row].actuated);
+    for (k, row) in passive {
+        let torques = tau.get(k * len..(k + 1) * len).unwrap_or(&[]);
+        if let Some(at) = torques.iter().position(|t| *t != 0.0) {
+            return Err(Failure::input(format!(
+                "{}: `tau{}` is {} in row {}, but joint {} ({}) has no motor (`actuated: false`); set the column to 0, or delete \
+                 `actuated: false` where there is a motor after all",
+                path.display(),
+                k + 1,
+                torques[at],
+                at + 1,
+                row + 1,
+                robot.joints[row].name,
+            )));
+        }
+    }
+    Ok(())
+}
+
+/// Joints that move without a motor, as the beginning of a sentence.
+fn without(robot: &Robot) -> Option<String> {
+    let names: Vec<String> =
+        robot.unactuated().map(|row| format!("{} ({})", row + 1, robot.joints[row].name)).collect();
+    match names.as_slice() {
+        [] => None,
+        [one] => Some(format!("joint {one} has")),
+        more => Some(format!("joints {} have", more.join(", "))),
+    }
 }

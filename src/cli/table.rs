@@ -28,6 +28,12 @@ impl Table {
         if header.is_empty() {
             return Err(Failure::input(format!("{file} is empty; its first line must name the columns (see --help)")));
         }
+        if let Some(twice) = header.iter().enumerate().find(|(k, name)| header.iter().take(*k).any(|n| n == *name)) {
+            let name = twice.1;
+            return Err(Failure::input(format!(
+                "{file}, line 1: two columns are named `{name}`; rename or delete one"
+            )));
+        }
         let column = |name: &str| Column { name: name.into(), values: Vec::new(), bad: None };
         let mut columns: Vec<Column> = header.iter().map(column).collect();
         let mut len = 0;
@@ -88,6 +94,13 @@ impl Table {
                 )));
             }
             all.extend_from_slice(self.column(&name)?);
+        }
+        let beyond = format!("{prefix}{}", n + 1);
+        if self.has(&beyond) {
+            return Err(Failure::input(format!(
+                "{file}, line 1: there is a column {beyond}, and the robot has {n} joint{}; joints are counted from 1 without fixed rows",
+                if n == 1 { "" } else { "s" }
+            )));
         }
         Ok(all)
     }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use dh_codegen::arm::{Function, param};
-use dh_codegen::robot::Tool;
+use dh_codegen::robot::{Robot, Tool};
 
 use super::Failure;
 use super::delivery::deliver;
@@ -13,16 +13,18 @@ use super::files;
 use super::known_effects::{FileEffects, without};
 use super::logbook::{Logbook, Purpose};
 use super::motors;
-use super::prepare::{Preparation, against_limits, pass, warned};
+use super::prepare::{Preparation, against_limits, moving, pass, warned};
 use super::provenance::Provenance;
 use super::terminal;
+use super::torque_columns::Tried;
 use crate::control::estimate::Uncertainty;
 use crate::data::signal::{Motion, Prepare, Prepared};
 use crate::identify::tool::{
     Carrying, Entry, Found, RecogniseSettings, Tolerance, ToolError, ToolSettings, identify_tool, look_up,
 };
 use crate::identify::{
-    AccumulatorSettings, Factors, IdentifyError, KnownEffects, QrAccumulator, Trace, Tracer, Underdetermined,
+    AccumulatorSettings, Factors, Identification, IdentifyError, KnownEffects, QrAccumulator, Reference, Trace, Tracer,
+    Underdetermined,
 };
 use crate::model::Arm;
 use crate::model::interpreted::Interpreted;
@@ -108,6 +110,16 @@ impl ToolVerb {
             &[("--json", &self.json), ("--report", &self.report)],
             file.read.iter().chain(&self.unloaded).chain(&self.loaded).chain(&self.identified),
         )?;
+        if self.refresh_friction
+            && !moving(&file.robot).any(|joint| {
+                joint.drive.viscous_friction.or(joint.drive.coulomb_friction).or(joint.drive.offset).is_some()
+            })
+        {
+            return Err(Failure::input(format!(
+                "--refresh-friction: {} has no friction that could be refreshed; give joints a `drive` with `friction`, or leave the option out",
+                self.robot.display()
+            )));
+        }
         let mut prepare = self.preparation.prepare(&file.robot)?;
         let mut bare = file.robot.clone();
         let own = bare.tool.take();
@@ -133,7 +145,8 @@ impl ToolVerb {
         let known = effects.as_ref().and_then(|effects| effects.known(&arm, file_values.as_deref(), prepare.filter));
         let Read { unloaded, loaded, mut prepared, logbook } = self.read(&arm, &prepare, known.as_ref())?;
         against_limits(&mut prepared, &file.robot, prepare.keep)?;
-        let carried = identify_tool(&arm, &unloaded, &loaded, &settings).map_err(unsolved)?;
+        let mut carried = identify_tool(&arm, &unloaded, &loaded, &settings).map_err(unsolved)?;
+        self.explain(&mut carried.solved, &file.robot, &arm, &prepare, known.as_ref())?;
         let found = look_up(carried, own.as_ref(), table, &tolerance, &recognising);
         let provenance =
             provenance.robot(&self.robot, &file).logs(&logbook).with("low-pass", Preparation::low_pass(&prepare));
@@ -177,6 +190,27 @@ impl ToolVerb {
             factors.push(stack.finish());
         }
         Ok(read)
+    }
+
+    /// Looks for other orders and units of the torque columns where the torques may be misread.
+    fn explain(
+        &self,
+        found: &mut Identification,
+        robot: &Robot,
+        arm: &Interpreted,
+        prepare: &Prepare,
+        known: Option<&KnownEffects<'_>>,
+    ) -> Result<(), Failure> {
+        if !found.is_suspicious() {
+            return Ok(());
+        }
+        let mut tried = Tried::new(robot, prepare, known);
+        let unloaded = self.unloaded.iter().map(|path| (path, false));
+        for (path, loaded) in unloaded.chain(self.loaded.iter().map(|path| (path, true))) {
+            tried.log(path, &Carrying::new(arm, loaded), &[Reference::Fit])?;
+        }
+        tried.tell(found);
+        Ok(())
     }
 
     /// Uncertainty of the robot file's parameters.

@@ -107,8 +107,12 @@ impl<'a> Case<'a> {
 
     /// Errors of the unchanged file on each validating log, where joints move, N m.
     fn file_by_log(&self) -> Result<Vec<Vec<f64>>, ConsistentError> {
-        let file = self.file()?;
-        Ok(by_log(self.plant, self.validate, &file.bench, &file.fitted, &[]))
+        Ok(self.by_log_of(&self.file()?))
+    }
+
+    /// Errors of a model without causes on each validating log, where joints move, N m.
+    pub(super) fn by_log_of(&self, model: &Settled<'_>) -> Vec<Vec<f64>> {
+        by_log(self.plant, self.validate, &model.bench, &model.fitted, &[])
     }
 
     /// Whether a model errs more than a plain refit on a validating log.

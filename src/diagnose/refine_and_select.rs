@@ -40,6 +40,17 @@ pub(super) struct Case<'a> {
     pub(super) progress: &'a dyn Fn(&str),
 }
 
+/// The offered model, why, and what differs between the logs.
+pub(super) struct Choice<'a> {
+    pub(super) offered: Offered,
+    pub(super) why: Vec<String>,
+    /// Joints, from 0, that one model does not predict on fitted and validating logs.
+    pub(super) changed: Vec<usize>,
+    /// [`Diagnosis::file_holds`](super::result::Diagnosis::file_holds).
+    pub(super) file_holds: bool,
+    pub(super) model: Settled<'a>,
+}
+
 /// Least share of a joint's squared error above the noise that a cause takes which acts in a part
 /// of a log: no other stretch can confirm it.
 const LOCAL_SHARE: f64 = 0.25;
@@ -200,7 +211,7 @@ impl<'a> Case<'a> {
         models: Vec<Settled<'a>>,
         file: &LeftOut,
         refitted: &Refit<'_>,
-    ) -> Result<(Offered, Vec<String>, Settled<'a>), ConsistentError> {
+    ) -> Result<Choice<'a>, ConsistentError> {
         let refit = &refitted.left_out;
         let [mut believing, mut free] = [None, None];
         for model in models {
@@ -234,6 +245,12 @@ impl<'a> Case<'a> {
             said.push(self.says("nothing predicts surely better than the unchanged file", &model.left_out, file));
             let why = std::mem::take(&mut model.why);
             (offered, model) = (Offered::File, Settled { why, ..self.file()? });
+        } else if let Some((file, sentence)) = self.holding_file(changed, &model)? {
+            let differ = self.changed(&model, self.noise);
+            said.push(sentence);
+            let mut why = std::mem::take(&mut model.why);
+            why.extend(said);
+            return Ok(Choice { offered: Offered::File, why, changed: differ, file_holds: true, model: file });
         } else if changed {
             let what = match offered {
                 Offered::Extended => "the extended model predicts better than the file",
@@ -243,7 +260,34 @@ impl<'a> Case<'a> {
         }
         let mut why = std::mem::take(&mut model.why);
         why.extend(said);
-        Ok((offered, why, model))
+        let changed = if self.own_validation { self.changed(&model, self.noise) } else { Vec::new() };
+        Ok(Choice { offered, why, changed, file_holds: false, model })
+    }
+
+    /// The unchanged file and a sentence, where it errs less on every validating log than a model
+    /// for which the fitted logs ask.
+    fn holding_file(
+        &self,
+        changed: bool,
+        model: &Settled<'a>,
+    ) -> Result<Option<(Settled<'a>, String)>, ConsistentError> {
+        if !changed || !self.own_validation {
+            return Ok(None);
+        }
+        let file = self.file()?;
+        if self.worse_on(model, &self.by_log_of(&file)).len() < self.validate.len() {
+            return Ok(None);
+        }
+        let gap = |j: &usize| (model.after.steady[*j] - file.after.steady[*j]) / self.scale[*j];
+        let joint = (0..self.scale.len()).max_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(0);
+        let [here, there] = [&file, model].map(|m| evidence::short(m.after.steady[joint]));
+        let sentence = format!(
+            "The fitted logs ask for another model, but the unchanged file errs less than it on every validating log \
+             (joint {}: {here} N m against {there}), so the file is offered. Either something changed between the logs, or the \
+             fitted ones show too little.",
+            joint + 1
+        );
+        Ok(Some((file, sentence)))
     }
 
     /// The file's links with further causes, or all base parameters refitted with further causes.
@@ -281,20 +325,24 @@ impl<'a> Case<'a> {
 
     fn says(&self, what: &str, a: &LeftOut, b: &LeftOut) -> String {
         let (paired, joint) = (a.less(b, self.ground), a.most_changed(b, self.ground));
-        let percent = [paired.gain, paired.error].map(|x| 200.0 * x / (1.0 + paired.gain));
-        let sense = if percent[0] < 0.0 { "more" } else { "less" };
+        // The gain is a difference by a sum: 2 g / (1 + g) by the other's square.
+        let percent = |g: f64| 200.0 * g.clamp(-0.9, 1.0) / (1.0 + g.clamp(-0.9, 1.0));
+        let sense = if paired.gain < 0.0 { "more" } else { "less" };
+        let one = if paired.gain < 0.0 { -1.0 } else { 1.0 };
+        let ends = [-one, one].map(|side| one * percent(paired.gain + side * paired.error));
         let (of, whole) =
             ([a, b].map(|m| evidence::short(m.joint_rms(joint))), [a, b].map(|m| evidence::short(m.rms())));
         format!(
             "On stretches of the fitted logs that were left out in turn {what}. The error of joint {}, which differs most, is {} N m against {} N m; \
-             over all joints (RMS) it is {} N m against {} N m. With every joint counting alike its square is {:.0} +- {:.0} % {sense}.",
+             over all joints (RMS) it is {} N m against {} N m. With every joint counting alike its square is {:.0} ({:.0} to {:.0}) % {sense}.",
             joint + 1,
             of[0],
             of[1],
             whole[0],
             whole[1],
-            percent[0].abs(),
-            percent[1],
+            percent(paired.gain).abs(),
+            ends[0],
+            ends[1],
         )
     }
 }

@@ -217,6 +217,9 @@ pub struct Diagnosis {
     /// Joints (from 1) that differ between the fitted and the validating logs: no one model of this
     /// kind predicts them on both.
     pub changed: Vec<usize>,
+    /// The unchanged file predicts every validating log better than the model for which the fitted
+    /// logs ask, so it is offered; `changes` are then those of the fitted logs alone.
+    pub file_holds: bool,
     /// Causes that the validating logs show by themselves and the fitted ones do not; not in the
     /// model.
     pub changes: Vec<Cause>,

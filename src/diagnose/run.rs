@@ -12,7 +12,7 @@ use super::structure::Structure;
 use crate::diagnose::attribution::{curve, taken, unknown, values_last};
 use crate::diagnose::motion_error::budget;
 use crate::diagnose::recording::{Recording, unexplained};
-use crate::diagnose::refine_and_select::{Case, Settled};
+use crate::diagnose::refine_and_select::{Case, Choice, Settled};
 use crate::diagnose::reported_cause::quiet;
 use crate::diagnose::torque_noise::torque_noise;
 use crate::identify::ConsistentError;
@@ -78,10 +78,15 @@ pub fn diagnose(
     let mut found = consistent_with_file(plant, fit, validate, settings, progress)?;
     if !found.changed.is_empty() {
         progress("what changed between the logs");
-        // Of the validating logs by themselves, where they are long enough.
-        if let Ok(other) = once(plant, validate, &[], settings, progress) {
+        // Of the logs that are not as the model says by themselves, where they are long enough.
+        let others = if found.file_holds { fit } else { validate };
+        if let Ok(other) = once(plant, others, &[], settings, progress) {
             let known = |c: &Cause| found.causes.iter().any(|k| k.cause == c.cause && k.joints == c.joints);
             found.changes = other.causes.into_iter().filter(|c| c.cause != "unknown" && !known(c)).collect();
+        }
+        if found.file_holds && !found.changes.is_empty() {
+            // What the fitted logs show has a name.
+            found.causes.retain(|c| c.cause != "unknown");
         }
         if found.verdict == Verdict::NothingWrong {
             found.verdict = Verdict::Unexplained;
@@ -206,9 +211,8 @@ fn once(
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
     let case = Case { plant, fit, validate, own_validation, noise: &noise, motion, ground, scale, settings, progress };
     let (models, said) = case.models(has_links, &refit, &torque_rms)?;
-    let (offered, mut why, settled) = case.choose(models, &file_out, &refit)?;
+    let Choice { offered, mut why, changed, file_holds, model: settled } = case.choose(models, &file_out, &refit)?;
     why.extend(said);
-    let changed = if own_validation { case.changed(&settled, &noise) } else { Vec::new() };
     let left = case.left(&settled, &torque_rms);
     let (left, unplayed) = without_columns(&settled, left, &noise);
     let mut causes = settled.causes.clone();
@@ -251,6 +255,7 @@ fn once(
         friction: quiet(&bench, &fitted),
         forgotten: Vec::new(),
         changed: changed.into_iter().map(|j| j + 1).collect(),
+        file_holds,
         changes: Vec::new(),
         causes,
         next_experiment,

@@ -70,6 +70,12 @@ impl Chain {
             if let Some(refused) = refused {
                 return Err(ImportError::arm(format!("`{name}` {refused}"), "leave its --at out"));
             }
+            if let Some([low, high]) = tree.joints[joint].position.filter(|[low, high]| !(low..=high).contains(&q)) {
+                return Err(ImportError::arm(
+                    format!("`{name}` can't be at {q}: it moves from {low} to {high}"),
+                    "give a position within that range",
+                ));
+            }
             given.insert(joint, *q);
         }
         let missing: Vec<usize> =

@@ -294,6 +294,9 @@ fn effects(robot: &Robot, format: ModelFormat, left_out: &mut Vec<String>) {
     for joint in &robot.joints {
         let drive = &joint.drive;
         let nonzero = |value: Option<f64>| value.is_some_and(|v| v != 0.0);
+        if !joint.actuated && joint.kind != JointKind::Fixed && format == ModelFormat::Urdf {
+            left_out.push(format!("that `{}` has no motor", joint.name));
+        }
         if nonzero(drive.rotor_inertia) && format == ModelFormat::Urdf {
             left_out.push(format!("the rotor inertia of `{}`", joint.name));
         }

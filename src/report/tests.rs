@@ -133,6 +133,7 @@ fn diagnosis_page_stands_alone() {
     let errors = |x: f64| Errors { fit: vec![x], validate: vec![x], moving: vec![x] };
     let found = Diagnosis {
         changed: Vec::new(),
+        file_holds: false,
         changes: Vec::new(),
         robot: "a <b>".into(),
         verdict: Verdict::Explained,

@@ -146,7 +146,50 @@ fn a_joint_without_a_motor_is_refused_where_it_counts() {
     let check = denavit(&["check", &robot]);
     assert!(check.status == Some(0) && check.out.contains("without a motor: elbow"), "{}", check.out);
     assert_eq!(json(&["check", &robot, "--json", "-"])["unactuated"], serde_json::json!([2]));
-    assert_eq!(denavit(&["generate", &robot, "--out", &out]).status, Some(0));
+    let generated = denavit(&["generate", &robot, "--out", &out]);
+    assert_eq!(generated.status, Some(0));
+    let states = file(&folder, "states.csv", "q1,q2,dq1,dq2,ddq1,ddq2,tau1,tau2\n0.1,0.2,0,0,0,0,1,0\n");
+    let eval = |quantity: &str, states: &str| denavit(&["eval", &robot, "--quantity", quantity, "--states", states]);
+    let torques = eval("inverse_dynamics", &states);
+    assert_eq!(torques.status, Some(0), "{}", torques.err);
+    for said in [&generated.err, &torques.err] {
+        assert!(said.contains("joint 2 (elbow) has no motor") && said.contains("something else"), "{said}");
+    }
+    assert_eq!(eval("forward_dynamics", &states).status, Some(0));
+    let driven = file(&folder, "driven.csv", "q1,q2,dq1,dq2,tau1,tau2\n0,0,0,0,0,0\n0,0,0,0,0,7\n");
+    let refused = eval("forward_dynamics", &driven);
+    assert_eq!(refused.status, Some(2));
+    assert!(refused.err.contains("`tau2` is 7 in row 2, but joint 2 (elbow) has no motor"), "{}", refused.err);
+    let urdf = folder.join("passive.urdf").display().to_string();
+    let exported = denavit(&["export", &robot, "--format", "urdf", "--out", &urdf]);
+    assert!(exported.out.contains("that `elbow` has no motor"), "{}", exported.out);
+}
+
+/// Tables of states and poses: what would be read otherwise than it was meant is refused.
+#[test]
+fn tables_say_what_they_mean() {
+    let folder = folder("tables");
+    let run = |name: &str, text: &str, words: &str| {
+        let states = file(&folder, name, text);
+        let run = denavit(&["eval", "robots/planar2r.yaml", "--quantity", "gravity", "--states", &states]);
+        assert_eq!(run.status, Some(2), "{name}");
+        assert!(run.err.contains(name) && run.err.contains(words), "{name}: {}", run.err);
+    };
+    run("twice.csv", "q1,q1,q2\n0,0,0\n", "two columns are named `q1`");
+    run("empty.csv", "q1,q2\n", "no rows");
+    run("more.csv", "q1,q2,q3\n0,0,0\n", "there is a column q3, and the robot has 2 joints");
+}
+
+/// `--prior none` leaves links out; where there are none it would change nothing.
+#[test]
+fn a_prior_that_changes_nothing_is_refused() {
+    let folder = folder("prior");
+    let mut robot = read_robot("robots/planar2r.yaml");
+    robot.links.iter_mut().for_each(|link| *link = None);
+    let robot = file(&folder, "bare.yaml", robot.to_yaml());
+    let run = denavit(&["identify", &robot, "log.csv", "--prior", "none"]);
+    assert_eq!(run.status, Some(2));
+    assert!(run.err.contains("--prior none") && run.err.contains("it has none"), "{}", run.err);
 }
 
 #[test]

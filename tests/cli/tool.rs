@@ -231,6 +231,19 @@ fn of_an_empty_hand() {
     assert_eq!(run.status, Some(0), "{}", run.err);
     assert!(run.out.contains("nothing in the hand, or less than the noise lets see"), "{}", run.out);
     assert!(!run.out.contains("The arm carries"), "{}", run.out);
+    let run = denavit(&["tool", ROBOT, "--loaded", &logs.empty, "--tools", TOOLS]);
+    assert!(run.out.contains("nothing in the hand") && !run.out.contains("nearest"), "{}", run.out);
+}
+
+/// Two torque columns of the loaded log exchanged: said so, and nothing else advised.
+#[test]
+fn exchanged_columns_are_named() {
+    let logs = logs();
+    let text = std::fs::read_to_string(&logs.large).unwrap().replacen("tau2,tau3", "tau3,tau2", 1);
+    let exchanged = file(&folder("tool-exchanged"), "exchanged.csv", text);
+    let run = denavit(&["tool", ROBOT, "--unloaded", &logs.empty, "--loaded", &exchanged]);
+    assert!(run.out.contains("exchanged.csv: torque columns stand in another order"), "{}", run.out);
+    assert!(!run.out.contains("friction of this joint") && !run.out.contains("empty.csv: torque"), "{}", run.out);
 }
 
 #[test]
@@ -257,6 +270,11 @@ fn of_wrong_use() {
     fails(&[ROBOT, "--loaded", large, "--unloaded", large], &["large.csv: the same log", "empty hand"]);
     let without = |flag| fails(&[ROBOT, "--loaded", large, "--unloaded", &logs.empty, flag], &[flag, "--unloaded"]);
     without("--on-top");
+    let bare = folder("tool-frictionless");
+    let mut robot = read_robot(ROBOT);
+    robot.joints.iter_mut().for_each(|joint| joint.drive = Default::default());
+    let bare = file(&bare, "bare.yaml", robot.to_yaml());
+    fails(&[&bare, "--loaded", large, "--refresh-friction"], &["--refresh-friction", "no friction"]);
     without("--refresh-friction");
     fails(&[ROBOT, "--loaded", large, "--tools", "robots/tools", "--tolerance", "1,2"], &["--tolerance", "give three"]);
     fails(&[ROBOT, "--loaded", "no.csv"], &["no.csv", "check the path"]);

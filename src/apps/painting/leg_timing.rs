@@ -8,6 +8,7 @@
 
 use nalgebra::DMatrix;
 
+use super::joint_torques::push;
 use crate::model::States;
 
 use super::strokes::rest_to_rest;
@@ -160,7 +161,7 @@ impl Leg {
                 breaks(Bound::Clearance(which), -gap, -gap / 0.1, s);
             }
         }
-        let load = load(task, &line, &states, &frames);
+        let load = push(task, &states, &frames, |_| line.phase.contact());
         Self { line, q, jerk, fastest, broken, states, load }
     }
 
@@ -214,36 +215,6 @@ impl Leg {
         }
         Ok((high, Some(joint)))
     }
-}
-
-/// Joint torques due to the wall's push: minus `J'` times the wrench on the last frame, N m, `n *
-/// len`.
-fn load(task: &Task<'_>, line: &Line, states: &States, frames: &[f64]) -> Vec<f64> {
-    let (n, len) = (task.dof(), states.len);
-    let mut out = vec![0.0; n * len];
-    if !line.phase.contact() || task.force == 0.0 || task.standard.is_none() {
-        return out;
-    }
-    let mut jacobian = vec![0.0; 6 * n * len];
-    task.arm.jacobian(states, &mut jacobian);
-    let force = task.surface.normal.map(|x| x * task.force);
-    let count = task.arm.frame_count();
-    let has_tool = count > 0 && task.mount != dh_codegen::ik::Displacement::NONE;
-    for s in 0..len {
-        let at = |f: usize, i: usize, k: usize| frames[((f * 3 + i) * 4 + k) * len + s];
-        let last = if has_tool { count - 2 } else { count - 1 };
-        // The middle of the roller's face: `length` along z of the tool, which points into the
-        // wall.
-        let lever: [f64; 3] =
-            std::array::from_fn(|i| at(count - 1, i, 3) - at(last, i, 3) - task.roller.length * task.surface.normal[i]);
-        let moment = super::vector::cross(lever, force);
-        for j in 0..n {
-            let row = |r: usize| jacobian[(r * n + j) * len + s];
-            let work: f64 = (0..3).map(|i| row(i) * force[i] + row(3 + i) * moment[i]).sum();
-            out[j * len + s] = -work;
-        }
-    }
-    out
 }
 
 /// Times of legs: each at least its own. With `duration` they sum to it, with the least sum of `J /

@@ -10,6 +10,7 @@ use super::task::{Cover, Task};
 use crate::apps::painting::cost::{From, Scored};
 use crate::apps::painting::coverage::Coverage;
 use crate::apps::painting::leg_timing::{Bound, Broken};
+use crate::model::States;
 
 /// A leg of a plan.
 #[derive(Debug, Clone, PartialEq)]
@@ -94,11 +95,21 @@ pub struct Moment {
     pub span: usize,
 }
 
+impl Moment {
+    /// Positions, velocities and accelerations of `n` joints at these moments.
+    pub fn states(n: usize, moments: &[Self]) -> States {
+        let part = |of: fn(&Self) -> &Vec<f64>| (0..n).flat_map(|j| moments.iter().map(move |m| of(m)[j])).collect();
+        States { len: moments.len(), q: part(|m| &m.q), dq: part(|m| &m.dq), ddq: part(|m| &m.ddq) }
+    }
+}
+
 /// Why there is no plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Infeasible {
     /// Binding limits and by how much, in words; worst first.
     pub reasons: Vec<String>,
+    /// Whether the worst of them is a torque that a joint has not even at rest.
+    pub too_weak: bool,
 }
 
 impl std::fmt::Display for Infeasible {
@@ -125,7 +136,7 @@ pub fn plan(task: &Task<'_>, progress: Progress<'_>) -> Result<Plan, Infeasible>
                 task.surface.width,
                 Strokes::fewest(&task.surface, task.roller.width)
             );
-            return Err(Infeasible { reasons: vec![reason] });
+            return Err(Infeasible { reasons: vec![reason], too_weak: false });
         }
     }
     let search = Search::new(task, progress);
@@ -140,10 +151,11 @@ pub fn plan(task: &Task<'_>, progress: Progress<'_>) -> Result<Plan, Infeasible>
                 reasons.push(text);
             }
         }
-        return Err(Infeasible { reasons });
+        let too_weak = broken.first().is_some_and(|b| matches!(b.bound, Bound::Torque(_)));
+        return Err(Infeasible { reasons, too_weak });
     }
     progress("knots", 0.0);
-    let motion = Motion::new(task, &best).map_err(|e| Infeasible { reasons: vec![e] })?;
+    let motion = Motion::new(task, &best).map_err(|e| Infeasible { reasons: vec![e], too_weak: false })?;
     let mut begin = 0.0;
     let spans = best
         .legs

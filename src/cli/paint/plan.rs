@@ -7,7 +7,7 @@ use clap::{Args, ValueEnum};
 use dh_codegen::robot::{Robot, Tool};
 use indicatif::{ProgressBar, ProgressStyle};
 
-use crate::apps::painting::{Cover, Pattern, Roller, Strokes, Surface, Swivel, Task, Weights, plan};
+use crate::apps::painting::{Cover, Infeasible, Pattern, Roller, Strokes, Surface, Swivel, Task, Weights, plan};
 use crate::cli::delivery::deliver;
 use crate::cli::provenance::Provenance;
 use crate::cli::{Failure, files, motors, terminal};
@@ -307,7 +307,7 @@ impl Plan {
         });
         bar.finish_and_clear();
         let found = found.map_err(|e| {
-            Failure::other(format!("{shown}: no plan keeps every limit; closest to one: {e}. {}", self.advice()))
+            Failure::other(format!("{shown}: no plan keeps every limit; closest to one: {e}. {}", self.advice(&e)))
         })?;
         let planned =
             report::Planned { task: &task, plan: &found, seconds: begun.elapsed().as_secs_f64(), warnings: &warnings };
@@ -343,8 +343,10 @@ impl Plan {
         Ok(())
     }
 
-    fn advice(&self) -> &'static str {
-        if self.whole && self.duration.is_some() {
+    fn advice(&self, infeasible: &Infeasible) -> &'static str {
+        if infeasible.too_weak {
+            "Press with less --force, or move the wall to where the arm stands better"
+        } else if self.whole && self.duration.is_some() {
             "Give it a longer --duration, or leave that or --whole out"
         } else if self.whole {
             "Leave --whole out to paint as much as can be painted, or move the wall"

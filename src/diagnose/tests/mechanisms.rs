@@ -228,3 +228,26 @@ fn what_runs_to_the_end_of_what_is_looked_for_is_no_estimate() {
     // An exponent that is natural by preference only is weak evidence for a law.
     assert!(!at_edge(by_name("stribeck_friction").unwrap(), &[0.1, 0.5]));
 }
+
+/// A body in the hand during the fitted log alone: the file is right where the hand is empty, so it
+/// is offered, and what the fitted log shows has its name.
+#[test]
+fn a_payload_of_the_fitted_log_alone() {
+    let robot = planar();
+    let (empty, mut loaded) = (Bodies::of(&robot), robot.clone());
+    let link = loaded.links[1].as_mut().unwrap();
+    link.m += 0.8;
+    link.ms[0] += 0.8 * 0.35;
+    link.i[2] += 0.8 * 0.35 * 0.35;
+    let loaded = Bodies::of(&loaded);
+    let mut random = Random::new(41);
+    let fit = record("loaded", &log(&robot, 12.0, &mut random, &|s| loaded.torques(s)), 2);
+    let validate = record("empty", &log(&robot, 8.0, &mut random, &|s| empty.torques(s)), 2);
+    let found = diagnose(&PerturbableRobot::new(&robot), &[fit], &[validate], &Settings::default(), &|_| {}).unwrap();
+    assert!(found.file_holds && !found.changed.is_empty());
+    for (after, file) in found.extended.validate.iter().zip(&found.baseline.validate) {
+        assert!(after <= &(1.01 * file), "{after} {file}");
+    }
+    let named: Vec<&str> = found.changes.iter().map(|c| c.cause).collect();
+    assert!(named.iter().any(|c| ["payload", "link_inertia_error"].contains(c)), "{named:?}");
+}

@@ -5,7 +5,7 @@ use core::fmt::Write;
 use dh_codegen::arm::{Inverse, Model};
 use dh_codegen::robot::{Convention, Joint, Robot};
 
-use crate::report::parts::number::pad;
+use crate::report::parts::number::{counted, pad};
 
 /// Table, class, base parameters, operation counts.
 pub fn check_text(robot: &Robot, model: &Model) -> String {
@@ -14,7 +14,12 @@ pub fn check_text(robot: &Robot, model: &Model) -> String {
         Convention::Modified => "modified (Khalil-Kleinfinger)",
         Convention::Standard => "standard",
     };
-    let _ = writeln!(t, "{}: {} degrees of freedom, {convention} DH table\n", robot.name, model.dof());
+    let _ = writeln!(
+        t,
+        "{}: {}, {convention} DH table\n",
+        robot.name,
+        counted(model.dof(), "degree of freedom", "degrees of freedom")
+    );
     t.push_str(&dh_table(robot));
     let passive: Vec<String> = robot.unactuated().map(|row| robot.joints[row].name.clone()).collect();
     if !passive.is_empty() {

@@ -306,11 +306,11 @@ fn cause(body: &mut String, number: usize, c: &Cause, own_validation: bool) {
         body.push_str("</tbody></table></div>\n");
     }
     if c.interval.iter().all(|x| x.is_finite()) {
+        let [low, high] = c.interval.map(|x| format!("{:.0}", 100.0 * x));
+        let share = if low == high { low } else { format!("{low} to {high}") };
         let _ = writeln!(
             body,
-            "<p class=note>It takes {:.0} to {:.0} % of the squared error of its main joint on {} (90 % interval, moving blocks of half a second).</p>",
-            100.0 * c.interval[0],
-            100.0 * c.interval[1],
+            "<p class=note>It takes {share} % of the squared error of its main joint on {} (90 % interval, moving blocks of half a second).</p>",
             measured_on(c.on, own_validation)
         );
     }

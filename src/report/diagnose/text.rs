@@ -42,6 +42,9 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
         if more > 0 { format!("{}, and {more} more", each.join(", ")) } else { each.join(", ") }
     };
     let first = match (found.verdict, named.is_empty()) {
+        _ if found.file_holds => {
+            "The unchanged file predicts the validating logs better than the model for which the fitted logs ask.".to_string()
+        }
         (Verdict::NothingWrong, _) if found.has_links => "Nothing is wrong beyond the noise.".to_string(),
         (Verdict::NothingWrong, _) => {
             "The file has no link parameters; with base parameters fitted to the logs nothing is wrong beyond the noise.".to_string()
@@ -89,7 +92,8 @@ fn changed_between_logs(found: &Diagnosis) -> String {
     let by_itself = if causes.is_empty() {
         String::new()
     } else {
-        format!("; the validating logs alone show {}", causes.join(", "))
+        let which = if found.file_holds { "fitted" } else { "validating" };
+        format!("; the {which} logs alone show {}", causes.join(", "))
     };
     format!(
         " Something changed between the logs: no one model predicts joint{} {} on the fitted and the validating logs{by_itself}.",

@@ -7,6 +7,9 @@ use dh_codegen::ik::{Family, Status};
 
 use crate::model::inverse_kinematics::{Answer, SwivelRange};
 
+/// A larger pose error than this is no rounding, m and rad.
+const SHOWN: f64 = 1e-9;
+
 /// A table of postures for each pose.
 pub fn ik_text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
     let mut t = format!("{name}: {} ({})\n", inverse.class, inverse.reason);
@@ -44,7 +47,9 @@ pub fn ik_text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
             let limits = if s.within_limits { "" } else { "  beyond limits" };
             let free: Vec<String> = s.free.iter().map(|j| format!("q{}", j + 1)).collect();
             let free = if free.is_empty() { String::new() } else { format!("  free: {}", free.join(" ")) };
-            let _ = writeln!(t, "  {}  {}{limits}{free}", q.join(" "), s.branch);
+            let [p, r] = [s.position_error, s.rotation_error];
+            let off = if p.max(r) > SHOWN { format!("  off by {p:.3e} m and {r:.3e} rad") } else { String::new() };
+            let _ = writeln!(t, "  {}  {}{limits}{free}{off}", q.join(" "), s.branch);
         }
         if let (Some(ranges), true) = (ranges, pose.status != Status::Unreachable) {
             swivel(&mut t, inverse, ranges);

@@ -4,6 +4,7 @@ use core::fmt::Write;
 
 use crate::exchange::import::{REQUIRED, STATES};
 use crate::exchange::{Imported, Neighbours};
+use crate::report::parts::number::counted;
 
 /// Result of the import, its accuracy, and the open values.
 pub fn import_text(made: &Imported) -> String {
@@ -28,8 +29,9 @@ pub fn import_text(made: &Imported) -> String {
     if snap.count > 0 {
         let _ = writeln!(
             t,
-            "  {} angle(s) or directions were taken for exact ones (fractions of pi, axes), {:.1e} rad off at most",
-            snap.count, snap.largest
+            "  {} taken for exact ones (fractions of pi, axes), {:.1e} rad off at most",
+            counted(snap.count, "angle or direction was", "angles or directions were"),
+            snap.largest
         );
     }
     let _ = writeln!(t, "  neighbouring axes: {}", neighbours(made));
@@ -40,8 +42,9 @@ pub fn import_text(made: &Imported) -> String {
     if fixed > 0 {
         let _ = writeln!(
             t,
-            "  {fixed} row(s) that do not move lead between axes that are nearly parallel; \
-             where the source only rounded its angles, --snap 1e-5 makes them parallel"
+            "  {} between axes that are nearly parallel; \
+             where the source only rounded its angles, --snap 1e-5 makes them parallel",
+            counted(fixed, "row that does not move leads", "rows that do not move lead")
         );
     }
     t += "  positions are the source's own (sign 1, offset 0), torques too\n";

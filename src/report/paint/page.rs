@@ -5,9 +5,9 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use crate::apps::painting::{Coverage, Moment, Pattern};
+use crate::apps::painting::{Coverage, Moment, Pattern, joint_torques};
 use crate::data::trajectory::times;
-use crate::model::States;
+
 use crate::report::Provenance;
 use crate::report::paint::text::{Planned, uses};
 use crate::report::parts::number::{figure, short};
@@ -57,7 +57,7 @@ pub fn paint_html(planned: &Planned<'_>, provenance: &Provenance) -> String {
     }
     body.push_str("</section>\n<section><h2>The path</h2><p class=note><span class='key y'></span>y <span class='key z'></span>z of the roller on the wall <span class='key swivel'></span>swivel angle, or the position of the joint that is given</p><div id=path></div></section>\n");
     body.push_str("<section><h2>The arm</h2><p class=note>Drag to turn. Spheres are those of the robot file, the grid is its ground.</p><div id=arm></div></section>\n");
-    body.push_str("<section><h2>Joints against their limits</h2><p class=note><span class='key q'></span>position <span class='key dq'></span>speed <span class='key ddq'></span>acceleration <span class='key tau'></span>torque of the model without the wall's push, each in percent of its limit (positions from the middle of the range). Move over a plot for values.</p><div class=plots id=joints></div>\n<div class=scroll><table><thead><tr><th>joint<th>to the end<br>of its travel<th>speed<th>limit<th>acceleration<th>limit<th>torque<th>limit</tr></thead><tbody>\n");
+    body.push_str("<section><h2>Joints against their limits</h2><p class=note><span class='key q'></span>position <span class='key dq'></span>speed <span class='key ddq'></span>acceleration <span class='key tau'></span>torque of the model with the wall's push, each in percent of its limit (positions from the middle of the range). Move over a plot for values.</p><div class=plots id=joints></div>\n<div class=scroll><table><thead><tr><th>joint<th>to the end<br>of its travel<th>speed<th>limit<th>acceleration<th>limit<th>torque<th>limit</tr></thead><tbody>\n");
     for (u, l) in uses(task, plan).iter().zip(&task.limits) {
         let torque = if task.standard.is_some() { figure(u.peak[2]) } else { "–".into() };
         let _ = writeln!(
@@ -102,24 +102,13 @@ pub fn paint_html(planned: &Planned<'_>, provenance: &Provenance) -> String {
     page.html()
 }
 
-fn states(n: usize, moments: &[Moment]) -> States {
-    let len = moments.len();
-    let part =
-        |of: fn(&Moment) -> &Vec<f64>| (0..n).flat_map(|j| moments.iter().map(move |m| of(m)[j])).collect::<Vec<f64>>();
-    States { len, q: part(|m| &m.q), dq: part(|m| &m.dq), ddq: part(|m| &m.ddq) }
-}
-
 /// Input of the scripts: the keys of the excitation's page, then the wall.
 fn data(planned: &Planned<'_>, cover: &Coverage) -> Value {
     let Planned { task, plan, .. } = *planned;
     let (n, duration) = (task.dof(), plan.duration());
     let time = times(duration, (900.0 / duration).min(50.0));
     let moments: Vec<Moment> = time.iter().map(|t| plan.at(*t)).collect();
-    let curves = states(n, &moments);
-    let mut torque = vec![0.0; n * moments.len()];
-    if let Some(standard) = &task.standard {
-        task.arm.inverse_dynamics(&curves, standard, &mut torque);
-    }
+    let (curves, torque) = (Moment::states(n, &moments), joint_torques(task, &moments));
     let joints: Vec<Value> = (0..n)
         .map(|j| {
             let l = &task.limits[j];
@@ -165,7 +154,7 @@ fn figures(planned: &Planned<'_>) -> Vec<Value> {
     let moments: Vec<Moment> = figure_times(plan.duration()).iter().map(|t| plan.at(*t)).collect();
     let (len, count) = (moments.len(), task.arm.frame_count());
     let mut frames = vec![0.0; count * 12 * len];
-    task.arm.frames(&states(task.dof(), &moments), &mut frames);
+    task.arm.frames(&Moment::states(task.dof(), &moments), &mut frames);
     let figures = StickFigures { frames: &frames, len, balls: &task.bodies.balls };
     let across = plan.surface.across();
     moments

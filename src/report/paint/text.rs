@@ -4,8 +4,7 @@ use std::fmt::Write;
 
 use serde_json::{Value, json};
 
-use crate::apps::painting::{Plan, Swivel, Task};
-use crate::model::States;
+use crate::apps::painting::{Moment, Plan, Swivel, Task, joint_torques};
 use crate::report::Warnings;
 use crate::report::paint::saved::plan_json;
 use crate::report::parts::number::figure;
@@ -26,24 +25,15 @@ pub struct Planned<'a> {
 pub(in crate::report) struct Use {
     /// Distance to the nearer end of its travel, rad or m.
     pub margin: f64,
-    /// Largest speed, acceleration, torque (contact not counted).
+    /// Largest speed, acceleration, torque (with the force on the wall).
     pub peak: [f64; 3],
 }
 
 /// Of every joint, at 200 Hz.
 pub(in crate::report) fn uses(task: &Task<'_>, plan: &Plan) -> Vec<Use> {
-    let moments = plan.sampled(200.0);
+    let moments: Vec<Moment> = plan.sampled(200.0).into_iter().map(|(_, m)| m).collect();
     let (n, len) = (task.dof(), moments.len());
-    let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
-    for (s, (_, m)) in moments.iter().enumerate() {
-        for j in 0..n {
-            (states.q[j * len + s], states.dq[j * len + s], states.ddq[j * len + s]) = (m.q[j], m.dq[j], m.ddq[j]);
-        }
-    }
-    let mut torque = vec![0.0; n * len];
-    if let Some(standard) = &task.standard {
-        task.arm.inverse_dynamics(&states, standard, &mut torque);
-    }
+    let (states, torque) = (Moment::states(n, &moments), joint_torques(task, &moments));
     (0..n)
         .map(|j| {
             let peak = |part: &[f64]| part[j * len..(j + 1) * len].iter().fold(0.0f64, |m, x| m.max(x.abs()));
@@ -194,7 +184,7 @@ pub fn paint_text(planned: &Planned<'_>) -> String {
     }
     for (u, l) in uses(task, plan).iter().zip(&task.limits) {
         let torque = match (task.standard.is_some(), l.torque) {
-            (true, Some(limit)) => format!(", {} of {} N m", figure(u.peak[2]), figure(limit)),
+            (true, Some(limit)) => format!(", torque {} of {} N m", figure(u.peak[2]), figure(limit)),
             _ => String::new(),
         };
         let _ = writeln!(

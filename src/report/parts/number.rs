@@ -38,6 +38,11 @@ pub(in crate::report) fn digits(x: f64, significant: i32) -> String {
     }
 }
 
+/// A number of things in words: "1 row", "2 rows".
+pub(in crate::report) fn counted(count: usize, one: &str, more: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { more })
+}
+
 /// Width on the screen: characters, not bytes.
 pub(in crate::report) fn pad(text: &str, width: usize, right: bool) -> String {
     let fill = " ".repeat(width.saturating_sub(text.chars().count()));

@@ -14,7 +14,7 @@ use crate::report::Warnings;
 use crate::report::identify::page::{curves, notes};
 use crate::report::parts::number::{digits, figure, percent};
 use crate::report::parts::page::{Page, escape};
-use crate::report::tool::text::misfit;
+use crate::report::tool::text::{empty_hand, misfit};
 use crate::report::tool_verdict;
 
 /// The most tools that a figure shows.
@@ -32,6 +32,7 @@ pub fn tool_html(
     let mut body = String::new();
     let title = match &found.recognition {
         Some(r) if !r.rejected => r.nearest().name.clone(),
+        _ if empty_hand(carried) => "nothing in the hand".into(),
         Some(_) => "none of the known tools".into(),
         None => "what it carries".into(),
     };

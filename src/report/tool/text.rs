@@ -3,19 +3,28 @@
 use std::fmt::Write;
 
 use crate::data::signal::Prepared;
-use crate::identify::tool::{Found, Relative, RobotErrors, names};
+use crate::identify::tool::{Carried, Found, Relative, RobotErrors, names};
 use crate::identify::{Standing, Underdetermined};
 use crate::report::Warnings;
 use crate::report::identify::text::logs_text;
 use crate::report::parts::number::{digits, figure, pad, percent};
 
+/// Whether the mass is beyond what an empty hand gives: three deviations, less is what it gives once
+/// in 400 logs.
+fn seen(carried: &Carried) -> bool {
+    carried.known_mass.is_some() || carried.values[0] > 3.0 * carried.std[0]
+}
+
+/// Whether the logs determine all ten parameters, and there is nothing in the hand.
+pub(super) fn empty_hand(carried: &Carried) -> bool {
+    !seen(carried) && !carried.standing.contains(&Standing::NotIdentifiable)
+}
+
 /// The result in a few sentences.
 pub fn tool_verdict(found: &Found) -> String {
     let carried = &found.carried;
     let mut text = String::new();
-    // Three deviations: less is what an empty hand gives once in 400 logs.
-    let seen = carried.known_mass.is_some() || carried.values[0] > 3.0 * carried.std[0];
-    match carried.body.as_ref().filter(|_| seen) {
+    match carried.body.as_ref().filter(|_| seen(carried)) {
         Some(body) => {
             let [x, y, z] = body.center.map(|c| digits(1e3 * c, 3));
             let worst = body.center_std.iter().fold(0.0_f64, |m, s| m.max(*s));
@@ -72,7 +81,8 @@ pub fn tool_verdict(found: &Found) -> String {
             digits(std, 2)
         );
     }
-    if let Some(r) = &found.recognition {
+    // Of an empty hand there is no more to say.
+    if let Some(r) = found.recognition.as_ref().filter(|r| !(r.rejected && empty_hand(carried))) {
         let (nearest, tools) = (r.nearest(), r.candidates.len());
         let (near, limit) = (digits(nearest.distance, 3), digits(r.limit, 3));
         if r.rejected {

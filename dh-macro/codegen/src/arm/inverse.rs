@@ -336,7 +336,7 @@ fn named(lines: &Lines, six: Six, why: &str, locked: Option<usize>) -> Found {
         }
     };
     if let Some(joint) = locked {
-        reason += &format!("; joint {} is given", joint + 1);
+        reason += &format!("; joint {} is the redundancy", joint + 1);
     }
     if quartic {
         reason += ": a quartic";

@@ -1,0 +1,47 @@
+//! Other orders and units of the torque columns of logs, tried one and all.
+
+use std::path::Path;
+
+use dh_codegen::robot::Robot;
+
+use super::Failure;
+use super::known_effects::without;
+use super::prepare::{moving, pass};
+use crate::data::log::Finding;
+use crate::data::signal::Prepare;
+use crate::identify::{Identification, KnownEffects, Reference, TorqueColumns};
+use crate::model::Arm;
+
+/// What other readings of the columns explain, of the logs that were tried.
+pub(super) struct Tried<'a> {
+    prepare: &'a Prepare,
+    known: Option<&'a KnownEffects<'a>>,
+    gears: Vec<Option<f64>>,
+    explained: Vec<(String, Finding)>,
+    distinguish: bool,
+}
+
+impl<'a> Tried<'a> {
+    pub(super) fn new(robot: &Robot, prepare: &'a Prepare, known: Option<&'a KnownEffects<'a>>) -> Self {
+        let gears = moving(robot).map(|joint| joint.drive.gear_ratio).collect();
+        Self { prepare, known, gears, explained: Vec::new(), distinguish: true }
+    }
+
+    /// Another pass over a log, of an arm that may carry something.
+    pub(super) fn log(&mut self, path: &Path, arm: &dyn Arm, references: &[Reference<'_>]) -> Result<(), Failure> {
+        let mut columns = TorqueColumns::new(arm);
+        pass(path, arm.dof(), self.prepare, |motion| columns.absorb(&without(self.known, motion)))?;
+        self.distinguish &= columns.distinguishes();
+        let finding = references.iter().find_map(|r| columns.explained(*r, &self.gears));
+        self.explained.extend(finding.map(|finding| (path.display().to_string(), finding)));
+        Ok(())
+    }
+
+    /// Puts what was found in the place of the suspicions.
+    pub(super) fn tell(self, found: &mut Identification) {
+        if self.explained.is_empty() && self.distinguish {
+            found.rule_out_columns();
+        }
+        found.take_explanations(self.explained);
+    }
+}
