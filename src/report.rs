@@ -31,7 +31,7 @@ pub use import::{
 pub use log::json::inspect_json;
 pub use log::text::{converted_text, inspect_text, mapping_yaml};
 pub use paint::page::paint_html;
-pub use paint::run::{paint_run_csv, paint_run_json, paint_run_text};
+pub use paint::run::{paint_run_csv, paint_run_ended, paint_run_json, paint_run_text};
 pub use paint::run_page::{Painted, paint_run_html};
 pub use paint::saved::{plan_json, plan_of_json};
 pub use paint::text::{Planned, paint_csv, paint_json, paint_path_csv, paint_text};

@@ -182,6 +182,12 @@ impl Excite {
         task.curve = self.curve()?;
         task.rate = CRITERION_RATE;
         task.share = self.speed / 100.0;
+        if self.links_only && !arm.base_parameters().iter().any(|b| b.leader.is_drive()) {
+            return Err(Failure::input(format!(
+                "--links-only: {} has no column of a drive that could be left out; leave the option out",
+                self.robot.display()
+            )));
+        }
         if self.links_only || self.tool {
             task.links_only();
         }
@@ -260,7 +266,8 @@ impl Excite {
         if broken.is_empty() {
             return Ok(());
         }
-        Err(Failure::other(format!("{} breaks {} limits: {}", path.display(), broken.len(), broken.join("; "))))
+        let (count, s) = (broken.len(), if broken.len() == 1 { "" } else { "s" });
+        Err(Failure::other(format!("{} breaks {count} limit{s}: {}", path.display(), broken.join("; "))))
     }
 
     /// Refuses options that change nothing beside the others.
@@ -333,6 +340,12 @@ impl Excite {
             if !(low..=high).contains(&value) {
                 return Err(Failure::input(format!("{name} {value}: from {low} to {high}")));
             }
+        }
+        if self.fourier.is_none() && self.spacing > self.duration && self.spacing != 1.0 {
+            return Err(Failure::input(format!(
+                "--spacing {} is longer than the motion of {} s; give less",
+                self.spacing, self.duration
+            )));
         }
         if self.duration / self.spacing > 100.0 {
             return Err(Failure::input(format!(

@@ -95,6 +95,11 @@ impl Inspect {
         files::check_outputs(&[("--json", &self.json), ("--out", &self.out)], std::slice::from_ref(&self.log))?;
         let (name, mut table) = table(&self.log, &log::Reading::default())?;
         let channels = table.summarise().map_err(Failure::input)?;
+        if channels.iter().all(|channel| channel.samples == 0) {
+            return Err(Failure::input(format!(
+                "{name} holds no numbers; it is no log of a kind that is read here, or has no rows (docs/logs.md)"
+            )));
+        }
         let joints = robot.as_ref().map(|r| joints(&r.robot)).unwrap_or_default();
         let proposal = propose(&channels, &joints);
         deliver(&provenance)
@@ -112,6 +117,13 @@ impl Convert {
         let reading = self.map.reading(robot.as_ref().map(|r| &r.robot))?;
         let (name, table) = table(&self.log, &reading)?;
         let mut source = source(&name, table, &reading).map_err(Failure::input)?;
+        let joints = source.layout().dof;
+        if let Some(robot) = robot.as_ref().map(|r| &r.robot).filter(|r| r.dof() != joints) {
+            let (of, name_of) = (robot.dof(), &robot.name);
+            terminal::say(&format!(
+                "{name}: note: it has {joints} joints, {name_of} has {of}; all of the log's are written"
+            ));
+        }
         let has = |quantity| source.layout().has(quantity);
         let torque = [Quantity::Tau, Quantity::Taum].into_iter().find(|q| has(*q)).unwrap_or(Quantity::Current);
         let parquet = self.out.extension().is_some_and(|e| e.eq_ignore_ascii_case("parquet"));

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::{Args, ValueEnum};
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Effect, Inertia, Robot};
 use flate2::Compression;
 use flate2::write::GzEncoder;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -75,6 +75,9 @@ enum ControlMode {
     Exact,
 }
 
+/// Longest free swing, s.
+const LONGEST: f64 = 1e5;
+
 impl Simulate {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let name = self.out.to_string_lossy().to_lowercase();
@@ -135,8 +138,8 @@ impl Simulate {
     }
 
     fn trajectory(&self, n: usize, mode: Mode) -> Result<Trajectory, Failure> {
-        if let Some(duration) = self.free.filter(|d| !(*d > 0.0 && *d < 1e6)) {
-            return Err(Failure::input(format!("--free {duration}: seconds, more than 0")));
+        if let Some(duration) = self.free.filter(|d| !(*d > 0.0 && *d <= LONGEST)) {
+            return Err(Failure::input(format!("--free {duration}: seconds, more than 0 and at most {LONGEST}")));
         }
         if let (Some(start), Some(duration)) = (&self.start, self.free) {
             if start.len() != n {
@@ -245,5 +248,13 @@ pub(in crate::cli) fn effects(
     let file = SimulationFile::from_yaml(&files::text(path)?, robot)
         .map_err(|problems| Failure::input(format!("{shown} can't be used:\n{}", problems.in_file(&shown))))?;
     file.notes.iter().for_each(|note| terminal::warn(warnings, &shown, &note.to_string()));
+    for effect in &file.effects.robot {
+        if let Effect::Payload(payload) = effect
+            && !payload.is_point()
+            && let Err(why) = Inertia::from_array(payload.body()).physical()
+        {
+            terminal::warn(warnings, &shown, &format!("payload: no body has these ten parameters: {why}"));
+        }
+    }
     Ok(file)
 }

@@ -67,8 +67,21 @@ fn refuse_xacro(root: Element<'_>, found: &mut Mistakes) {
             true => format!("`{}` is a tag of xacro, which is not expanded here", tag.tag_name().name()),
             false => "an expression of xacro stands here, which is not evaluated here".to_string(),
         };
-        let mend = "expand the file first: `xacro FILE.xacro > robot.urdf` (ROS 2: `ros2 run xacro xacro`), \
-                    or `xacro FILE.xacro | denavit import - --out ROBOT`";
+        // Without a definition here, or an included one, the file is a part of another.
+        let word = |n: &Element<'_>| n.tag_name().name().to_string();
+        let tags: Vec<String> = root.descendants().filter(is_xacro).map(|n| word(&n)).collect();
+        let part = !tags.is_empty()
+            && !tags.iter().any(|tag| ["macro", "include", "property", "arg", "if", "unless"].contains(&tag.as_str()));
+        let mend = match part {
+            true => {
+                "the macro is not defined in this file: expand the file that includes it, \
+                     `xacro THAT.xacro > robot.urdf`, or take the tag out"
+            }
+            false => {
+                "expand the file first: `xacro FILE.xacro > robot.urdf` (ROS 2: `ros2 run xacro xacro`), \
+                      or `xacro FILE.xacro | denavit import - --out ROBOT`"
+            }
+        };
         found.element(tag, what, mend);
     }
 }

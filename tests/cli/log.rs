@@ -33,6 +33,16 @@ fn the_mapping_of_the_robot_file_is_used_unless_another_is_given() {
     assert!(run.err.contains("map.yaml:2:") && run.err.contains("`m` is no unit of `t`"), "{}", run.err);
 }
 
+/// What holds no numbers is no log.
+#[test]
+fn a_file_without_numbers_is_refused() {
+    let path = folder("log-nothing").join("header.csv").display().to_string();
+    std::fs::write(&path, "t,q1,q2,tau1,tau2\n").unwrap();
+    let run = denavit(&["log", "inspect", &path]);
+    assert_eq!(run.status, Some(2), "{}", run.out);
+    assert!(run.err.contains("header.csv holds no numbers"), "{}", run.err);
+}
+
 #[test]
 fn a_folder_of_rosbag2_stands_for_its_recording() {
     let run = denavit(&["log", "inspect", "tests/recordings/rosbag2"]);

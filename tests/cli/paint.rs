@@ -153,6 +153,11 @@ fn a_run_presses_as_asked_and_shows_it() {
     fails(&["--aside", "1.5"], "--aside 1.5");
     fails(&["--force", "nan"], "--force");
     fails(&["--paper", "--carry", "0.5"], "--carry");
+    for tool in [&["--tool", "robots/tools/mini-roller-250x60.yaml"][..], &[]] {
+        let run = denavit(&[&base[..], tool].concat());
+        assert_eq!(run.status, Some(2), "{}", run.out);
+        assert!(run.err.contains("the plan was made for a roller of 0.35 m x 0.2 m"), "{}", run.err);
+    }
     let wrong = denavit(&["paint", "run", "robots/ur10e.yaml", "--plan", &plan]);
     assert_eq!(wrong.status, Some(2));
     assert!(wrong.err.contains("the plan has 7 joints"), "{}", wrong.err);

@@ -146,6 +146,13 @@ pub struct Run {
     pub learned: Option<Learned>,
 }
 
+impl Run {
+    /// Whether it painted to the end of its plan.
+    pub fn painted(&self) -> bool {
+        matches!(self.status, Status::Free | Status::Pressing)
+    }
+}
+
 /// Why there is no run.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]

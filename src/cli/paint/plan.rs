@@ -206,8 +206,13 @@ impl Where {
         let lanes = self.lanes.unwrap_or_else(|| Strokes::fewest(&surface, geometry.width));
         if !(1..=200).contains(&lanes) {
             return Err(Failure::input(format!(
-                "{lanes} lanes of {} m: from 1 to 200 are planned; paint a narrower wall, or name --lanes",
-                geometry.width
+                "{lanes} lanes of {} m: from 1 to 200 are planned; {}",
+                geometry.width,
+                if self.lanes.is_some() {
+                    "name fewer or more --lanes"
+                } else {
+                    "paint a narrower wall, or name --lanes"
+                }
             )));
         }
         Ok(Site {

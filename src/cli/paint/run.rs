@@ -156,6 +156,7 @@ impl Run {
                 robot.dof()
             )));
         }
+        self.same_roller(&plan, &robot)?;
         let given = match &self.effects {
             Some(path) => played(path, &robot, &mut warnings)?,
             None => SimulationFile::default(),
@@ -246,7 +247,30 @@ impl Run {
             .file(self.out.as_ref(), || report::paint_run_csv(found.run))?
             .file(self.report.as_ref(), || report::paint_run_html(found, &provenance.rows()))?
             .json(self.json.as_ref(), || report::paint_run_json(found))?
-            .text(|| report::paint_run_text(found))
+            .text(|| report::paint_run_text(found))?;
+        match found.run.painted() {
+            true => Ok(()),
+            false => Err(Failure::other(format!("{}: it {}", self.plan.display(), report::paint_run_ended(found.run)))),
+        }
+    }
+
+    /// A plan is one for its roller: with another one the wall is elsewhere, or its lanes are.
+    fn same_roller(&self, plan: &Plan, robot: &Robot) -> Result<(), Failure> {
+        let planned = [plan.roller.length, plan.roller.width];
+        let own = robot.tool.as_ref().and_then(|tool| tool.geometry).map(|g| [g.length, g.width]);
+        if own.is_some_and(|own| own.iter().zip(planned).all(|(a, b)| (a - b).abs() < 1e-6)) {
+            return Ok(());
+        }
+        let has = match own {
+            Some([length, width]) => format!("the tool here is one of {length} m x {width} m"),
+            None => "there is no roller here".into(),
+        };
+        Err(Failure::input(format!(
+            "{}: the plan was made for a roller of {} m x {} m (length x width), and {has}; give the plan's --tool, or plan anew",
+            self.plan.display(),
+            planned[0],
+            planned[1]
+        )))
     }
 
     fn plan(&self, path: &Path) -> Result<Plan, Failure> {

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::excite::check::Verdict;
 use crate::report::Warnings;
-use crate::report::parts::number::figure;
+use crate::report::parts::number::{counted, figure};
 
 /// Checks that were skipped, or made against a limit that is not in the file.
 fn warnings(verdict: &Verdict) -> Warnings {
@@ -77,7 +77,7 @@ pub fn motion_check_text(verdict: &Verdict) -> String {
     }
     let _ = match broken {
         0 => writeln!(out, "feasible: {} instants looked at", verdict.instants),
-        _ => writeln!(out, "not feasible: {broken} conditions broken"),
+        _ => writeln!(out, "not feasible: {} broken", counted(broken, "condition", "conditions")),
     };
     out + &warnings(verdict).text()
 }

@@ -13,6 +13,11 @@ pub(in crate::report) fn status(run: &Run) -> String {
     words(run.status)
 }
 
+/// How it ended, as the end of a sentence.
+pub fn paint_run_ended(run: &Run) -> String {
+    status(run)
+}
+
 fn words(status: Status) -> String {
     match status {
         Status::Free | Status::Pressing => "painted to the end".into(),

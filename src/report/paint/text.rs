@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 use crate::apps::painting::{Moment, Plan, Swivel, Task, joint_torques};
 use crate::report::Warnings;
 use crate::report::paint::saved::plan_json;
-use crate::report::parts::number::figure;
+use crate::report::parts::number::{counted, figure};
 
 /// A plan, with what belongs to it.
 pub struct Planned<'a> {
@@ -139,8 +139,8 @@ pub fn paint_text(planned: &Planned<'_>) -> String {
     );
     let _ = writeln!(
         out,
-        "{} lanes, dY = {:.4} m (roller {:.4} m), Y_0 = {:.4}, Z_l = {:.4}, Z_u = {:.4} m; {:.1} % of the wall on two lanes",
-        s.lanes,
+        "{}, dY = {:.4} m (roller {:.4} m), Y_0 = {:.4}, Z_l = {:.4}, Z_u = {:.4} m; {:.1} % of the wall on two lanes",
+        counted(s.lanes, "lane", "lanes"),
         s.step,
         plan.roller.width,
         s.first,

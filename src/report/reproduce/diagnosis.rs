@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::apps::paper::diagnosis::{Battery, Hidden, Outcome, Share};
 use crate::diagnose::Cause;
-use crate::report::parts::number::digits;
+use crate::report::parts::number::{counted, digits};
 use crate::report::reproduce::text::Table;
 
 fn percent(share: Share) -> String {
@@ -26,9 +26,9 @@ pub(in crate::report) fn verdict(found: &Battery) -> String {
         );
     }
     format!(
-        "Effects of {} times the noise, hidden in {} simulated cases from seed {}: the right cause comes first in {}, in the right place in {} of these. The models attain {} of the possible gain on unused data where the joints move, {} over all samples.",
+        "Effects of {} times the noise, hidden in {} from seed {}: the right cause comes first in {}, in the right place in {} of these. The models attain {} of the possible gain on unused data where the joints move, {} over all samples.",
         found.settings.size,
-        found.outcomes.len(),
+        counted(found.outcomes.len(), "simulated case", "simulated cases"),
         found.settings.from,
         percent(s.first),
         percent(s.place),
