@@ -182,18 +182,12 @@ impl Excite {
         task.curve = self.curve()?;
         task.rate = CRITERION_RATE;
         task.share = self.speed / 100.0;
-        if self.links_only && !arm.base_parameters().iter().any(|b| b.leader.is_drive()) {
-            return Err(Failure::input(format!(
-                "--links-only: {} has no column of a drive that could be left out; leave the option out",
-                self.robot.display()
-            )));
-        }
+        self.check_links_only(&arm)?;
         if self.links_only || self.tool {
             task.links_only();
         }
         if self.tool {
-            task.base.clear();
-            task.payload = true;
+            task.tool_only();
         }
         if self.friction {
             let has_offset = arm.base_parameters().iter().any(|b| b.is_drive_term(DriveTerm::FO));
@@ -268,6 +262,16 @@ impl Excite {
         }
         let (count, s) = (broken.len(), if broken.len() == 1 { "" } else { "s" });
         Err(Failure::other(format!("{} breaks {count} limit{s}: {}", path.display(), broken.join("; "))))
+    }
+
+    fn check_links_only(&self, arm: &dyn Arm) -> Result<(), Failure> {
+        match self.links_only && !arm.base_parameters().iter().any(|b| b.leader.is_drive()) {
+            true => Err(Failure::input(format!(
+                "--links-only: {} has no column of a drive that could be left out; leave the option out",
+                self.robot.display()
+            ))),
+            false => Ok(()),
+        }
     }
 
     /// Refuses options that change nothing beside the others.

@@ -110,16 +110,7 @@ impl ToolVerb {
             &[("--json", &self.json), ("--report", &self.report)],
             file.read.iter().chain(&self.unloaded).chain(&self.loaded).chain(&self.identified),
         )?;
-        if self.refresh_friction
-            && !moving(&file.robot).any(|joint| {
-                joint.drive.viscous_friction.or(joint.drive.coulomb_friction).or(joint.drive.offset).is_some()
-            })
-        {
-            return Err(Failure::input(format!(
-                "--refresh-friction: {} has no friction that could be refreshed; give joints a `drive` with `friction`, or leave the option out",
-                self.robot.display()
-            )));
-        }
+        self.check_refresh(&file.robot)?;
         let mut prepare = self.preparation.prepare(&file.robot)?;
         let mut bare = file.robot.clone();
         let own = bare.tool.take();
@@ -190,6 +181,20 @@ impl ToolVerb {
             factors.push(stack.finish());
         }
         Ok(read)
+    }
+
+    fn check_refresh(&self, robot: &Robot) -> Result<(), Failure> {
+        if self.refresh_friction
+            && !moving(robot).any(|joint| {
+                joint.drive.viscous_friction.or(joint.drive.coulomb_friction).or(joint.drive.offset).is_some()
+            })
+        {
+            return Err(Failure::input(format!(
+                "--refresh-friction: {} has no friction that could be refreshed; give joints a `drive` with `friction`, or leave the option out",
+                self.robot.display()
+            )));
+        }
+        Ok(())
     }
 
     /// Looks for other orders and units of the torque columns where the torques may be misread.

@@ -139,6 +139,12 @@ impl<'a> Task<'a> {
         self.base.retain(|&b| !base[b].leader.is_drive());
     }
 
+    /// Counts the ten parameters of a body in the tool frame alone, the robot being known.
+    pub fn tool_only(&mut self) {
+        self.base.clear();
+        self.payload = true;
+    }
+
     /// Leaves out what no posture changes: frames on the base axis, spheres that turn about it.
     fn forget_constant(&mut self) {
         let mut random = Random::stream(1, 1);

@@ -36,7 +36,7 @@ impl Default for Solver {
 pub enum Breakdown {
     /// No bodies have such a mass matrix.
     #[error(
-        "at {time:.4} s the mass matrix is not positive definite at joint {joint}: the inertial parameters are not those of possible bodies; give the robot file (and what is added to its links: a tool, `payload`, `link_inertia_error`) bodies that can be, or the joint a rotor inertia"
+        "at {time:.4} s the mass matrix is not positive definite at joint {joint}: the inertial parameters are not those of possible bodies; give the robot file (and what is added to its links) bodies that can be, or the joint a rotor inertia"
     )]
     Mass {
         /// Number of the coordinate, from 1.

@@ -148,15 +148,7 @@ impl Run {
         }
         let robot = file.robot;
         let plan = self.plan(&self.plan)?;
-        if plan.motion.dof() != robot.dof() {
-            return Err(Failure::input(format!(
-                "{}: the plan has {} joints, {shown} has {}; take the plan that was made for this robot",
-                self.plan.display(),
-                plan.motion.dof(),
-                robot.dof()
-            )));
-        }
-        self.same_roller(&plan, &robot)?;
+        self.made_for(&plan, &robot)?;
         let given = match &self.effects {
             Some(path) => played(path, &robot, &mut warnings)?,
             None => SimulationFile::default(),
@@ -254,8 +246,18 @@ impl Run {
         }
     }
 
-    /// A plan is one for its roller: with another one the wall is elsewhere, or its lanes are.
-    fn same_roller(&self, plan: &Plan, robot: &Robot) -> Result<(), Failure> {
+    /// A plan is one for its robot and its roller: with another one the wall is elsewhere, or its
+    /// lanes are.
+    fn made_for(&self, plan: &Plan, robot: &Robot) -> Result<(), Failure> {
+        let shown = self.robot.display();
+        if plan.motion.dof() != robot.dof() {
+            return Err(Failure::input(format!(
+                "{}: the plan has {} joints, {shown} has {}; take the plan that was made for this robot",
+                self.plan.display(),
+                plan.motion.dof(),
+                robot.dof()
+            )));
+        }
         let planned = [plan.roller.length, plan.roller.width];
         let own = robot.tool.as_ref().and_then(|tool| tool.geometry).map(|g| [g.length, g.width]);
         if own.is_some_and(|own| own.iter().zip(planned).all(|(a, b)| (a - b).abs() < 1e-6)) {

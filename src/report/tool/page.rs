@@ -20,6 +20,15 @@ use crate::report::tool_verdict;
 /// The most tools that a figure shows.
 const SHOWN: usize = 12;
 
+fn title(found: &Found) -> String {
+    match &found.recognition {
+        Some(r) if !r.rejected => r.nearest().name.clone(),
+        _ if empty_hand(&found.carried) => "nothing in the hand".into(),
+        Some(_) => "none of the known tools".into(),
+        None => "what it carries".into(),
+    }
+}
+
 /// The page.
 pub fn tool_html(
     found: &Found,
@@ -30,17 +39,11 @@ pub fn tool_html(
 ) -> String {
     let carried = &found.carried;
     let mut body = String::new();
-    let title = match &found.recognition {
-        Some(r) if !r.rejected => r.nearest().name.clone(),
-        _ if empty_hand(carried) => "nothing in the hand".into(),
-        Some(_) => "none of the known tools".into(),
-        None => "what it carries".into(),
-    };
     let _ = writeln!(
         body,
         "<header><p class=kicker>Tool of {}</p><h1>{}</h1><p class=verdict>{}</p></header>",
         escape(&carried.robot),
-        escape(&title),
+        escape(&title(found)),
         escape(&tool_verdict(found))
     );
     body.push_str(&warnings.html());
