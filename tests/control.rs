@@ -34,6 +34,32 @@ fn what_is_fed_forward_need_not_be_displaced() {
     assert!((command.unwrap().displacement - world.q[0]).abs() < 1e-3);
 }
 
+/// What is fed forward goes within 20 ms of the end of contact, and comes within half a second.
+#[test]
+fn what_is_fed_forward_ends_with_the_contact() {
+    let mut controller = Controller::new(Gantry::default(), Settings { carry: 1.0, ..settings() }).unwrap();
+    let mut world = World::new();
+    for _ in 0..8000 {
+        let command = controller.step(&target(), &world.sample());
+        world.run(&command);
+    }
+    let mut steps = |force: f64, count: u32| {
+        let mut torque = 0.0;
+        for _ in 0..count {
+            torque = controller.step(&target(), &Sample { force, ..world.sample() }).torque[0];
+            world.t += T;
+        }
+        torque
+    };
+    let before = steps(30.0, 1);
+    // Meanwhile the tool is sent deeper at 0.1 m/s: 2.1 mm of the spring, and the damping of it.
+    let deeper = 400.0 * 0.1 * 0.021;
+    let after = steps(0.0, 21);
+    assert!((before - after - 30.0 + deeper + 40.0 * 0.1).abs() < 0.1, "{before} {after}");
+    let again = steps(30.0, 250);
+    assert!((again - 15.0 - deeper).abs() < 0.5, "{again} {after}");
+}
+
 #[test]
 fn a_drag_aside_is_carried_by_its_estimate() {
     let moved = |aside: f64| {
@@ -88,7 +114,8 @@ fn drag_is_learned_and_then_known_before_the_estimate_shows_it() {
     };
     let ((late, nothing), (known, learned)) = (run(0.0), run(1.0));
     assert!(nothing == 0.0 && (learned - FRICTION).abs() < 0.05, "{learned}");
-    assert!(known < 0.4 * late, "{known} {late}");
+    // With the prediction in place of what the estimate shows of it, or the reverse, it is a tenth.
+    assert!(known < 0.05 * late, "{known} {late}");
 }
 
 #[test]
@@ -129,6 +156,19 @@ fn anti_windup() {
         force.press(-30.0, T, f64::MAX, 0.0);
     }
     assert!(force.displacement() < 0.03, "{}", force.displacement());
+}
+
+/// Behind a ceiling below the end of the range the integral waits too.
+#[test]
+fn anti_windup_behind_a_ceiling() {
+    let settings = ForceSettings { kp: 0.0, ki: 0.1, range: [0.0, 0.05], rate: 1.0 };
+    let mut force = denavit::control::law::ForceLoop::new(settings);
+    for _ in 0..10_000 {
+        force.press(30.0, T, 0.02, 0.0);
+    }
+    assert_eq!(force.displacement(), 0.02);
+    force.press(-30.0, T, 0.02, 0.0);
+    assert!(force.displacement() < 0.02, "{}", force.displacement());
 }
 
 #[test]
@@ -373,6 +413,66 @@ fn what_may_be_friction_is_no_force() {
     assert!(lost.abs() < 0.05, "{lost}");
 }
 
+/// Seven sliding joints, two of them along x.
+struct Twice;
+
+impl Body<7> for Twice {
+    fn torques(&mut self, _: &[f64; 7], _: &[f64; 7], _: &[f64; 7], _: f64) -> [f64; 7] {
+        [0.0; 7]
+    }
+
+    fn tool(&mut self, _: &[f64; 7]) -> Tool<7> {
+        let mut jacobian = [[0.0; 7]; 6];
+        (0..6).for_each(|k| jacobian[k][k] = 1.0);
+        jacobian[0][6] = 1.0;
+        Tool { origin: [0.0; 3], rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], jacobian }
+    }
+}
+
+/// Where joints disagree the estimate is their mean, each by its weight.
+#[test]
+fn joints_count_by_their_weights() {
+    let mut weights = [1.0; 7];
+    weights[6] = 3.0;
+    let settings = EstimatorSettings {
+        period: T,
+        corner: 20.0,
+        weights,
+        damping: 1e-9,
+        moment: 10.0,
+        turning: [0.0; 7],
+        rest: [0.0; 7],
+    };
+    let mut estimator = Estimator::new(Twice, settings);
+    let mut last = None;
+    for _ in 0..4000 {
+        last = estimator.step(&[0.0; 7], &[5.0, 0.0, 0.0, 0.0, 0.0, 0.0, 9.0]);
+    }
+    assert!((last.unwrap()[0] - 8.0).abs() < 1e-3, "{last:?}");
+}
+
+/// A moment is as large as its prior lets it be: half of it where both count alike.
+#[test]
+fn a_moment_is_weighed_against_its_prior() {
+    let told = |moment: f64| {
+        let settings = EstimatorSettings {
+            period: T,
+            corner: 20.0,
+            weights: [1.0; 6],
+            damping: 1e-9,
+            moment,
+            turning: [0.0; 6],
+            rest: [0.0; 6],
+        };
+        let mut estimator = Estimator::new(Doubtful(0.0), settings);
+        let last = (0..4000).filter_map(|_| estimator.step(&[0.0; 6], &[0.0, 0.0, 0.0, 0.8, 0.0, 0.0])).last();
+        last.unwrap()[3]
+    };
+    for (moment, share) in [(1.0, 0.5), (f64::INFINITY, 1.0), (0.0, 0.0), (0.5, 0.2)] {
+        assert!((told(moment) - 0.8 * share).abs() < 1e-3, "{moment} {}", told(moment));
+    }
+}
+
 /// A gantry whose first joint holds up to 1 N by static friction.
 struct Sticky;
 
@@ -413,7 +513,7 @@ fn at_rest_friction_is_no_force() {
             for _ in 0..2000 {
                 noise = -noise;
                 let q = [1e-5 * noise, 0.0, 1e-5 * noise, 0.0, 0.0, 0.0];
-                last = estimator.step(&q, &[x + 0.01 * noise, y, 0.0, 0.0, 0.0, 0.0]).unwrap_or(last);
+                last = estimator.step(&q, &[x + 0.01 * noise, y + 0.01 * noise, 0.0, 0.0, 0.0, 0.0]).unwrap_or(last);
             }
             ([last[0], last[1]], estimator.friction_alone())
         })
