@@ -44,6 +44,18 @@ fn a_sample_stamped_ahead_leaves_the_arm_damped() {
     assert!(fastest(&world) < 0.01, "{:?}", world.v);
 }
 
+/// Damping is all that the joint loop has: 40 N s/m.
+#[test]
+fn a_stop_damps_with_the_gain_of_the_joint_loop() {
+    let (mut controller, mut world) = pressing();
+    go_on(&mut controller, &mut world, 1, |_, sample| sample.t += 10.0);
+    world.v[1] = COASTS;
+    let still = Command { torque: [0.0, 0.0, 9.81, 0.0, 0.0, 0.0], ..controller.step(&target(), &world.sample()) };
+    world.run(&still);
+    let command = controller.step(&target(), &world.sample());
+    assert!((command.torque[1] + 40.0 * COASTS).abs() < 0.1, "{command:?}");
+}
+
 #[test]
 fn a_clock_set_back_leaves_the_arm_damped() {
     let (mut controller, mut world) = pressing();
