@@ -12,7 +12,10 @@ use std::hint::black_box;
 use measure::{Bench, cycles};
 
 fn row<const N: usize>(name: &str) {
-    let bench = Bench::<N>::new(name);
+    measured(name, &Bench::<N>::new(name));
+}
+
+fn measured<const N: usize>(name: &str, bench: &Bench<N>) {
     let (ns, branches) = bench.solve();
     let (all, one) = bench.cycles();
     let (mut intervals, mut at) = (String::from("-"), String::from("-"));
@@ -50,6 +53,9 @@ fn main() {
     row::<6>("staubli-tx40");
     row::<4>("scara");
     row::<6>("stanford");
+    measured("xarm6", &Bench::<6>::of(include_str!("ik/xarm6.yaml")));
+    measured("jaco2", &Bench::<6>::of(include_str!("ik/jaco2.yaml")));
+    measured("gen3-lite", &Bench::<6>::of(include_str!("ik/gen3-lite.yaml")));
     println!("\n| generated crate | cycles | at 2.5 GHz |\n|---|---:|---:|");
     generated!("kuka-lwr4", kuka_lwr4);
     generated!("franka-panda", franka_panda);

@@ -66,12 +66,7 @@ fn nothing_is_allocated() {
 fn no_panic_can_be_reached() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("no_panic");
-    std::fs::create_dir_all(folder.join("src")).unwrap();
-    let manifest = format!(
-        "[package]\nname = \"no-panic\"\nversion = \"0.1.0\"\nedition = \"2024\"\n[lib]\ncrate-type = [\"staticlib\"]\n[dependencies]\nkuka-lwr4 = {{ path = {:?} }}\n[profile.release]\npanic = \"abort\"\nopt-level = 3\nlto = true\ncodegen-units = 1\n[workspace]\n",
-        root.join("generated/kuka-lwr4")
-    );
-    std::fs::write(folder.join("Cargo.toml"), manifest).unwrap();
+    manifest(&folder, "kuka-lwr4", &root.join("generated/kuka-lwr4"));
     let source = |body: &str| {
         format!(
             "#![no_std]\nuse kuka_lwr4::*;\nunsafe extern \"C\" {{ fn a_panic_is_reachable() -> !; }}\n#[panic_handler]\nfn panic(_: &core::panic::PanicInfo) -> ! {{ unsafe {{ a_panic_is_reachable() }} }}\n#[unsafe(no_mangle)]\npub extern \"C\" fn run(q: &[f64; DOF], phi: &[f64; STANDARD], beta: &[f64; BASE], i: usize) -> f64 {{ {body} }}\n"
@@ -80,6 +75,41 @@ fn no_panic_can_be_reached() {
     let all = "frames(q)[6][0][0] + tool_pose(q)[0][0] + forward_kinematics(q)[0][0] + jacobian(q)[0][0] + tool_jacobian(q)[0][0] + jacobian_dot_velocity(q, q)[0] + inverse_dynamics(q, q, q, phi)[0] + inverse_dynamics_base(q, q, q, beta)[0] + mass_matrix(q, beta)[0][0] + coriolis(q, q, beta)[0] + gravity(q, beta)[0] + forward_dynamics(q, q, q, beta)[0] + regressor(q, q, q)[0][0] + base_regressor(q, q, q)[0][0] + { let mut out = [[0.0; STANDARD]; DOF]; kernel::regressor::dense(&Trig::new(q), q, q, &mut out); out[6][83] } + gravity_regressor(q)[0][0] + kinetic_energy_regressor(q, q)[0] + potential_energy_regressor(q)[0] + payload_regressor(q, q, q)[0][0] + i as f64 + { let pose: [[f64; 4]; 3] = core::array::from_fn(|r| core::array::from_fn(|c| phi[4 * r + c])); let query = ik::Query { redundancy: phi[12], near: Some(q), ..Default::default() }; let found = inverse_kinematics(&pose, &query).map_or(0.0, |s| s.nearest(q).map_or(0.0, |s| s.q[0])); let plain = inverse_kinematics(&pose, &Default::default()).map_or(0.0, |s| s.safest().map_or(0.0, |s| s.q[1])); found + plain }";
     assert!(links(&folder, &source(all)), "a kernel can panic");
     assert!(!links(&folder, &source("q[i] + phi[0] + beta[0]")), "the check must notice an index out of bounds");
+}
+
+/// Six turning joints in general position.
+const GENERAL: &str = "name: general\nconvention: modified\njoints:
+  - { type: revolute, r: 0.3 }
+  - { type: revolute, alpha: 1.2, d: 0.1, r: 0.11 }
+  - { type: revolute, alpha: -0.8, d: 0.35, r: -0.07 }
+  - { type: revolute, alpha: 1.1, d: 0.06, r: 0.31 }
+  - { type: revolute, alpha: -1.3, d: 0.05, r: 0.09 }
+  - { type: revolute, alpha: 0.9, d: 0.08, r: 0.12 }
+";
+
+/// The elimination, too: a crate of its own, since no robot of the repository has it.
+#[test]
+fn no_panic_can_be_reached_by_elimination() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("no_panic_general");
+    // Beside it: a generated crate is a workspace of its own.
+    let arm = Path::new(env!("CARGO_TARGET_TMPDIR")).join("general_crate");
+    let robot = dh_codegen::robot::Robot::from_yaml(GENERAL, &|f| Err(f.to_string())).unwrap().robot;
+    for (path, text) in dh_codegen::krate(&robot, GENERAL) {
+        let file = arm.join(path);
+        std::fs::create_dir_all(file.parent().unwrap()).unwrap();
+        std::fs::write(file, text).unwrap();
+    }
+    manifest(&folder, "general", &arm);
+    let source = "#![no_std]\nuse general::*;\nunsafe extern \"C\" { fn a_panic_is_reachable() -> !; }\n#[panic_handler]\nfn panic(_: &core::panic::PanicInfo) -> ! { unsafe { a_panic_is_reachable() } }\n#[unsafe(no_mangle)]\npub extern \"C\" fn run(q: &[f64; DOF], phi: &[f64; 13], _: &[f64; 1], _: usize) -> f64 { let pose: [[f64; 4]; 3] = core::array::from_fn(|r| core::array::from_fn(|c| phi[4 * r + c])); let query = ik::Query { near: Some(q), ..Default::default() }; inverse_kinematics(&pose, &query).map_or(0.0, |s| s.nearest(q).map_or(0.0, |s| s.q[0])) }\n";
+    assert!(links(&folder, source), "the elimination can panic");
+}
+
+fn manifest(folder: &Path, name: &str, path: &Path) {
+    std::fs::create_dir_all(folder.join("src")).unwrap();
+    let text = format!(
+        "[package]\nname = \"no-panic\"\nversion = \"0.1.0\"\nedition = \"2024\"\n[lib]\ncrate-type = [\"staticlib\"]\n[dependencies]\n{name} = {{ path = {path:?} }}\n[profile.release]\npanic = \"abort\"\nopt-level = 3\nlto = true\ncodegen-units = 1\n[workspace]\n"
+    );
+    std::fs::write(folder.join("Cargo.toml"), text).unwrap();
 }
 
 fn links(folder: &Path, source: &str) -> bool {

@@ -73,8 +73,12 @@ pub struct Bench<const N: usize> {
 impl<const N: usize> Bench<N> {
     pub fn new(name: &str) -> Self {
         let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR").trim_end_matches("/benches/peers"));
-        let text = std::fs::read_to_string(path).expect("a robot file of the repository");
-        let robot = Robot::from_yaml(&text, &|f| Err(f.to_string())).expect("a robot file without problems").robot;
+        Self::of(&std::fs::read_to_string(path).expect("a robot file of the repository"))
+    }
+
+    /// Of the text of a robot file.
+    pub fn of(text: &str) -> Self {
+        let robot = Robot::from_yaml(text, &|f| Err(f.to_string())).expect("a robot file without problems").robot;
         let inverse = Inverse::new(Model::new(&robot).chain());
         let limits: Vec<_> = robot.moving().iter().map(|&i| robot.joints[i].limits.position).collect();
         let arm: Arm<N> = inverse.arm(&limits).expect("as many joints");

@@ -21,9 +21,9 @@ const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py
 /// Find the postures that bring the arm to given poses: all of them in closed form where the arm
 /// has one.
 ///
-/// An arm without one (class `none`) is searched numerically, and an arm that nearly has one is
-/// refined from a nominal arm. Both print `exact: false`, and for each pose whether postures may be
-/// missing.
+/// Six turning joints without one (class `none`) are solved by elimination, all postures too. An arm
+/// that nearly has one is refined from a nominal arm, and the rest is searched numerically. These
+/// two print `exact: false`. All three print for each pose whether postures may be missing.
 ///
 /// A pose is that of the last DH frame in the world frame, m, as `denavit eval --quantity
 /// forward_kinematics` prints it. Its columns are `r11 r12 r13 px r21 r22 r23 py r31 r32 r33 pz`.
@@ -103,7 +103,7 @@ impl Ik {
                 robot.dof()
             ))
         })?;
-        let redundant = matches!(kinematics.inverse().family, Family::Swivel(_) | Family::Locked { .. });
+        let redundant = kinematics.inverse().is_redundant();
         let swivels = matches!(kinematics.inverse().family, Family::Swivel(_));
         let why = "the arm has no swivel angle";
         provenance.refuse_idle(&[("--reference", swivels, why), ("--second-reference", swivels, why)])?;

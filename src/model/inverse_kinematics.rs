@@ -148,8 +148,9 @@ impl<const N: usize> Solver for Arm<N> {
                     }
                 }
             }
-            Family::Locked { joint, .. } => {
-                let [low, high] = self.limits[usize::from(*joint)].unwrap_or([-PI, PI]);
+            other => {
+                let Some(joint) = other.locked() else { return Ok(None) };
+                let [low, high] = self.limits[usize::from(joint)].unwrap_or([-PI, PI]);
                 for k in 0..POSITIONS {
                     let at = low + (high - low) * (k as f64 + 0.5) / POSITIONS as f64;
                     let query = Query { redundancy: at, reference: *reference, ..Query::default() };
@@ -158,7 +159,6 @@ impl<const N: usize> Solver for Arm<N> {
                     }
                 }
             }
-            _ => {}
         }
         Ok(best.map(|(at, _)| at))
     }

@@ -179,16 +179,42 @@ const GENERAL: &str = "name: general\nconvention: modified\njoints:
   - { type: revolute, alpha: 0.9, d: 0.08, r: 0.12 }
 ";
 
+/// Poses of four postures of a robot file, and one far out of reach.
+fn some_poses(folder: &std::path::Path, robot: &str) -> String {
+    let oracle = Numeric::new(&read_robot(robot));
+    let mut random = Random::new(3);
+    let mut rows: Vec<Vec<f64>> = (0..4).map(|_| row(oracle.frames(&random.vector(6, 1.5)).last().unwrap())).collect();
+    rows.push(vec![1.0, 0.0, 0.0, 9.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
+    file(folder, "poses.csv", csv(&pose_columns(), &rows))
+}
+
+/// Six turning joints in general position: all postures, and a proof that there is none.
+#[test]
+fn a_general_arm_is_solved_exactly() {
+    let folder = folder("ik-general");
+    let robot = file(&folder, "general.yaml", GENERAL);
+    let poses = some_poses(&folder, &robot);
+    assert_eq!(json(&["check", &robot, "--json", "-"])["ik"]["exact"], true);
+    let said = json(&["ik", &robot, "--poses", &poses, "--json", "-"]);
+    assert_eq!((&said["class"], &said["exact"]), (&"none".into(), &true.into()));
+    assert_eq!(said["method"], "elimination");
+    for pose in said["poses"].as_array().unwrap() {
+        assert_eq!((&pose["branches_uncertain"], &pose["branches_lost"]), (&false.into(), &0.into()), "{pose}");
+        assert_eq!(pose["solutions"].as_array().unwrap().len() % 2, 0, "{pose}");
+    }
+    let last = &said["poses"][4];
+    assert_eq!((&last["status"], &last["not_found"]), (&"unreachable".into(), &false.into()));
+    let text = denavit(&["ik", &robot, "--poses", &poses]).out;
+    assert!(text.contains("polynomial of degree 16") && text.contains("pose 5: unreachable, by"), "{text}");
+}
+
 /// A numerical search never says that it has every posture, nor that there is none.
 #[test]
 fn a_search_does_not_say_that_it_has_all() {
     let folder = folder("ik-search");
-    let robot = file(&folder, "general.yaml", GENERAL);
-    let oracle = Numeric::new(&read_robot(&robot));
-    let mut random = Random::new(3);
-    let mut rows: Vec<Vec<f64>> = (0..4).map(|_| row(oracle.frames(&random.vector(6, 1.5)).last().unwrap())).collect();
-    rows.push(vec![1.0, 0.0, 0.0, 9.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0]);
-    let poses = file(&folder, "poses.csv", csv(&pose_columns(), &rows));
+    // One that slides: not for the elimination.
+    let robot = file(&folder, "general.yaml", GENERAL.replacen("revolute, alpha: 1.1", "prismatic, alpha: 1.1", 1));
+    let poses = some_poses(&folder, &robot);
     assert_eq!(json(&["check", &robot, "--json", "-"])["ik"]["exact"], false);
     let said = json(&["ik", &robot, "--poses", &poses, "--json", "-"]);
     assert_eq!((&said["class"], &said["exact"]), (&"none".into(), &false.into()));
@@ -198,11 +224,14 @@ fn a_search_does_not_say_that_it_has_all() {
         let odd = pose["solutions"].as_array().unwrap().len() as u64 % 2;
         assert_eq!(pose["branches_lost"].as_u64(), Some(odd), "{pose}");
     }
+    let text = denavit(&["ik", &robot, "--poses", &poses]).out;
+    assert!(text.contains("found by search"), "{text}");
+    let five = file(&folder, "five.yaml", GENERAL.lines().take(8).collect::<Vec<_>>().join("\n"));
+    let said = json(&["ik", &five, "--poses", &poses, "--json", "-"]);
     let last = &said["poses"][4];
     assert_eq!((&last["status"], &last["not_found"]), (&"unreachable".into(), &true.into()));
-    let text = denavit(&["ik", &robot, "--poses", &poses]).out;
-    assert!(text.contains("found by search") && text.contains("pose 5: not found, by"), "{text}");
-    assert!(!text.contains("unreachable"), "{text}");
+    let text = denavit(&["ik", &five, "--poses", &poses]).out;
+    assert!(text.contains("pose 5: not found, by") && !text.contains("unreachable"), "{text}");
     let exact = json(&["ik", "robots/puma560.yaml", "--poses", &poses, "--json", "-"]);
     assert_eq!((&exact["method"], &exact["poses"][4]["not_found"]), (&"closed form".into(), &false.into()));
 }

@@ -136,7 +136,7 @@ fn examine<const N: usize>(inverse: &Inverse, random: &mut Random, postures: usi
             })
         };
         let own = blind.as_slice().iter().any(|s| far(&s.q) < 1e-4);
-        if !own && blind.status != Status::Singular {
+        if !own && blind.status != Status::Singular && !blind.uncertain {
             figures.unmarked += 1;
             if figures.unmarked < 6 {
                 let n = blind.as_slice().len();
@@ -259,6 +259,17 @@ family!(
     ["RRRRRRR", "+||||||", "d000000", "r0r0r0r"],
     ["RRRRRRR", "0||||||", "0000000", "r0r0r00"]
 );
+family!(general, "none", true, 0.0, ["RRRRRR", "++++++", "dddddd", "rrrrrr"]);
+family!(general_square, "none", false, 0.0, ["RRRRRR", "+|||||", "dddddd", "rrrrrr"]);
+family!(
+    general_offset_wrist,
+    "none",
+    false,
+    0.0,
+    ["RRRRRR", "+|0|||", "00d000", "r00rrr"],
+    ["RRRRRR", "+|0|||", "00dd0d", "r00r0r"]
+);
+family!(general_seven, "none", true, 0.0, ["RRRRRRR", "+++++++", "ddddddd", "rrrrrrr"]);
 family!(swivel_oblique, "srs", true, 0.0, ["RRRRRRR", "+++||++", "d000000", "r0r0r0r"]);
 family!(
     panda_like,

@@ -8,7 +8,15 @@
 mod arm;
 mod axis;
 mod candidates;
+// [general]
+mod dense;
+// [/general]
 mod doubt;
+// [general]
+mod elimination;
+mod general;
+mod harmonics;
+// [/general]
 // [nearby]
 mod homotopy;
 // [/nearby]
@@ -20,6 +28,9 @@ mod list;
 // [nearby]
 mod nearby;
 // [/nearby]
+// [general]
+mod newton;
+// [/general]
 // [numerical]
 mod numerical;
 // [/numerical]
@@ -49,6 +60,9 @@ mod vector;
 
 pub use arm::{Arm, Family, Query};
 pub use axis::Axis;
+// [general]
+pub use general::{CHOICES, General, NO_CHOICE};
+// [/general]
 // [swivel]
 pub use interval::{Interval, Intervals};
 // [/swivel]

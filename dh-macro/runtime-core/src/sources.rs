@@ -2,7 +2,7 @@
 //!
 //! An arm needs one family of the inverse kinematics. Regions between `// [six]` and `// [/six]`
 //! belong to robots of that family; `six|swivel` stands for either. The families are `six`,
-//! `swivel`, `plane` and `numerical`; `nearby` is for arms that are only nearly of their family.
+//! `swivel`, `plane`, `general` and `numerical`; `nearby` is for arms that are only nearly of their family.
 
 /// A module: its path below `src/`, its text, and the families that need it (empty: every robot).
 pub type Source = (&'static str, &'static str, &'static str);
@@ -17,12 +17,17 @@ pub const FILES: &[Source] = &[
     ("ik/arm.rs", include_str!("ik/arm.rs"), ""),
     ("ik/axis.rs", include_str!("ik/axis.rs"), ""),
     ("ik/candidates.rs", include_str!("ik/candidates.rs"), ""),
+    ("ik/dense.rs", include_str!("ik/dense.rs"), "general"),
     ("ik/doubt.rs", include_str!("ik/doubt.rs"), ""),
+    ("ik/elimination.rs", include_str!("ik/elimination.rs"), "general"),
+    ("ik/general.rs", include_str!("ik/general.rs"), "general"),
+    ("ik/harmonics.rs", include_str!("ik/harmonics.rs"), "general"),
     ("ik/homotopy.rs", include_str!("ik/homotopy.rs"), "nearby"),
     ("ik/interval.rs", include_str!("ik/interval.rs"), "swivel"),
     ("ik/lanes.rs", include_str!("ik/lanes.rs"), ""),
     ("ik/list.rs", include_str!("ik/list.rs"), ""),
     ("ik/nearby.rs", include_str!("ik/nearby.rs"), "nearby"),
+    ("ik/newton.rs", include_str!("ik/newton.rs"), "general"),
     ("ik/numerical.rs", include_str!("ik/numerical.rs"), "numerical"),
     ("ik/orient.rs", include_str!("ik/orient.rs"), "six|swivel"),
     ("ik/plane.rs", include_str!("ik/plane.rs"), "plane"),

@@ -170,11 +170,10 @@ impl<'a> Task<'a> {
         use std::f64::consts::PI;
         match self.inverse.inverse().family {
             Family::Swivel(_) => Some(([-PI, PI], true)),
-            Family::Locked { joint, .. } => {
-                let [low, high] = self.limits.get(usize::from(joint))?.position;
+            other => {
+                let [low, high] = self.limits.get(usize::from(other.locked()?))?.position;
                 Some(([low + self.position_margin, high - self.position_margin], false))
             }
-            _ => None,
         }
     }
 

@@ -27,6 +27,7 @@ fn range(r: &SwivelRange) -> Value {
 fn method(inverse: &Inverse) -> &'static str {
     match (&inverse.family, inverse.exact) {
         (Family::Numerical, _) => "numerical search",
+        (Family::General(_), _) => "elimination",
         (_, true) => "closed form",
         (_, false) => "closed form of a nominal arm, refined",
     }
@@ -58,8 +59,8 @@ pub fn ik_json(name: &str, inverse: &Inverse, redundant: bool, poses: &[Answer])
         let mut v = json!({ "status": status(p.status), "solutions": solutions });
         if p.status == Status::Unreachable {
             v["distance"] = json!({ "position": p.distance[0], "rotation": p.distance[1] });
-            // Only a closed form of the arm itself proves that there is none.
-            v["not_found"] = json!(!inverse.exact);
+            // Only a solver of the arm itself proves that there is none.
+            v["not_found"] = json!(!inverse.exact || p.uncertain);
         }
         if redundant {
             v["swivel"] = json!(p.redundancy);
@@ -70,7 +71,7 @@ pub fn ik_json(name: &str, inverse: &Inverse, redundant: bool, poses: &[Answer])
         if let (Some(ranges), true) = (ranges, p.status != Status::Unreachable) {
             v["swivel_intervals"] = ranges.iter().map(range).collect();
         }
-        if !inverse.exact {
+        if !inverse.exact || matches!(inverse.family, Family::General(_)) {
             v["branches_lost"] = json!(p.lost);
             v["branches_uncertain"] = json!(p.uncertain);
         }

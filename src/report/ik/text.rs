@@ -18,7 +18,7 @@ pub fn ik_text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
         let _ = match pose.status {
             Status::Unreachable => {
                 let [p, r] = pose.distance;
-                let word = if inverse.exact { "unreachable" } else { "not found" };
+                let word = if inverse.exact && !pose.uncertain { "unreachable" } else { "not found" };
                 // Rounded in its file, and the arm has too few joints to follow.
                 let mend = if p.max(r) < 1e-4 { "; a larger --tolerance would take it" } else { "" };
                 writeln!(t, "\npose {}: {word}, by {p:.3e} m and {r:.3e} rad at the nearest posture found{mend}", k + 1)
@@ -27,10 +27,12 @@ pub fn ik_text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
                 let word = crate::report::ik::json::status(status);
                 let at = match &inverse.family {
                     Family::Swivel(_) => format!(", swivel angle {:.5} rad", pose.redundancy),
-                    Family::Locked { joint, .. } => format!(", q{} at {:.5}", joint + 1, pose.redundancy),
-                    _ => String::new(),
+                    other => other
+                        .locked()
+                        .map_or(String::new(), |joint| format!(", q{} at {:.5}", joint + 1, pose.redundancy)),
                 };
                 let lost = match pose.lost {
+                    _ if inverse.exact && pose.uncertain => String::from(", beside a singularity: one may be missing"),
                     _ if inverse.exact => String::new(),
                     0 if searched => String::from(", found by search: there may be more"),
                     n if searched => format!(", found by search: at least {n} is missing, their number being even"),

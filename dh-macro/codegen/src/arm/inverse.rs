@@ -1,5 +1,5 @@
 //! Selects the inverse of an arm from the lines of its joints: exact where they meet or are
-//! parallel, else that of a nominal arm nearby.
+//! parallel, else that of a nominal arm nearby, else by elimination.
 //!
 //! Lines are compared and not table entries, because two tables of one arm differ. Calibrated
 //! parallel axes have their common normal hundreds of metres away, and a fixed row in between hides
@@ -11,6 +11,7 @@ use crate::robot::JointKind;
 
 use lines::{Lines, Vector};
 
+mod general;
 mod lines;
 mod nominal;
 
@@ -27,7 +28,7 @@ pub struct Inverse {
     pub axes: Vec<Axis>,
     /// The last DH frame at `q = 0`.
     pub home: Displacement,
-    /// Whether a closed form is the arm's own. Otherwise it is that of a nominal arm nearby, or
+    /// Whether the solver is the arm's own. Otherwise it is that of a nominal arm nearby, or
     /// there is none ([`Family::Numerical`]).
     pub exact: bool,
     /// The solver.
@@ -72,16 +73,26 @@ impl Inverse {
                 }
             }
         }
-        let reason = match axes.len() {
-            0..=6 => {
-                "neither a spherical wrist or shoulder nor three parallel axes were found, exactly or nearly; the numerical solver is used"
+        for found in general::candidates(&axes) {
+            let made = inverse(found, true);
+            if made.works() {
+                return made;
             }
+        }
+        let why = match axes.len() {
+            0..=6 => "neither a spherical wrist or shoulder nor three parallel axes were found, exactly or nearly",
             7 => {
-                "neither shoulder, elbow and wrist of a swivel arm nor six joints with a closed form beside a locked one were found; the numerical solver is used"
+                "neither shoulder, elbow and wrist of a swivel arm nor six joints with a closed form beside a locked one were found"
             }
-            _ => "an arm with more than seven joints has no closed form here; the numerical solver is used",
+            _ => "an arm with more than seven joints has no closed form here",
         };
-        inverse(Found { class: "none", reason: reason.into(), family: Family::Numerical }, false)
+        let reason = format!("{why}; the numerical solver is used");
+        inverse(Found { class: "none", reason, family: Family::Numerical }, false)
+    }
+
+    /// Does a query name a redundancy: a swivel angle, or a locked joint's position?
+    pub fn is_redundant(&self) -> bool {
+        matches!(self.family, Family::Swivel(_)) || self.family.locked().is_some()
     }
 
     fn near(mut self) -> Self {

@@ -6,7 +6,6 @@ use super::kernel_file::Context;
 use super::krate::Runtime;
 use super::{shell, words};
 use crate::arm::{Inverse, Kernel, Model};
-use crate::ik::Family;
 use crate::robot::{JointKind, Robot, crate_name};
 
 /// Everything that the pages say.
@@ -104,11 +103,10 @@ impl Front<'_> {
 
     /// A program that uses the crate.
     fn example(&self) -> String {
-        let redundancy = match Inverse::new(self.model.chain()).family {
-            Family::Swivel(_) | Family::Locked { .. } => {
-                "redundancy: arm::IK.redundancy(&q, &arm::ik::Reference::UP), "
-            }
-            _ => "",
+        let redundancy = if Inverse::new(self.model.chain()).is_redundant() {
+            "redundancy: arm::IK.redundancy(&q, &arm::ik::Reference::UP), "
+        } else {
+            ""
         };
         let phi = match crate::arm::param::standard_values(self.robot()) {
             Some(_) => "arm::STANDARD_VALUES.expect(\"the robot file has the parameters of every link\")",

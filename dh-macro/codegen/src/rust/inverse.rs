@@ -53,6 +53,14 @@ fn family(family: &Family) -> String {
                 joints.join(", ")
             )
         }
+        Family::General(g) => format!(
+            "ik::Family::General(ik::General {{\n        axes: [\n{}        ],\n        joints: {:?},\n        locked: {},\n        size: {:?},\n        order: {:?},\n    }})",
+            axes(&g.axes, "            "),
+            g.joints,
+            some(&g.locked),
+            g.size,
+            g.order
+        ),
         Family::Slides => "ik::Family::Slides".into(),
         Family::Numerical => "ik::Family::Numerical".into(),
     }
@@ -80,9 +88,10 @@ pub(super) fn function(model: &Model) -> String {
     let inverse = Inverse::new(model.chain());
     let redundancy = match &inverse.family {
         Family::Swivel(_) => " `query.redundancy` is the swivel angle, rad.".to_string(),
-        Family::Locked { joint, .. } => format!(" `query.redundancy` is the position of joint {}.", joint + 1),
         Family::Numerical => " There may be postures that the search does not find.".to_string(),
-        _ => String::new(),
+        other => other
+            .locked()
+            .map_or(String::new(), |joint| format!(" `query.redundancy` is the position of joint {}.", joint + 1)),
     };
     let which = match (&inverse.family, inverse.exact) {
         (Family::Numerical, _) => "Postures, found by search,",

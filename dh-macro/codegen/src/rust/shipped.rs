@@ -16,6 +16,7 @@ fn families(inverse: &Inverse) -> Vec<&'static str> {
         Family::Six(_) | Family::Locked { .. } => Some("six"),
         Family::Swivel(_) => Some("swivel"),
         Family::Plane(_) => Some("plane"),
+        Family::General(_) => Some("general"),
         Family::Numerical => Some("numerical"),
         Family::Slides => None,
     };
@@ -68,8 +69,9 @@ mod tests {
     #[test]
     fn every_region_ends_and_has_a_known_family() {
         for (path, text, of) in FILES.iter().chain(WITH_EFFECTS) {
-            let known =
-                |of: &str| of.split('|').all(|f| ["six", "swivel", "plane", "numerical", "nearby"].contains(&f));
+            let known = |of: &str| {
+                of.split('|').all(|f| ["six", "swivel", "plane", "general", "numerical", "nearby"].contains(&f))
+            };
             assert!(of.is_empty() || known(of), "{path}: {of}");
             let mut open = None;
             for line in text.lines() {

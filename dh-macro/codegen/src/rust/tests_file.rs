@@ -4,7 +4,6 @@
 use core::fmt::Write;
 
 use crate::arm::{Function, Inverse, Model};
-use crate::ik::Family;
 use crate::interpret::{Interpreter, State};
 
 /// Numbers between -1 and 1 from a fixed sequence.
@@ -33,10 +32,8 @@ pub(super) fn print(model: &Model, interpreter: &Interpreter) -> String {
     t += TOOLS;
     t += KINEMATICS;
     t += INVERSE;
-    let redundancy = match Inverse::new(model.chain()).family {
-        Family::Swivel(_) | Family::Locked { .. } => "redundancy: IK.redundancy(&Q, &ik::Reference::UP), ",
-        _ => "",
-    };
+    let redundant = Inverse::new(model.chain()).is_redundant();
+    let redundancy = if redundant { "redundancy: IK.redundancy(&Q, &ik::Reference::UP), " } else { "" };
     let dynamics = [DYNAMICS, ENERGIES].concat();
     let t = t.replace("@REDUNDANCY ", redundancy);
     if !effects {

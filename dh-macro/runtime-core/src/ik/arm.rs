@@ -3,6 +3,9 @@
 use super::super::runtime::Scalar;
 use super::axis::{Axis, Value};
 use super::candidates::Candidates;
+// [general]
+use super::general::General;
+// [/general]
 use super::lanes::measured;
 use super::list::List;
 // [numerical]
@@ -47,10 +50,14 @@ pub enum Family {
     /// All turning axes parallel.
     Plane(Plane),
     // [/plane]
+    // [general]
+    /// Six turning joints in general position, or seven of which one is given.
+    General(General),
+    // [/general]
     /// Only joints that slide: linear.
     Slides,
     // [numerical]
-    /// No closed form is known: damped least squares from many starts. There may be postures that
+    /// No other solver is known: damped least squares from many starts. There may be postures that
     /// no start leads to.
     Numerical,
     // [/numerical]
@@ -65,6 +72,19 @@ impl Family {
         }
         // [/numerical]
         false
+    }
+
+    /// Of an arm with seven joints whose redundancy is a joint's position: that joint.
+    pub fn locked(&self) -> Option<u8> {
+        match self {
+            // [six]
+            Self::Locked { joint, .. } => Some(*joint),
+            // [/six]
+            // [general]
+            Self::General(general) => general.locked,
+            // [/general]
+            _ => None,
+        }
     }
 
     /// Whether the redundancy is a swivel angle.
@@ -212,11 +232,7 @@ impl<const N: usize> Arm<N> {
         {
             self.retry(&g, query, &near, solutions, &mut work);
         }
-        if searched {
-            solutions.uncertain = true;
-            // Real postures of a general arm with six joints come in pairs.
-            solutions.lost = u32::from(N == 6 && solutions.as_slice().len() % 2 == 1);
-        }
+        self.doubts(all.unsure, solutions);
         // [nearby]
         if !searched && !self.exact {
             self.search_nearby(&g, query, &near, &all, solutions, &mut work);
@@ -224,6 +240,21 @@ impl<const N: usize> Arm<N> {
         // [/nearby]
         conclude(query, &work, solutions);
         result
+    }
+
+    /// What may be missing of a search, or of an elimination that did not prove itself.
+    #[inline(always)]
+    fn doubts(&self, unsure: bool, out: &mut Solutions<N>) {
+        // Real postures of a general arm with six joints come in pairs.
+        let odd = (out.as_slice().len() % 2) as u32;
+        if self.family.is_searched() {
+            (out.uncertain, out.lost) = (true, if N == 6 { odd } else { 0 });
+        }
+        // [general]
+        if let Family::General(_) = &self.family {
+            (out.uncertain, out.lost) = (unsure, odd);
+        }
+        // [/general]
     }
 
     /// Closed-form solutions at a redundancy; true: counted from the second plane.
@@ -288,6 +319,9 @@ impl<const N: usize> Arm<N> {
                 }
             }
             // [/plane]
+            // [general]
+            Family::General(general) => general.solve(self, g, query, all),
+            // [/general]
             Family::Slides => {
                 all.push_all(&[Value::ZERO; N], slides, Branch::NONE, 0);
             }
@@ -331,10 +365,7 @@ impl<const N: usize> Arm<N> {
                 swivel.angle(&seven, reference).0
             }
             // [/swivel]
-            // [six]
-            Family::Locked { joint, .. } => q.get(usize::from(*joint)).copied().unwrap_or(0.0),
-            // [/six]
-            _ => 0.0,
+            other => other.locked().and_then(|joint| q.get(usize::from(joint)).copied()).unwrap_or(0.0),
         }
     }
 
@@ -351,6 +382,9 @@ impl<const N: usize> Arm<N> {
                     | Method::ThreeParallel { meet: None }
             ),
             // [/six]
+            // [general]
+            Family::General(_) => true,
+            // [/general]
             _ => false,
         };
         // A double root of a quartic is known to half the digits.
@@ -453,8 +487,7 @@ impl<const N: usize> Arm<N> {
         let [p, r] = sizes(&e);
         if query.steps > 0 && (p.max(r) > EXACT || !self.exact) {
             e = polish(self, g, query, &mut values, query.steps);
-            // [six]
-            if let Family::Locked { joint, .. } = self.family {
+            if let Some(joint) = self.family.locked() {
                 // Its own value to the last digit.
                 let lock = usize::from(joint);
                 if let (Some(place), Some(kept)) = (values.get_mut(lock), start.get(lock)) {
@@ -462,7 +495,6 @@ impl<const N: usize> Arm<N> {
                 }
                 e = remainder(self, g, &values);
             }
-            // [/six]
         }
         let [p, r] = sizes(&e);
         if p + r < work.best[0] + work.best[1] {
@@ -524,14 +556,11 @@ impl<const N: usize> Arm<N> {
     /// Does the arm keep a redundancy while it is refined? An exact swivel arm is not led away from
     /// its angle.
     pub(super) fn holds(&self) -> bool {
-        match self.family {
-            // [six]
-            Family::Locked { .. } => true,
-            // [/six]
+        match &self.family {
             // [swivel]
             Family::Swivel(_) => !self.exact,
             // [/swivel]
-            _ => false,
+            other => other.locked().is_some(),
         }
     }
 
@@ -545,18 +574,6 @@ impl<const N: usize> Arm<N> {
     pub(super) fn kept(&self, query: &Query<'_, N>, v: &[Value; N]) -> (f64, [f64; N]) {
         let mut row = [0.0; N];
         match &self.family {
-            // [six]
-            Family::Locked { joint, .. } => {
-                let lock = usize::from(*joint);
-                let here = v.get(lock).copied().unwrap_or(Value::ZERO);
-                if let Some(place) = row.get_mut(lock) {
-                    *place = 1.0;
-                }
-                let slides = self.axes.get(lock).is_some_and(|a| a.slides);
-                let at = if slides { here.way } else { super::real::angle(here.turn.s, here.turn.c) };
-                (if slides { query.redundancy - at } else { wrapped(query.redundancy - at) }, row)
-            }
-            // [/six]
             // [swivel]
             Family::Swivel(swivel) => {
                 let seven = core::array::from_fn(|i| v.get(i).copied().unwrap_or(Value::ZERO));
@@ -567,7 +584,17 @@ impl<const N: usize> Arm<N> {
                 (left, row)
             }
             // [/swivel]
-            _ => (0.0, row),
+            other => {
+                let Some(joint) = other.locked() else { return (0.0, row) };
+                let lock = usize::from(joint);
+                let here = v.get(lock).copied().unwrap_or(Value::ZERO);
+                if let Some(place) = row.get_mut(lock) {
+                    *place = 1.0;
+                }
+                let slides = self.axes.get(lock).is_some_and(|a| a.slides);
+                let at = if slides { here.way } else { super::real::angle(here.turn.s, here.turn.c) };
+                (if slides { query.redundancy - at } else { wrapped(query.redundancy - at) }, row)
+            }
         }
     }
 

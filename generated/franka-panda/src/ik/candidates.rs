@@ -27,6 +27,8 @@ pub(super) struct Candidates<const N: usize> {
     /// All of them together: what was just written would not yet be there to be read side by side.
     any: u32,
     pub len: usize,
+    /// May one be missing?
+    pub unsure: bool,
 }
 
 /// Bit of `free` that stands for [`super::subproblem::DOUBT`] among all joints.
@@ -51,6 +53,7 @@ impl<const N: usize> Candidates<N> {
             free: [0; CAPACITY],
             any: 0,
             len: 0,
+            unsure: false,
         }
     }
 

@@ -28,6 +28,13 @@ impl Family {
         false
     }
 
+    /// Of an arm with seven joints whose redundancy is a joint's position: that joint.
+    pub fn locked(&self) -> Option<u8> {
+        match self {
+            _ => None,
+        }
+    }
+
     /// Whether the redundancy is a swivel angle.
     pub(super) fn is_swivel(&self) -> bool {
         if matches!(self, Self::Swivel(_)) {
@@ -171,16 +178,22 @@ impl<const N: usize> Arm<N> {
         {
             self.retry(&g, query, &near, solutions, &mut work);
         }
-        if searched {
-            solutions.uncertain = true;
-            // Real postures of a general arm with six joints come in pairs.
-            solutions.lost = u32::from(N == 6 && solutions.as_slice().len() % 2 == 1);
-        }
+        self.doubts(all.unsure, solutions);
         if !searched && !self.exact {
             self.search_nearby(&g, query, &near, &all, solutions, &mut work);
         }
         conclude(query, &work, solutions);
         result
+    }
+
+    /// What may be missing of a search, or of an elimination that did not prove itself.
+    #[inline(always)]
+    fn doubts(&self, unsure: bool, out: &mut Solutions<N>) {
+        // Real postures of a general arm with six joints come in pairs.
+        let odd = (out.as_slice().len() % 2) as u32;
+        if self.family.is_searched() {
+            (out.uncertain, out.lost) = (true, if N == 6 { odd } else { 0 });
+        }
     }
 
     /// Closed-form solutions at a redundancy; true: counted from the second plane.
@@ -250,7 +263,7 @@ impl<const N: usize> Arm<N> {
                 let seven = core::array::from_fn(|i| values.get(i).copied().unwrap_or(Value::ZERO));
                 swivel.angle(&seven, reference).0
             }
-            _ => 0.0,
+            other => other.locked().and_then(|joint| q.get(usize::from(joint)).copied()).unwrap_or(0.0),
         }
     }
 
@@ -362,6 +375,14 @@ impl<const N: usize> Arm<N> {
         let [p, r] = sizes(&e);
         if query.steps > 0 && (p.max(r) > EXACT || !self.exact) {
             e = polish(self, g, query, &mut values, query.steps);
+            if let Some(joint) = self.family.locked() {
+                // Its own value to the last digit.
+                let lock = usize::from(joint);
+                if let (Some(place), Some(kept)) = (values.get_mut(lock), start.get(lock)) {
+                    *place = *kept;
+                }
+                e = remainder(self, g, &values);
+            }
         }
         let [p, r] = sizes(&e);
         if p + r < work.best[0] + work.best[1] {
@@ -423,9 +444,9 @@ impl<const N: usize> Arm<N> {
     /// Does the arm keep a redundancy while it is refined? An exact swivel arm is not led away from
     /// its angle.
     pub(super) fn holds(&self) -> bool {
-        match self.family {
+        match &self.family {
             Family::Swivel(_) => !self.exact,
-            _ => false,
+            other => other.locked().is_some(),
         }
     }
 
@@ -447,7 +468,17 @@ impl<const N: usize> Arm<N> {
                 }
                 (left, row)
             }
-            _ => (0.0, row),
+            other => {
+                let Some(joint) = other.locked() else { return (0.0, row) };
+                let lock = usize::from(joint);
+                let here = v.get(lock).copied().unwrap_or(Value::ZERO);
+                if let Some(place) = row.get_mut(lock) {
+                    *place = 1.0;
+                }
+                let slides = self.axes.get(lock).is_some_and(|a| a.slides);
+                let at = if slides { here.way } else { super::real::angle(here.turn.s, here.turn.c) };
+                (if slides { query.redundancy - at } else { wrapped(query.redundancy - at) }, row)
+            }
         }
     }
 

@@ -36,6 +36,14 @@ impl Family {
         false
     }
 
+    /// Of an arm with seven joints whose redundancy is a joint's position: that joint.
+    pub fn locked(&self) -> Option<u8> {
+        match self {
+            Self::Locked { joint, .. } => Some(*joint),
+            _ => None,
+        }
+    }
+
     /// Whether the redundancy is a swivel angle.
     pub(super) fn is_swivel(&self) -> bool {
         false
@@ -176,13 +184,19 @@ impl<const N: usize> Arm<N> {
         {
             self.retry(&g, query, &near, solutions, &mut work);
         }
-        if searched {
-            solutions.uncertain = true;
-            // Real postures of a general arm with six joints come in pairs.
-            solutions.lost = u32::from(N == 6 && solutions.as_slice().len() % 2 == 1);
-        }
+        self.doubts(all.unsure, solutions);
         conclude(query, &work, solutions);
         result
+    }
+
+    /// What may be missing of a search, or of an elimination that did not prove itself.
+    #[inline(always)]
+    fn doubts(&self, unsure: bool, out: &mut Solutions<N>) {
+        // Real postures of a general arm with six joints come in pairs.
+        let odd = (out.as_slice().len() % 2) as u32;
+        if self.family.is_searched() {
+            (out.uncertain, out.lost) = (true, if N == 6 { odd } else { 0 });
+        }
     }
 
     /// Closed-form solutions at a redundancy; true: counted from the second plane.
@@ -256,8 +270,7 @@ impl<const N: usize> Arm<N> {
     pub fn redundancy(&self, q: &[f64; N], reference: &Reference) -> f64 {
         let values = polish::values(self, q);
         match &self.family {
-            Family::Locked { joint, .. } => q.get(usize::from(*joint)).copied().unwrap_or(0.0),
-            _ => 0.0,
+            other => other.locked().and_then(|joint| q.get(usize::from(joint)).copied()).unwrap_or(0.0),
         }
     }
 
@@ -374,7 +387,7 @@ impl<const N: usize> Arm<N> {
         let [p, r] = sizes(&e);
         if query.steps > 0 && (p.max(r) > EXACT || !self.exact) {
             e = polish(self, g, query, &mut values, query.steps);
-            if let Family::Locked { joint, .. } = self.family {
+            if let Some(joint) = self.family.locked() {
                 // Its own value to the last digit.
                 let lock = usize::from(joint);
                 if let (Some(place), Some(kept)) = (values.get_mut(lock), start.get(lock)) {
@@ -443,9 +456,8 @@ impl<const N: usize> Arm<N> {
     /// Does the arm keep a redundancy while it is refined? An exact swivel arm is not led away from
     /// its angle.
     pub(super) fn holds(&self) -> bool {
-        match self.family {
-            Family::Locked { .. } => true,
-            _ => false,
+        match &self.family {
+            other => other.locked().is_some(),
         }
     }
 
@@ -459,8 +471,9 @@ impl<const N: usize> Arm<N> {
     pub(super) fn kept(&self, query: &Query<'_, N>, v: &[Value; N]) -> (f64, [f64; N]) {
         let mut row = [0.0; N];
         match &self.family {
-            Family::Locked { joint, .. } => {
-                let lock = usize::from(*joint);
+            other => {
+                let Some(joint) = other.locked() else { return (0.0, row) };
+                let lock = usize::from(joint);
                 let here = v.get(lock).copied().unwrap_or(Value::ZERO);
                 if let Some(place) = row.get_mut(lock) {
                     *place = 1.0;
@@ -469,7 +482,6 @@ impl<const N: usize> Arm<N> {
                 let at = if slides { here.way } else { super::real::angle(here.turn.s, here.turn.c) };
                 (if slides { query.redundancy - at } else { wrapped(query.redundancy - at) }, row)
             }
-            _ => (0.0, row),
         }
     }
 
