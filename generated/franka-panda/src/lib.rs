@@ -321,7 +321,7 @@ pub fn payload_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF])
 
 /// All postures that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.
 ///
-/// Axes 1-3 meet in one point, and so do the first two of the others; joint 7 is given.
+/// Axes 1-3 meet in one point, and so do the first two of the others; joint 7 is the redundancy.
 /// `query.redundancy` is the position of joint 7.
 ///
 /// # Errors

@@ -240,7 +240,7 @@ pub const OPERATIONS: [(&str, usize, usize); 18] = [
 /// Class of the inverse kinematics.
 pub const IK_CLASS: &str = "7r-offset";
 /// The geometry that makes it so.
-pub const IK_REASON: &str = "axes 1-3 meet in one point, and so do the first two of the others; joint 7 is given";
+pub const IK_REASON: &str = "axes 1-3 meet in one point, and so do the first two of the others; joint 7 is the redundancy";
 /// Lines of the joints at `q = 0` in world axes, m, and the method of the inverse.
 pub const IK: ik::Arm<DOF> = ik::Arm {
     axes: [

@@ -188,7 +188,7 @@ impl General {
             if choice == NO_CHOICE {
                 break;
             }
-            if self.attempt(axes, g, choice, found) && found.list.len() % 2 == 0 {
+            if self.attempt(axes, g, choice, found) && found.list.len().is_multiple_of(2) {
                 return true;
             }
         }
@@ -208,7 +208,7 @@ impl General {
             other.shift = add(other.shift, scale(way * self.size, [y, -z, x]));
             let mut there = Found { list: List::new(([Value::ZERO; 6], 0.0)), best: None };
             for choice in self.order.into_iter().filter(|choice| *choice != NO_CHOICE) {
-                if self.attempt(axes, &other, choice, &mut there) && there.list.len() % 2 == 0 {
+                if self.attempt(axes, &other, choice, &mut there) && there.list.len().is_multiple_of(2) {
                     break;
                 }
             }
@@ -217,7 +217,7 @@ impl General {
             }
         }
         for choice in self.order.into_iter().filter(|choice| *choice != NO_CHOICE) {
-            if found.list.len() % 2 == 0 && self.attempt(axes, g, choice, found) {
+            if found.list.len().is_multiple_of(2) && self.attempt(axes, g, choice, found) {
                 return true;
             }
         }
