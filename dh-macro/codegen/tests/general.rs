@@ -319,7 +319,7 @@ fn complex_pairs_near_the_real_axis_are_no_postures() {
             }
             tried += 1;
             let found = solve(&arm, &pose);
-            assert!(found.as_slice().len() % 2 == 0 || marked(&found), "{name} {away:e} {at:?}");
+            assert!(found.as_slice().len().is_multiple_of(2) || marked(&found), "{name} {away:e} {at:?}");
             plain += usize::from(!marked(&found));
         }
         assert!(2 * plain > tried, "{name}: {plain} of {tried}");

@@ -7,6 +7,19 @@ const reach = (lists, zero) => {
 const room = ([low, high]) => [low - 0.06 * (high - low), high + 0.06 * (high - low)];
 const canvas = (box, w, h, label) => make(box, 'svg', { viewBox: `0 0 ${w} ${h}`, role: 'img', 'aria-label': label });
 
+// Marks with their words, which wrap as a text does.
+const legend = (box, entries) => {
+  const all = document.createElement('p');
+  all.className = 'note legend';
+  for (const [shape, attributes, word] of entries) {
+    const entry = document.createElement('span');
+    make(make(entry, 'svg', { viewBox: '0 0 24 12' }), shape, attributes);
+    entry.append(word);
+    all.append(entry);
+  }
+  box.append(all);
+};
+
 // A frame with grid and ticks; returns the maps from values to places.
 const frame = (svg, { left, right, top, bottom, x, y, across = 6, up = 5, bare = false }) => {
   const px = v => left + (v - x[0]) / (x[1] - x[0]) * (right - left);
@@ -62,7 +75,14 @@ const line = (svg, name, at, x, y, gap = Infinity) => {
 
 // Each cause: what it explains over what shows it best, and what it gains on each joint.
 document.querySelectorAll('[data-cause]').forEach(box => {
-  const cause = data.causes[+box.dataset.cause], W = 560, H = 270, LEFT = 58, TOP = 30, RIGHT = W - 10, BOTTOM = H - 42;
+  const cause = data.causes[+box.dataset.cause], W = 560, H = 250, LEFT = 58, TOP = 10, RIGHT = W - 10, BOTTOM = H - 42;
+  legend(box, [
+    ...(cause.curve ? [['circle', { cx: 6, cy: 6, r: 2.6 }, 'error without the cause, means of bins'],
+      ['path', { class: 'explained', d: 'M1 6h22' }, 'what the cause says']] : []),
+    ['rect', { class: 'before', y: 1, width: 12, height: 10 }, 'without the cause'],
+    ['rect', { class: 'after', y: 1, width: 12, height: 10 }, 'with it'],
+    ['path', { class: 'noise', d: 'M1 6h22' }, 'noise'],
+  ]);
   if (cause.curve) {
     const { over, x, measured, explained } = cause.curve, svg = canvas(box, W, H, 'measured and explained');
     const at = frame(svg, { left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM, x: room(reach([x])), y: room(reach([measured, explained], true)) });
@@ -70,10 +90,6 @@ document.querySelectorAll('[data-cause]').forEach(box => {
     x.forEach((v, i) => measured[i] !== null && make(svg, 'circle', { cx: at.px(v), cy: at.py(measured[i]), r: 2.2 }));
     make(svg, 'text', { class: 'axis', x: (LEFT + RIGHT) / 2, y: H - 8, 'text-anchor': 'middle' }, over);
     make(svg, 'text', { class: 'axis', transform: `translate(13,${(TOP + BOTTOM) / 2}) rotate(-90)`, 'text-anchor': 'middle' }, 'error, N m');
-    make(svg, 'circle', { cx: LEFT + 5, cy: 13, r: 2.6 });
-    make(svg, 'text', { x: LEFT + 12, y: 17 }, 'error without the cause, means of bins');
-    make(svg, 'path', { class: 'explained', d: `M${LEFT + 262} 13h22` });
-    make(svg, 'text', { x: LEFT + 290, y: 17 }, 'what the cause says');
   }
   const { before, after } = cause, svg = canvas(box, W, H, 'gain per joint'), n = before.length;
   const at = frame(svg, { left: LEFT, right: RIGHT, top: TOP, bottom: BOTTOM, x: [0.4, n + 0.6], y: [0, 1.06 * reach([before, after, data.noise], true)[1]], across: n, bare: true });
@@ -87,12 +103,6 @@ document.querySelectorAll('[data-cause]').forEach(box => {
   }
   make(svg, 'text', { class: 'axis', x: (LEFT + RIGHT) / 2, y: H - 8, 'text-anchor': 'middle' }, 'joint');
   make(svg, 'text', { class: 'axis', transform: `translate(13,${(TOP + BOTTOM) / 2}) rotate(-90)`, 'text-anchor': 'middle' }, 'RMS error, N m');
-  make(svg, 'rect', { class: 'before', x: LEFT, y: 8, width: 12, height: 10 });
-  make(svg, 'text', { x: LEFT + 17, y: 17 }, 'without the cause');
-  make(svg, 'rect', { class: 'after', x: LEFT + 130, y: 8, width: 12, height: 10 });
-  make(svg, 'text', { x: LEFT + 147, y: 17 }, 'with it');
-  make(svg, 'path', { class: 'noise', d: `M${LEFT + 210} 13h22` });
-  make(svg, 'text', { x: LEFT + 238, y: 17 }, 'noise');
   offer(box, `cause${+box.dataset.cause + 1}-gain`, ['joint', 'without', 'with', 'noise'], () => before.map((v, j) => [j + 1, v, after[j], data.noise[j]]));
   if (cause.curve) {
     const { over, x, measured, explained } = cause.curve;

@@ -33,12 +33,14 @@ pub fn diagnose_html(
     let mut body = String::new();
     header(&mut body, found, identified.is_some());
     // The story begins with what was gained, a diagnosis with what to do.
-    if identified.is_some() {
-        most_improved(&mut body, found, identified.is_some());
-        in_short(&mut body, found, warnings);
+    if let Some(identified) = identified {
+        most_improved(&mut body, found, true);
+        let mut all = warnings.clone();
+        identified.warnings.iter().for_each(|w| all.push(format!("Of the identification: {w}")));
+        in_short(&mut body, found, &all);
     } else {
         in_short(&mut body, found, warnings);
-        most_improved(&mut body, found, identified.is_some());
+        most_improved(&mut body, found, false);
     }
     gain_table(&mut body, found, identified.is_some());
     if !found.offer.why.is_empty() {
@@ -122,11 +124,6 @@ fn next_experiment(body: &mut String, found: &Diagnosis) {
 /// The identification that made the robot file.
 fn identification(body: &mut String, identified: &Identified<'_>) {
     body.push_str("<section><h2>Parameters as identified</h2>\n");
-    let warnings: String =
-        identified.warnings.iter().map(|w| format!("<li class=warning>{}</li>\n", escape(w))).collect();
-    if !warnings.is_empty() {
-        let _ = writeln!(body, "<ul class=findings>\n{warnings}</ul>");
-    }
     parameter_table(body, identified.found);
     body.push_str("</section>\n");
 }
