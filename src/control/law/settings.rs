@@ -39,8 +39,8 @@ pub struct Settings<const N: usize> {
     /// (equation 13) the springs of the joint loop carry the force and give way aside too; at 1
     /// they carry none of it.
     pub carry: f64,
-    /// Share of the planned motion's torques ([`Model::moving`]) that is fed forward; 0 is equation
-    /// (13).
+    /// Share of the planned motion's torques ([`Model::moving`](super::Model::moving)) that is fed
+    /// forward; 0 is equation (13).
     pub feed: f64,
     /// Share of the estimated force aside of the normal (a roller that is dragged) that is fed
     /// forward while the tool presses, so that the springs of the joint loop need not give way to
@@ -50,8 +50,8 @@ pub struct Settings<const N: usize> {
     /// Pole of the low-pass of that force, rad/s.
     pub aside_pole: f64,
     /// Share of the drag that is fed forward before the estimate shows it: friction along the
-    /// tool's axes as learned so far ([`Drag`]), where and when the plan slides. With 0 all
-    /// information about it comes late, from the estimate.
+    /// tool's axes as learned so far ([`Drag`](super::Drag)), where and when the plan slides. With 0
+    /// all information about it comes late, from the estimate.
     pub drag: f64,
     /// Corner of the low-pass of the estimate (three equal poles), Hz: how late it is.
     pub corner: f64,
