@@ -221,7 +221,9 @@ fn once(
     }
     causes.extend(unplayed);
     let Settled { bench, fitted, after, after_fit, left_out, .. } = settled;
-    causes.sort_by(|a, b| taken(b, scale).total_cmp(&taken(a, scale)));
+    // What a cause is expected to gain: of two that take the same error the surer one first.
+    let expected = |c: &Cause| c.probability * taken(c, scale);
+    causes.sort_by(|a, b| expected(b).total_cmp(&expected(a)));
     values_last(&mut causes, scale);
     let verdict = match (causes.is_empty(), left.is_empty()) {
         (true, true) => Verdict::NothingWrong,

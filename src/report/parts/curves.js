@@ -32,10 +32,12 @@ const drawLog = (box, packed) => {
     const panel = (top, bottom, curves, count) => {
       const [low, high] = reach(curves.map(c => joint[c]));
       const y = v => bottom - (v - low) / (high - low) * (bottom - top);
-      const grid = ticks(low, high, count);
+      const grid = ticks(low, high, count), isZero = v => Math.abs(v) < 1e-12;
+      // Where the text is large beside the panel a number gives way to zero's, and to the time's.
+      const room = v => isZero(v) || (y(v) < bottom - 3 && !grid.all.some(w => isZero(w) && Math.abs(y(v) - y(w)) < 18));
       for (const v of grid.all) {
-        make(svg, 'line', { class: Math.abs(v) < 1e-12 ? 'zero' : 'grid', x1: LEFT, x2: W - RIGHT, y1: y(v), y2: y(v) });
-        make(svg, 'text', { x: LEFT - 5, y: y(v) + 4, 'text-anchor': 'end' }, v.toFixed(grid.places));
+        make(svg, 'line', { class: isZero(v) ? 'zero' : 'grid', x1: LEFT, x2: W - RIGHT, y1: y(v), y2: y(v) });
+        if (bottom - top > 100 || room(v)) make(svg, 'text', { x: LEFT - 5, y: y(v) + 4, 'text-anchor': 'end' }, v.toFixed(grid.places));
       }
       for (const name of curves) {
         const sides = joint[name];
