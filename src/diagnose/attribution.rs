@@ -131,11 +131,19 @@ pub(super) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
 /// A margin beyond which more of it says nothing.
 pub(super) const MOST_MARGIN: f64 = 1e4;
 
+/// Puts causes in order of what they are expected to gain: of two that take the same error the surer
+/// one comes first. Those of values come after those of structure.
+pub(super) fn in_order(causes: &mut Vec<Cause>, scale: &[f64]) {
+    let expected = |c: &Cause| c.probability * taken(c, scale);
+    causes.sort_by(|a, b| expected(b).total_cmp(&expected(a)));
+    values_last(causes, scale);
+}
+
 /// Errors that no value of a link's parameter explains are named before those values. This holds if
 /// they explain half of the squared error of a joint beside them, or a quarter of that of all: an
 /// error of a recording or an arm as a whole, whatever the file contains. It holds for every cause
 /// if all parameters were refitted as a matter of course.
-pub(super) fn values_last(causes: &mut Vec<Cause>, noise: &[f64]) {
+fn values_last(causes: &mut Vec<Cause>, noise: &[f64]) {
     let Some(at) = causes.iter().position(|c| c.cause == effects::LinkInertiaError::NAME) else { return };
     let refitted = causes[at].keys.is_empty();
     let structure = |c: &Cause| {

@@ -9,7 +9,7 @@ use super::model::{Mode, ModelUnderTest};
 use super::result::{Cause, Diagnosis, Errors, NextExperiment, Offer, Verdict};
 use super::search::SearchSettings;
 use super::structure::Structure;
-use crate::diagnose::attribution::{curve, taken, unknown, values_last};
+use crate::diagnose::attribution::{curve, in_order, unknown};
 use crate::diagnose::motion_error::budget;
 use crate::diagnose::recording::{Recording, unexplained};
 use crate::diagnose::refine_and_select::{Case, Choice, Settled};
@@ -221,10 +221,7 @@ fn once(
     }
     causes.extend(unplayed);
     let Settled { bench, fitted, after, after_fit, left_out, .. } = settled;
-    // What a cause is expected to gain: of two that take the same error the surer one first.
-    let expected = |c: &Cause| c.probability * taken(c, scale);
-    causes.sort_by(|a, b| expected(b).total_cmp(&expected(a)));
-    values_last(&mut causes, scale);
+    in_order(&mut causes, scale);
     let verdict = match (causes.is_empty(), left.is_empty()) {
         (true, true) => Verdict::NothingWrong,
         (true, false) => Verdict::Unexplained,
