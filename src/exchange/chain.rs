@@ -287,27 +287,11 @@ fn tip(tree: &Tree, base: usize, name: Option<&str>) -> Result<usize, ImportErro
     }
 }
 
-/// Names of the leaves with most moving joints; of fingers that follow each other, which no arm ends
-/// with, the link that carries them.
+/// Names of the leaves with most moving joints.
 fn candidates(tree: &Tree, base: usize) -> Vec<String> {
     let leaves = leaves(tree, base);
     let most = leaves.iter().map(|(_, n)| *n).max().unwrap_or(0);
-    let mut names: Vec<String> = Vec::new();
-    for (leaf, _) in leaves.iter().filter(|(_, n)| *n == most) {
-        let name = &tree.bodies[before_followers(tree, base, *leaf)].name;
-        if !names.contains(name) {
-            names.push(name.clone());
-        }
-    }
-    names
-}
-
-/// The last body on the way to a leaf before a joint that follows another one, or is followed.
-fn before_followers(tree: &Tree, base: usize, leaf: usize) -> usize {
-    let followed = |j: usize| tree.joints.iter().any(|other| other.mimic.as_ref().is_some_and(|m| m.joint == j));
-    let path = tree.path(base, leaf).unwrap_or_default();
-    let tied = |j: &&usize| tree.joints[**j].mimic.is_some() || followed(**j);
-    path.iter().find(tied).map_or(leaf, |&j| tree.joints[j].parent)
+    leaves.iter().filter(|(_, n)| *n == most).map(|(b, _)| tree.bodies[*b].name.clone()).collect()
 }
 
 /// Bodies below `base` that carry no joint, with the number of moving joints before them.
