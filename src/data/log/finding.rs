@@ -38,6 +38,16 @@ pub enum Explanation {
         /// Whether it does so with the other sign.
         negated: Vec<bool>,
     },
+    /// Position columns in another order.
+    Positions {
+        /// Of each joint, the number of the column that holds its position, from 1.
+        columns: Vec<usize>,
+    },
+    /// Position columns or torque columns in another order.
+    PositionsOrTorques {
+        /// Joints whose columns are meant, from 1.
+        joints: Vec<usize>,
+    },
     /// Positions in degrees.
     Degrees,
     /// Torques of the motors, before the gears.
@@ -60,11 +70,22 @@ impl Explanation {
                     moved.then(|| format!("the torque of joint {} stands in `tau{column}`{sign}", joint + 1))
                 };
                 let places: Vec<String> = columns.iter().enumerate().filter_map(of).collect();
-                let mut names: Vec<usize> = (1..=columns.len()).collect();
-                names.sort_by_key(usize::to_string);
-                let sorted = columns.iter().enumerate().all(|(joint, column)| names[column - 1] == joint + 1);
-                let why = if sorted { " (the order of names that are sorted as text: 1, 10, 11, 2)" } else { "" };
-                format!("torque columns stand in another order{why}: {}", places.join(", "))
+                format!("torque columns stand in another order{}: {}", sorted_as_text(columns), places.join(", "))
+            }
+            Self::Positions { columns } => {
+                let of = |(joint, column): (usize, &usize)| {
+                    let moved = *column != joint + 1;
+                    moved.then(|| format!("the position of joint {} stands in `q{column}`", joint + 1))
+                };
+                let places: Vec<String> = columns.iter().enumerate().filter_map(of).collect();
+                format!("position columns stand in another order{}: {}", sorted_as_text(columns), places.join(", "))
+            }
+            Self::PositionsOrTorques { joints } => {
+                let joints: Vec<String> = joints.iter().map(usize::to_string).collect();
+                format!(
+                    "the columns of joints {} stand in another order, those of the positions or those of the torques (this log does not say which)",
+                    joints.join(", ")
+                )
             }
             Self::Degrees => "positions are in degrees".into(),
             Self::MotorSide => "torques are those of the motors, before the gears".into(),
@@ -93,7 +114,7 @@ impl Explanation {
     /// How to mend it.
     fn advice(&self) -> &'static str {
         match self {
-            Self::Order { .. } => "rename the columns",
+            Self::Order { .. } | Self::Positions { .. } | Self::PositionsOrTorques { .. } => "rename the columns",
             Self::Degrees => "write radians",
             Self::MotorSide => {
                 "multiply each by its gear ratio, or call the columns `taum` if they are on the joint side"
@@ -103,6 +124,14 @@ impl Explanation {
             }
         }
     }
+}
+
+/// What is to be said where the columns stand as names do that are sorted as text.
+fn sorted_as_text(columns: &[usize]) -> &'static str {
+    let mut names: Vec<usize> = (1..=columns.len()).collect();
+    names.sort_by_key(usize::to_string);
+    let sorted = columns.iter().enumerate().all(|(joint, column)| names[column - 1] == joint + 1);
+    if sorted { " (the order of names that are sorted as text: 1, 10, 11, 2)" } else { "" }
 }
 
 /// A number with three digits.

@@ -1,4 +1,5 @@
-//! Whether the torque columns of a log stand in another order, with other signs or in another unit.
+//! Whether the torque columns of a log stand in another order, with other signs or in another unit,
+//! or its position columns in another order.
 //!
 //! Factors hold each joint's regressor beside its own torque alone. Here it stands beside all
 //! torques, `[W_j tau_1 .. tau_n]`, so that every pairing of equations and columns can be tried
@@ -11,6 +12,8 @@ use crate::identify::regression::rows::Rows;
 use crate::identify::regression::wls::{JointSystem, stacked};
 use crate::model::{Arm, States};
 
+mod positions;
+
 /// Samples that are evaluated at once.
 const BLOCK: usize = 256;
 /// An explanation has to leave less than this share of what the log leaves as recorded (root mean
@@ -18,6 +21,9 @@ const BLOCK: usize = 256;
 const FAR_BETTER: f64 = 0.5;
 /// And less than this share of the torques.
 const EXPLAINED: f64 = 0.35;
+/// Two orders are not to be distinguished by a fit where what they leave differs by less than this
+/// factor: light wrists have hardly more than friction.
+const ALIKE_LEFT: f64 = 1.3;
 /// A correlation with the given model from which on sizes can be compared.
 const ALIKE: f64 = 0.8;
 /// Sizes that differ by less than this factor are within what a rough model errs.
@@ -53,6 +59,7 @@ pub struct TorqueColumns<'a> {
     range: Vec<[f64; 2]>,
     samples: usize,
     seconds: f64,
+    kept: positions::Kept,
 }
 
 /// Column from which each joint's torque is read, and its sign.
@@ -95,7 +102,8 @@ impl<'a> TorqueColumns<'a> {
         let rows = Rows::new(arm);
         let empty = || rows.columns.iter().map(|c| RFactor::new(c.len() + arm.dof())).collect();
         let range = vec![[f64::INFINITY, f64::NEG_INFINITY]; arm.dof()];
-        Self { arm, factors: empty(), degrees: empty(), range, samples: 0, seconds: 0.0, rows }
+        let kept = positions::Kept::default();
+        Self { arm, factors: empty(), degrees: empty(), range, samples: 0, seconds: 0.0, kept, rows }
     }
 
     /// Takes in a stretch of motion.
@@ -115,6 +123,7 @@ impl<'a> TorqueColumns<'a> {
             }
             let radians = States { len: *len, q: turn(q), dq: turn(dq), ddq: turn(ddq) };
             absorb(&mut self.degrees, self.arm, &self.rows, &block, &radians);
+            self.kept.absorb(&block);
             self.samples += count;
             self.seconds += count as f64 * motion.period * motion.stride.max(1) as f64;
         }
@@ -124,7 +133,8 @@ impl<'a> TorqueColumns<'a> {
     /// they are not, nothing is to be explained.
     pub fn is_suspicious(&self, reference: Reference<'_>) -> bool {
         self.samples > 0
-            && self.unexplained(&self.factors, &Reading::as_recorded(self.arm.dof()), reference) > EXPLAINED
+            && self.unexplained(&self.factors, self.samples, &Reading::as_recorded(self.arm.dof()), reference)
+                > EXPLAINED
     }
 
     /// Whether half of the joints travel: torques of an arm that stands are a few numbers, which
@@ -152,7 +162,7 @@ impl<'a> TorqueColumns<'a> {
             return None;
         }
         let as_recorded = Reading::as_recorded(n);
-        let recorded = self.unexplained(&self.factors, &as_recorded, reference);
+        let recorded = self.unexplained(&self.factors, self.samples, &as_recorded, reference);
         if !self.travels() {
             return match reference {
                 Reference::Model(beta) => self.in_unit(beta, gears),
@@ -167,13 +177,28 @@ impl<'a> TorqueColumns<'a> {
             Reference::Fit => [recorded, signs, left],
             Reference::Model(beta) => self.of_the_moved(beta, &best),
         };
-        if best.is_permuted() && left_there < EXPLAINED && left_there < FAR_BETTER * recorded_there.min(signs_there) {
+        let far_better =
+            |left: f64, recorded: f64, signs: f64| left < EXPLAINED && left < FAR_BETTER * recorded.min(signs);
+        let torques = best.is_permuted() && far_better(left_there, recorded_there, signs_there);
+        let positions = self.best_positions(reference).filter(|order| far_better(order.left, order.recorded, signs));
+        if let Some(order) = positions {
+            let columns: Vec<usize> = order.columns.iter().map(|c| c + 1).collect();
+            let alike = torques && left < ALIKE_LEFT * order.left && order.left < ALIKE_LEFT * left;
+            if alike && matches!(reference, Reference::Fit) {
+                let joints = (0..n).filter(|&j| order.columns[j] != j).map(|j| j + 1).collect();
+                return Some(finding(Explanation::PositionsOrTorques { joints }, recorded, order.left));
+            }
+            if !torques || order.left < left {
+                return Some(finding(Explanation::Positions { columns }, order.recorded, order.left));
+            }
+        }
+        if torques {
             let columns = best.column.iter().map(|c| c + 1).collect();
             let explanation = Explanation::Order { columns, negated: best.negated };
             return Some(finding(explanation, recorded_there, left_there));
         }
-        let degrees = self.unexplained(&self.degrees, &as_recorded, reference);
-        if degrees < EXPLAINED && degrees < FAR_BETTER * recorded && degrees < FAR_BETTER * signs {
+        let degrees = self.unexplained(&self.degrees, self.samples, &as_recorded, reference);
+        if far_better(degrees, recorded, signs) {
             return Some(finding(Explanation::Degrees, recorded, degrees));
         }
         match reference {
@@ -197,9 +222,10 @@ impl<'a> TorqueColumns<'a> {
     }
 
     /// Share of the torques (root mean square, joints weighing alike) that is left.
-    fn unexplained(&self, factors: &[RFactor], reading: &Reading, reference: Reference<'_>) -> f64 {
+    /// `samples`: how many the factors stand for.
+    fn unexplained(&self, factors: &[RFactor], samples: usize, reading: &Reading, reference: Reference<'_>) -> f64 {
         match reference {
-            Reference::Fit => self.left_by_fit(factors, reading),
+            Reference::Fit => self.left_by_fit(factors, samples, reading),
             Reference::Model(beta) => {
                 let squares = (0..self.arm.dof())
                     .map(|j| self.left_by_model(factors, beta, j, reading.column[j], reading.negated[j]));
@@ -208,16 +234,17 @@ impl<'a> TorqueColumns<'a> {
         }
     }
 
-    fn left_by_fit(&self, factors: &[RFactor], reading: &Reading) -> f64 {
-        let systems: Vec<JointSystem> =
-            (0..self.arm.dof()).map(|j| self.system(&factors[j], j, reading.column[j], reading.negated[j])).collect();
+    fn left_by_fit(&self, factors: &[RFactor], samples: usize, reading: &Reading) -> f64 {
+        let systems: Vec<JointSystem> = (0..self.arm.dof())
+            .map(|j| self.system(&factors[j], samples, j, (reading.column[j], reading.negated[j])))
+            .collect();
         let scale: Vec<f64> =
             systems.iter().map(|s| if s.torque_rms > 0.0 { s.torque_rms.recip() } else { 0.0 }).collect();
         let parameters = self.arm.base_parameters().len();
         let active: Vec<usize> = (0..parameters).collect();
         let triangle = stacked(&systems, &scale, &active, parameters);
         let live = scale.iter().filter(|s| **s > 0.0).count().max(1);
-        triangle.get(parameters, parameters).abs() / ((live * self.samples) as f64).sqrt()
+        triangle.get(parameters, parameters).abs() / ((live * samples) as f64).sqrt()
     }
 
     /// Square of the share of a column's torque that the model of a joint leaves.
@@ -241,7 +268,7 @@ impl<'a> TorqueColumns<'a> {
     }
 
     /// A joint's equations with the torque of one column.
-    fn system(&self, factor: &RFactor, joint: usize, column: usize, negated: bool) -> JointSystem {
+    fn system(&self, factor: &RFactor, samples: usize, joint: usize, (column, negated): (usize, bool)) -> JointSystem {
         let m = self.rows.columns[joint].len();
         let size = factor.columns();
         let mut block = Vec::with_capacity(size * (m + 1));
@@ -257,10 +284,10 @@ impl<'a> TorqueColumns<'a> {
         last[m] = 1.0;
         JointSystem {
             columns: self.rows.columns[joint].clone(),
-            torque_rms: triangle.norm_of(&last) / (self.samples.max(1) as f64).sqrt(),
+            torque_rms: triangle.norm_of(&last) / (samples.max(1) as f64).sqrt(),
             triangle,
             gram: Vec::new(),
-            samples: self.samples,
+            samples,
             independent: 0.0,
             travel: 0.0,
             batches: Vec::new(),
@@ -270,10 +297,10 @@ impl<'a> TorqueColumns<'a> {
     /// Residual of the best choice of signs with unchanged columns.
     fn best_signs(&self, from: &Reading, reference: Reference<'_>) -> f64 {
         let mut reading = from.clone();
-        let mut left = self.unexplained(&self.factors, &reading, reference);
+        let mut left = self.unexplained(&self.factors, self.samples, &reading, reference);
         for joint in 0..reading.column.len() {
             reading.negated[joint] = true;
-            match self.unexplained(&self.factors, &reading, reference) {
+            match self.unexplained(&self.factors, self.samples, &reading, reference) {
                 better if better < left => left = better,
                 _ => reading.negated[joint] = false,
             }
@@ -287,10 +314,12 @@ impl<'a> TorqueColumns<'a> {
         let paired = (n <= MOST_JOINTS).then(|| self.best_pairing(reference));
         let starts = std::iter::once(Reading::as_recorded(n)).chain(paired);
         let climbed = starts.map(|start| {
-            let mut left = self.unexplained(&self.factors, &start, reference);
+            let mut left = self.unexplained(&self.factors, self.samples, &start, reference);
             let mut reading = start;
             loop {
-                let next = reading.neighbours().map(|next| (self.unexplained(&self.factors, &next, reference), next));
+                let next = reading
+                    .neighbours()
+                    .map(|next| (self.unexplained(&self.factors, self.samples, &next, reference), next));
                 match next.min_by(|a, b| a.0.total_cmp(&b.0)) {
                     // A step that gains nothing to speak of is none.
                     Some((better, next)) if better < 0.9 * left => (left, reading) = (better, next),
@@ -307,7 +336,7 @@ impl<'a> TorqueColumns<'a> {
         let mut last = left;
         loop {
             let fits = |next: Reading| {
-                let now = self.unexplained(&self.factors, &next, reference);
+                let now = self.unexplained(&self.factors, self.samples, &next, reference);
                 (now < 1.1 * left).then_some((now, next))
             };
             let mut tried = Vec::new();
@@ -363,7 +392,7 @@ impl<'a> TorqueColumns<'a> {
     fn row_cost(&self, joint: usize, column: usize, reference: Reference<'_>) -> (f64, bool) {
         let (share, negated) = match reference {
             Reference::Fit => {
-                let system = self.system(&self.factors[joint], joint, column, false);
+                let system = self.system(&self.factors[joint], self.samples, joint, (column, false));
                 let m = system.columns.len();
                 let left = system.triangle.get(m, m).abs() / (self.samples as f64).sqrt();
                 (if system.torque_rms > 0.0 { left / system.torque_rms } else { 1.0 }, false)
@@ -487,6 +516,33 @@ mod tests {
             out.tau[column * len..(column + 1) * len].copy_from_slice(&motion.tau[joint * len..(joint + 1) * len]);
         }
         out
+    }
+
+    #[test]
+    fn exchanged_positions_are_no_other_order_of_the_torques() {
+        let (arm, beta, motion) = recorded(PUMA, 3);
+        let len = motion.states.len;
+        for columns in [[0, 1, 2, 5, 4, 3], [2, 1, 0, 3, 4, 5], [1, 2, 0, 3, 4, 5]] {
+            let mut log = motion.clone();
+            let States { q, dq, ddq, .. } = &motion.states;
+            for (of, to) in [(q, &mut log.states.q), (dq, &mut log.states.dq), (ddq, &mut log.states.ddq)] {
+                for (joint, &column) in columns.iter().enumerate() {
+                    let (from, to_rows) = (joint * len..(joint + 1) * len, column * len..(column + 1) * len);
+                    to[to_rows].copy_from_slice(&of[from]);
+                }
+            }
+            let named: Vec<usize> = columns.iter().map(|c| c + 1).collect();
+            for reference in [Reference::Fit, Reference::Model(&beta)] {
+                match read(&arm, &log, reference, &[]) {
+                    Some(Explanation::Positions { columns }) => assert_eq!(columns, named, "{reference:?}"),
+                    // Of the light wrist a fit knows friction alone.
+                    Some(Explanation::PositionsOrTorques { joints }) => {
+                        assert!(joints == [4, 6] && matches!(reference, Reference::Fit), "{reference:?} {joints:?}");
+                    }
+                    other => panic!("{reference:?}: {other:?}"),
+                }
+            }
+        }
     }
 
     const PUMA: &str = include_str!("../../../robots/puma560.yaml");

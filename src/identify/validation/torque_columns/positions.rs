@@ -1,0 +1,112 @@
+//! Whether the position columns of a log stand in another order.
+//!
+//! Unlike another order of the torques this changes the regressor, so that some of the samples are
+//! kept and evaluated anew for each order that is tried.
+
+use super::{Reading, Reference, TorqueColumns, absorb};
+use crate::data::signal::MotionBlock;
+use crate::identify::regression::r_factor::RFactor;
+use crate::model::States;
+
+/// Samples that are kept.
+const MOST: usize = 800;
+/// A step to another order has to leave less than this share of what is left without it.
+const STEP: f64 = 0.9;
+
+/// Every `every`-th sample of a log.
+#[derive(Debug, Clone)]
+pub(super) struct Kept {
+    samples: Vec<Sample>,
+    every: usize,
+    seen: usize,
+}
+
+/// Rows of one sample, by joint.
+#[derive(Debug, Clone)]
+struct Sample {
+    motion: Vec<[f64; 3]>,
+    tau: Vec<f64>,
+}
+
+impl Default for Kept {
+    fn default() -> Self {
+        Self { samples: Vec::new(), every: 1, seen: 0 }
+    }
+}
+
+impl Kept {
+    /// Takes in some samples; of two that are kept one goes wherever they become too many.
+    pub(super) fn absorb(&mut self, block: &MotionBlock) {
+        let States { len, q, dq, ddq } = &block.states;
+        let joints = q.len() / (*len).max(1);
+        for s in 0..*len {
+            if self.seen.is_multiple_of(self.every) {
+                let at = |joint: usize| joint * len + s;
+                let motion = (0..joints).map(|j| [q[at(j)], dq[at(j)], ddq[at(j)]]).collect();
+                self.samples.push(Sample { motion, tau: (0..joints).map(|j| block.tau[at(j)]).collect() });
+                if self.samples.len() > 2 * MOST {
+                    let mut place = 0..;
+                    self.samples.retain(|_| place.next().is_some_and(|k: usize| k.is_multiple_of(2)));
+                    self.every *= 2;
+                }
+            }
+            self.seen += 1;
+        }
+    }
+
+    /// The samples with the motion of each joint read from this column, from 0.
+    fn read(&self, columns: &[usize]) -> MotionBlock {
+        let all = |of: &dyn Fn(&Sample, usize) -> f64| -> Vec<f64> {
+            (0..columns.len()).flat_map(|joint| self.samples.iter().map(move |s| of(s, joint))).collect()
+        };
+        let [q, dq, ddq] = [0, 1, 2].map(|d| all(&|s, joint| s.motion[columns[joint]][d]));
+        let states = States { len: self.samples.len(), q, dq, ddq };
+        MotionBlock { states, tau: all(&|s, joint| s.tau[joint]), ..MotionBlock::default() }
+    }
+}
+
+/// Another order of the position columns, with the shares of the torques that are left as recorded
+/// and so.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Order {
+    /// Of each joint, the column that holds its position, from 0.
+    pub(super) columns: Vec<usize>,
+    pub(super) recorded: f64,
+    pub(super) left: f64,
+}
+
+impl TorqueColumns<'_> {
+    /// The order of the position columns to which exchanges of two lead, the best first.
+    pub(super) fn best_positions(&self, reference: Reference<'_>) -> Option<Order> {
+        if self.kept.samples.is_empty() {
+            return None;
+        }
+        let n = self.arm.dof();
+        let mut columns: Vec<usize> = (0..n).collect();
+        let recorded = self.left_of_positions(&columns, reference);
+        let mut left = recorded;
+        // No order is more than n - 1 exchanges away.
+        for _ in 1..n {
+            let exchanges = (0..n).flat_map(|a| (0..a).map(move |b| (a, b)));
+            let next = exchanges.map(|(a, b)| {
+                let mut next = columns.clone();
+                next.swap(a, b);
+                (self.left_of_positions(&next, reference), next)
+            });
+            match next.min_by(|a, b| a.0.total_cmp(&b.0)) {
+                Some((better, next)) if better < STEP * left => (left, columns) = (better, next),
+                _ => break,
+            }
+        }
+        let moved = columns.iter().enumerate().any(|(joint, column)| joint != *column);
+        moved.then_some(Order { columns, recorded, left })
+    }
+
+    fn left_of_positions(&self, columns: &[usize], reference: Reference<'_>) -> f64 {
+        let block = self.kept.read(columns);
+        let n = self.arm.dof();
+        let mut factors: Vec<RFactor> = self.rows.columns.iter().map(|c| RFactor::new(c.len() + n)).collect();
+        absorb(&mut factors, self.arm, &self.rows, &block, &block.states);
+        self.unexplained(&factors, block.states.len, &Reading::as_recorded(n), reference)
+    }
+}
