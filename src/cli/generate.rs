@@ -14,6 +14,7 @@ use super::delivery::deliver;
 use super::files;
 use super::motors;
 use super::provenance::Provenance;
+use super::terminal::say;
 
 /// Write the drop-in crate with the robot's closed-form functions.
 ///
@@ -64,6 +65,21 @@ enum RuntimeSource {
     Crate,
 }
 
+/// Whether cargo takes this for a requirement on a version: comparators of up to three numbers,
+/// with commas between them.
+fn is_requirement(text: &str) -> bool {
+    let number = |part: &str| {
+        matches!(part, "*" | "x" | "X")
+            || (!part.is_empty() && part.len() < 20 && part.bytes().all(|b| b.is_ascii_digit()))
+    };
+    let comparator = |text: &str| {
+        let version = text.trim().trim_start_matches(['=', '^', '~', '>', '<']).trim_start();
+        let numbers = version.split(['-', '+']).next().unwrap_or_default();
+        (1..=3).contains(&numbers.split('.').count()) && numbers.split('.').all(number)
+    };
+    text.split(',').all(comparator)
+}
+
 impl Generate {
     /// Runtime of the crate, as the generator takes it.
     fn runtime(&self) -> Result<Runtime, Failure> {
@@ -74,6 +90,12 @@ impl Generate {
                 "--runtime-path and --runtime-version name a dependency; add --runtime crate".to_string(),
             )),
             RuntimeSource::Shipped => Ok(Runtime::Shipped),
+            RuntimeSource::Crate if !self.runtime_version.as_deref().is_none_or(is_requirement) => {
+                let given = self.runtime_version.as_deref().unwrap_or_default();
+                Err(Failure::input(format!(
+                    "--runtime-version {given}: no version of a crate; give one as 0.1 or =0.1.2"
+                )))
+            }
             RuntimeSource::Crate => Ok(Runtime::Crate(match (&self.runtime_path, &self.runtime_version) {
                 (Some(path), _) => format!("{{ path = {} }}", quoted(path)),
                 (None, version) => quoted(version.as_deref().unwrap_or(env!("CARGO_PKG_VERSION"))),
@@ -105,6 +127,14 @@ impl Generate {
         motors::note(&self.robot, &file.robot);
         let further: &[Function] = if self.adjoints { &Function::ADJOINTS } else { &[] };
         let crate_files = dh_codegen::krate_on(&file.robot, &file.text, further, &self.runtime()?);
+        if let Some(path) = self.runtime_path.as_ref().filter(|path| !self.out.join(path).join("Cargo.toml").exists()) {
+            // The folder may come later.
+            let seen = self.out.join(path);
+            say(&format!(
+                "note: --runtime-path: there is no crate in {} yet; the generated crate needs it",
+                seen.display()
+            ));
+        }
         let there = Folder::at(&self.out)?;
         if there == Folder::Foreign && !self.force {
             return Err(folder::foreign(&self.out));

@@ -159,6 +159,20 @@ fn in_terms_of_the_file(
     }
 }
 
+/// Corrects the offset of a drive that has one: beside it an effect of the same constant would
+/// say twice, with two signs, what is one number.
+fn corrects_offset(robot: &mut Robot, row: Option<usize>, keys: &[(String, f64)], gain: f64) -> bool {
+    let Some(drive) = row.map(|row| &mut robot.joints[row].drive) else { return false };
+    let given = drive.effects.iter().any(|e| e.kind() == EffectKind::TorqueOffset);
+    match (drive.offset.filter(|own| *own != 0.0 && !given), keys.iter().find(|(key, _)| key == "TO")) {
+        (Some(own), Some((_, found))) => {
+            drive.offset = Some(own + found / gain);
+            true
+        }
+        _ => false,
+    }
+}
+
 fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &Cause, sensor: Sensor) {
     // A structure that no effect explains can not be written.
     let Some(kind) = EffectKind::of(cause.cause) else { return };
@@ -192,6 +206,9 @@ fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &
     in_terms_of_the_file(robot, row, moving, cause, kind, &mut left);
     let drive = row.map(|row| &robot.joints[row].drive);
     sensor.before(kind, &mut left, drive.and_then(|d| d.coulomb_friction).unwrap_or(0.0));
+    if kind == EffectKind::TorqueOffset && corrects_offset(robot, row, &left, sensor.gain) {
+        return;
+    }
     // The file has only the keys of its own table; other values stand in the comments and the JSON.
     left.retain(|(key, _)| kind.description().key(key).is_some());
     if left.is_empty() {

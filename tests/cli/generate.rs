@@ -193,6 +193,13 @@ fn a_crate_on_the_runtime_crate_names_it() {
     );
     let refused = denavit(&["generate", "robots/planar2r.yaml", "--out", &out, "--runtime-version", "0.1"]);
     assert!(refused.status == Some(2) && refused.err.contains("add --runtime crate"), "{}", refused.err);
+    for wrong in ["nonsense", "", "1.2.3.4", "0.1 || 0.2"] {
+        let refused = with(&["--runtime-version", wrong]);
+        assert!(refused.status == Some(2) && refused.err.contains("no version"), "{wrong}: {}", refused.err);
+    }
+    assert_eq!(with(&["--runtime-version", ">=0.1, <0.3"]).status, Some(0));
+    let early = with(&["--runtime-path", "../not/there"]);
+    assert!(early.status == Some(0) && early.err.contains("no crate in"), "{}", early.err);
 }
 
 /// A drop-in crate has the family of its robot and no other.

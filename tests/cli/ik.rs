@@ -91,6 +91,9 @@ fn a_swivel_angle_is_chosen() {
             json(&["ik", &path, "--poses", &poses, "--json", "-"])
         };
         let chosen = run("chosen.csv", &[], &[]);
+        // The Panda has no swivel angle: a joint's position stands in its place.
+        let locked = chosen["poses"][0]["locked_joint"].as_u64();
+        assert_eq!(locked, (name == "franka-panda").then_some(7), "{name}");
         let most = margin(&chosen);
         assert!(most > 0.0, "{name}: {chosen}");
         for k in 0..24 {

@@ -104,6 +104,8 @@ fn wrong_uses() {
     fails(2, &[&[ROBOT], &tool[..], &["--rate", "0"]].concat(), &["--rate 0"]);
     fails(2, &[&[ROBOT], &tool[..], &["--rate", "50"]].concat(), &["--rate has no effect here", "--out"]);
     fails(1, &[&[ROBOT], &tool[..], &["--center", "-3,0,0.4", "--constant-swivel"]].concat(), &["out of reach by"]);
+    let buried = ["--center", "-0.85,0.25,0.5", "--ground", "0.95", "--constant-swivel"];
+    fails(1, &[&[ROBOT], &tool[..], &buried].concat(), &["ground, at 0.95 m, is above the wall's upper end"]);
     let short = [&QUICK[..], &["--duration", "0.5"]].concat();
     fails(1, &[&[ROBOT], &short[..]].concat(), &["s more than the 0.5 s", "--duration"]);
 }

@@ -123,6 +123,9 @@ impl std::fmt::Display for Infeasible {
 /// # Errors
 /// Says which limit binds, by how much and where, for the candidate that breaks the least.
 pub fn plan(task: &Task<'_>, progress: Progress<'_>) -> Result<Plan, Infeasible> {
+    if let Some(reason) = ground_above_the_wall(task) {
+        return Err(Infeasible { reasons: vec![reason], too_weak: false });
+    }
     let widest = task.widest();
     if task.cover == Cover::Whole {
         let [a, b, ..] = widest.painted(task.roller.width);
@@ -181,6 +184,15 @@ pub fn plan(task: &Task<'_>, progress: Progress<'_>) -> Result<Plan, Infeasible>
         cost_constant: plain.filter(Scored::feasible).map(|p| p.cost),
         sides: search.sides(&best),
     })
+}
+
+/// What is to be said of a wall of which nothing is above the ground.
+fn ground_above_the_wall(task: &Task<'_>) -> Option<String> {
+    let ground = task.bodies.ground.as_ref()?.0;
+    let [sides, ends] = [task.surface.sides(), task.surface.ends()];
+    let corners = sides.iter().flat_map(|y| ends.iter().map(|z| task.surface.point([*y, *z, 0.0])[2]));
+    let highest = corners.fold(f64::NEG_INFINITY, f64::max);
+    (highest < ground).then(|| format!("the ground, at {ground} m, is above the wall's upper end, at {highest:.3} m"))
 }
 
 impl Search<'_> {

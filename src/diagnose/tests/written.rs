@@ -103,6 +103,18 @@ fn offered(file: &Robot, causes: usize, truth: &dyn Fn(&[[f64; 2]; 3]) -> [f64; 
     (found, robot)
 }
 
+/// A drive's own offset is corrected, and no second one of the other sign written beside it.
+#[test]
+fn a_wrong_offset_of_the_file_is_corrected_where_it_stands() {
+    let mut file = planar();
+    let truth = sprung(&file, 0.0);
+    file.joints[0].drive.offset = Some(1.5);
+    let (found, written) = offered(&file, 3, &truth);
+    assert!(found.causes.iter().any(|c| c.cause == "torque_offset"), "{:?}", found.causes);
+    let drive = &written.joints[0].drive;
+    assert!(drive.effects.is_empty() && drive.offset.is_some_and(|own| own.abs() < 0.1), "{drive:?}");
+}
+
 #[test]
 fn a_file_that_is_kept_is_written_as_it_is() {
     let file = planar();

@@ -180,15 +180,14 @@ impl<'a> TorqueColumns<'a> {
         let far_better =
             |left: f64, recorded: f64, signs: f64| left < EXPLAINED && left < FAR_BETTER * recorded.min(signs);
         let torques = best.is_permuted() && far_better(left_there, recorded_there, signs_there);
-        let positions = self.best_positions(reference).filter(|order| far_better(order.left, order.recorded, signs));
-        if let Some(order) = positions {
-            let columns: Vec<usize> = order.columns.iter().map(|c| c + 1).collect();
-            let alike = torques && left < ALIKE_LEFT * order.left && order.left < ALIKE_LEFT * left;
-            if alike && matches!(reference, Reference::Fit) {
+        if let Some(order) = self.best_positions(reference) {
+            let alike = left < ALIKE_LEFT * order.left && order.left < ALIKE_LEFT * left;
+            if torques && alike {
                 let joints = (0..n).filter(|&j| order.columns[j] != j).map(|j| j + 1).collect();
                 return Some(finding(Explanation::PositionsOrTorques { joints }, recorded, order.left));
             }
-            if !torques || order.left < left {
+            if far_better(order.left, order.recorded, signs) && !(torques && left < order.left) {
+                let columns = order.columns.iter().map(|c| c + 1).collect();
                 return Some(finding(Explanation::Positions { columns }, order.recorded, order.left));
             }
         }

@@ -64,6 +64,10 @@ pub fn ik_json(name: &str, inverse: &Inverse, redundant: bool, poses: &[Answer])
         }
         if redundant {
             v["swivel"] = json!(p.redundancy);
+            // What is given is no swivel angle but the position of this joint.
+            if let Some(joint) = inverse.family.locked() {
+                v["locked_joint"] = json!(joint + 1);
+            }
         }
         if p.second_plane {
             v["reference_plane"] = json!("second");
