@@ -145,17 +145,7 @@ pub fn plan(task: &Task<'_>, progress: Progress<'_>) -> Result<Plan, Infeasible>
     let search = Search::new(task, progress);
     let (best, plain) = search.run();
     if !best.feasible() {
-        let mut broken = best.broken.clone();
-        broken.sort_by(|a, b| b.weight.total_cmp(&a.weight));
-        let mut reasons: Vec<String> = Vec::new();
-        for b in &broken {
-            let text = search.describe(b);
-            if reasons.len() < 4 && !reasons.contains(&text) {
-                reasons.push(text);
-            }
-        }
-        let too_weak = broken.first().is_some_and(|b| matches!(b.bound, Bound::Torque(_)));
-        return Err(Infeasible { reasons, too_weak });
+        return Err(search.infeasible(&best));
     }
     progress("knots", 0.0);
     let motion = Motion::new(task, &best).map_err(|e| Infeasible { reasons: vec![e], too_weak: false })?;
@@ -196,6 +186,21 @@ fn ground_above_the_wall(task: &Task<'_>) -> Option<String> {
 }
 
 impl Search<'_> {
+    /// Limits that a candidate breaks.
+    fn infeasible(&self, best: &Scored) -> Infeasible {
+        let mut broken = best.broken.clone();
+        broken.sort_by(|a, b| b.weight.total_cmp(&a.weight));
+        let mut reasons: Vec<String> = Vec::new();
+        for b in &broken {
+            let text = self.describe(b);
+            if reasons.len() < 4 && !reasons.contains(&text) {
+                reasons.push(text);
+            }
+        }
+        let too_weak = broken.first().is_some_and(|b| matches!(b.bound, Bound::Torque(_)));
+        Infeasible { reasons, too_weak }
+    }
+
     /// A limit in words.
     fn name(&self, bound: Bound) -> String {
         let joint = |j: usize| self.judge.task.limits[j].name.clone();
