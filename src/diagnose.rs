@@ -9,57 +9,27 @@
 //!
 //! Sees a robot only as a [`PerturbableArm`](crate::model::PerturbableArm); prints nothing.
 
-mod attribution;
-mod baseline_friction;
-mod beside;
-mod calibration;
-mod candidate;
-mod contenders;
-mod deflection;
-mod evidence;
-mod excess;
+mod findings;
+mod fit;
 mod hypotheses;
-mod impacts;
-mod judge;
-mod likelihood;
-mod links;
-mod maps;
-mod measure;
-mod merge_bodies;
-mod merge_common_delay;
-mod model;
-mod model_choice;
-mod moments;
-mod motion_error;
 mod next_experiment;
-mod possible;
-mod recording;
-mod reduction;
-mod refine_and_select;
-mod regulariser;
-mod reported_cause;
-mod result;
 mod robot_file;
 mod run;
 mod search;
-mod simplest_laws;
-mod stepwise_exchange;
-mod structure;
-mod torque_noise;
-mod uncertainty;
-mod windowed_data;
+mod select;
+mod windows;
 mod written;
 
 #[cfg(test)]
 mod tests;
 
-pub use hypotheses::Named;
-pub use next_experiment::{Separation, discriminating_motion};
-pub use recording::{HIGHEST, Recording, Stretch, fixed_preparation, preparation};
-pub use result::{
+pub use findings::result::{
     Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, NextExperiment, Offer, Offered, Verdict, measured_on,
 };
+pub use hypotheses::Named;
+pub use next_experiment::{Separation, discriminating_motion};
 pub use robot_file::extended;
 pub use run::{DiagnoseError, Settings, diagnose, misses};
 pub use search::SearchSettings;
+pub use windows::recording::{HIGHEST, Recording, Stretch, fixed_preparation, preparation};
 pub use written::written_errors;

@@ -7,7 +7,7 @@
 use dh_codegen::robot::EffectKind;
 use nalgebra::DMatrix;
 
-use crate::diagnose::windowed_data::{Column, WindowedData};
+use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 
 mod asymmetric_friction;
 mod backlash;

@@ -20,8 +20,8 @@ use crate::model::{Arm, Change, DriveTerm, PerturbableArm, StandardParameter, St
 
 use super::Cause;
 use super::Diagnosis;
-use super::moments::pseudo_inverse;
-use crate::diagnose::hypotheses::{Scope, by_name};
+use super::fit::moments::pseudo_inverse;
+use super::hypotheses::{Scope, by_name};
 
 /// A motion that separates two causes.
 #[derive(Debug, Clone)]

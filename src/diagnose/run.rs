@@ -1,20 +1,20 @@
 //! The diagnosis from end to end: recordings in, [`Diagnosis`] out.
 
-use super::contenders::Refit;
-use super::deflection::deflections;
-use super::excess::explained;
-use super::impacts::impacts;
-use super::measure::{Meter, root_mean_square};
-use super::model::{Mode, ModelUnderTest};
-use super::result::{Cause, Diagnosis, Errors, NextExperiment, Offer, Verdict};
+use super::findings::attribution::{curve, in_order, unknown};
+use super::findings::deflection::deflections;
+use super::findings::impacts::impacts;
+use super::findings::reported_cause::quiet;
+use super::findings::result::{Cause, Diagnosis, Errors, NextExperiment, Offer, Verdict};
+use super::findings::structure::Structure;
+use super::fit::model::{Mode, ModelUnderTest};
 use super::search::SearchSettings;
-use super::structure::Structure;
-use crate::diagnose::attribution::{curve, in_order, unknown};
-use crate::diagnose::motion_error::budget;
-use crate::diagnose::recording::{Recording, unexplained};
-use crate::diagnose::refine_and_select::{Case, Choice, Settled};
-use crate::diagnose::reported_cause::quiet;
-use crate::diagnose::torque_noise::torque_noise;
+use super::select::contenders::Refit;
+use super::select::excess::explained;
+use super::select::measure::{Meter, root_mean_square};
+use super::select::refine_and_select::{Case, Choice, Settled};
+use super::windows::motion_error::budget;
+use super::windows::recording::{Recording, unexplained};
+use super::windows::torque_noise::torque_noise;
 use crate::identify::ConsistentError;
 use crate::model::PerturbableArm;
 use dh_codegen::robot::EffectKind;

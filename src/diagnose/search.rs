@@ -7,14 +7,22 @@
 //! for its unknowns and for the number of candidates, parts of the data that were not used to fit
 //! it confirm it, and it is large enough to matter beside the noise.
 
-use super::candidate::{Candidate, candidates, rivals, sparest_first};
-use super::judge::{Accepted, Judge, adopt};
-use super::model::{Chosen, Fitted, Mode, ModelUnderTest};
-use crate::diagnose::hypotheses::Cause;
-use crate::diagnose::merge_bodies::merge_bodies;
-use crate::diagnose::merge_common_delay::merge_common_delay;
-use crate::diagnose::simplest_laws::simplest_laws;
-use crate::diagnose::stepwise_exchange::stepwise_exchange;
+pub(super) mod baseline_friction;
+pub(super) mod candidate;
+pub(super) mod judge;
+pub(super) mod merge_bodies;
+mod merge_common_delay;
+mod simplest_laws;
+mod stepwise_exchange;
+
+use super::fit::model::{Chosen, Fitted, Mode, ModelUnderTest};
+use super::hypotheses::Cause;
+use candidate::{Candidate, candidates, rivals, sparest_first};
+use judge::{Accepted, Judge, adopt};
+use merge_bodies::merge_bodies;
+use merge_common_delay::merge_common_delay;
+use simplest_laws::simplest_laws;
+use stepwise_exchange::stepwise_exchange;
 
 /// How strict the search is.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,10 +1,10 @@
 //! Errors on logs of a robot file with the offered model in it, by the file's ordinary inverse
 //! dynamics: a route that shares neither columns nor windows with the diagnosis.
 
-use super::measure::root_mean_square;
 use super::run::KEPT;
-use crate::diagnose::recording::{Recording, Stretch};
-use crate::diagnose::windowed_data::{dead_zones, edge};
+use super::select::measure::root_mean_square;
+use super::windows::recording::{Recording, Stretch};
+use super::windows::windowed_data::{dead_zones, edge};
 use crate::model::{States, TorqueModel};
 
 /// Root mean square error of each joint's torque, N m, over the samples on which a diagnosis

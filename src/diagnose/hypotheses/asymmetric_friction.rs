@@ -8,7 +8,7 @@ use super::Kind;
 use super::Sign;
 use super::Term;
 use super::moves;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// `FVA |v|`, beside the offset that is always among the unknowns.
 pub struct AsymmetricFriction;

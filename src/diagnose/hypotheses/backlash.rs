@@ -18,7 +18,7 @@ use super::Shape;
 use super::Sign;
 use super::Term;
 use crate::data::signal::low_pass;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// Link angle `q - (BL / 2) load / sqrt(load^2 + (TB rms)^2)`.
 pub struct Backlash;

@@ -9,7 +9,7 @@ use super::Kind;
 use super::Scope;
 use super::Sign;
 use super::Term;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// Base turned by `RotY(pitch) RotX(roll)`.
 pub struct BaseTilt;

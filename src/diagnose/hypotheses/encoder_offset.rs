@@ -9,7 +9,7 @@ use super::Shape;
 use super::Sign;
 use super::Term;
 use super::backlash::both_ways;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// True angle `q + QO`.
 pub struct EncoderOffset;

@@ -12,7 +12,7 @@ use super::Scope;
 use super::Shape;
 use super::Sign;
 use super::Term;
-use crate::diagnose::windowed_data::{Column, WindowedData};
+use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 
 /// A constant wrench on the last frame between `start` and `end` (seconds of used data, over all
 /// logs). It is given in the last frame's axes or, with `base` 1, in those of the base.

@@ -13,7 +13,7 @@ use super::Sign;
 use super::Term;
 use super::geometric;
 use super::moves;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::{JointSeries, WindowedData};
 
 /// `(DC sign(v) + DV v) exp(-t / DT)`; with a temperature column the exponential gives way to
 /// `temp - 25`.
@@ -69,7 +69,7 @@ impl Cause for FrictionDrift {
             if !Self::recorded(scene, j) {
                 return Vec::new();
             }
-            let warm = |k: usize, o: &crate::diagnose::windowed_data::JointSeries| o.temperature[k] - REFERENCE;
+            let warm = |k: usize, o: &JointSeries| o.temperature[k] - REFERENCE;
             return vec![
                 Term::new("DCK", scene.pointwise(j, |o, k| o.sign[k] * warm(k, o)), Sign::Any),
                 Term::new("DVK", scene.pointwise(j, |o, k| o.v[k] * warm(k, o)), Sign::Any),

@@ -11,7 +11,7 @@ use super::Shape;
 use super::Sign;
 use super::Term;
 use super::moves;
-use crate::diagnose::windowed_data::{Column, WindowedData};
+use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 use crate::model::coupled::CouplingTerm;
 
 /// The farthest that a joint's axis turns with another motor, turns per turn.

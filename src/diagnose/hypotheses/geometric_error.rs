@@ -9,7 +9,7 @@ use super::Kind;
 use super::Shape;
 use super::Sign;
 use super::Term;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// One of `DALPHA`, `DD`, `DR` of the joint's row. (`DTHETA` is `encoder_offset`.)
 pub struct GeometricError;

@@ -17,7 +17,7 @@ use super::Shape;
 use super::Sign;
 use super::Term;
 use super::geometric;
-use crate::diagnose::windowed_data::{Slopes, WindowedData};
+use crate::diagnose::windows::windowed_data::{Slopes, WindowedData};
 use crate::numerics::elastic_joint::{Deflection, LinkLoad, Spring};
 
 /// `KE d + DE d'` is what the link at `q - d` takes.

@@ -12,7 +12,7 @@ use super::Sign;
 use super::Term;
 use super::moves;
 use super::travel;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// `KS (q - QS)`; the constant part is among the unknowns anyway.
 pub struct JointSpring;

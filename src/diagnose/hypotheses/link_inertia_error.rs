@@ -7,8 +7,8 @@ use super::Cause;
 use super::Kind;
 use super::Term;
 use super::payload::{Payload, body_terms};
-use crate::diagnose::regulariser::deviations;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::fit::regulariser::deviations;
+use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::{Inertial, StandardParameter};
 
 /// The ten parameters of the joint's link.

@@ -10,7 +10,7 @@ use super::Shape;
 use super::Sign;
 use super::Term;
 use super::moves;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// `FL |tau_load| sign(v)`; where the load drives the motor, `FLB` may take the place of `FL`.
 pub struct LoadDependentFriction;

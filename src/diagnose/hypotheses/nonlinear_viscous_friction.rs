@@ -12,7 +12,7 @@ use super::Term;
 use super::fastest;
 use super::geometric;
 use super::moves;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// `FN |v|^EN sign(v)`, or `FN v / (|v| + VN)`, which saturates.
 pub struct NonlinearViscousFriction;

@@ -8,7 +8,7 @@ use super::Kind;
 use super::Scope;
 use super::Sign;
 use super::Term;
-use crate::diagnose::windowed_data::{Column, WindowedData};
+use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 use crate::model::Inertial;
 
 /// The ten parameters of a body in the last frame.

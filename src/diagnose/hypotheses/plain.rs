@@ -8,7 +8,7 @@ use super::Cause;
 use super::Kind;
 use super::Sign;
 use super::Term;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// One of the three.
 pub struct Plain {

@@ -10,7 +10,7 @@ use super::Sign;
 use super::Term;
 use super::moves;
 use super::travel;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// `sign(v) (PC cos(PN q) + PS sin(PN q))`.
 pub struct PositionDependentFriction;

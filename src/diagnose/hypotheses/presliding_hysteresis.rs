@@ -10,7 +10,7 @@ use super::Term;
 use super::geometric;
 use super::moves;
 use super::travel;
-use crate::diagnose::windowed_data::{JointSeries, WindowedData};
+use crate::diagnose::windows::windowed_data::{JointSeries, WindowedData};
 
 /// `HC z`, `dz/dt = (v / HX) (1 - z sign v)`, in place of as much Coulomb friction as the fit
 /// gives.

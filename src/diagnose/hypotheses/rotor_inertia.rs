@@ -10,7 +10,7 @@ use super::Over;
 use super::Sign;
 use super::Term;
 use super::moves;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// `IA ddq`.
 pub struct RotorInertia;

@@ -13,7 +13,7 @@ use super::Term;
 use super::fastest;
 use super::geometric;
 use super::moves;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// `(FS - FC) exp(-|v / VS|^DS) sign(v)`.
 pub struct StribeckFriction;

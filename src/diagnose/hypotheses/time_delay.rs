@@ -11,7 +11,7 @@ use super::Scope;
 use super::Shape;
 use super::Sign;
 use super::Term;
-use crate::diagnose::windowed_data::{MOST_DELAY, WindowedData};
+use crate::diagnose::windows::windowed_data::{MOST_DELAY, WindowedData};
 
 /// `tau(t)` belongs to the motion at `t - TD`: of one joint, or of all.
 pub struct TimeDelay;

@@ -9,7 +9,7 @@ use super::Named;
 use super::Over;
 use super::Sign;
 use super::Term;
-use crate::diagnose::windowed_data::{Column, WindowedData};
+use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 
 /// `(GT - 1) tau`.
 pub struct TorqueGainError;

@@ -9,7 +9,7 @@ use super::Sign;
 use super::Term;
 use super::moves;
 use super::travel;
-use crate::diagnose::windowed_data::WindowedData;
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// The largest ripple, as a share of the joint's torque.
 const LARGEST: f64 = 0.3;

@@ -10,7 +10,7 @@ use super::Over;
 use super::Shape;
 use super::Sign;
 use super::Term;
-use crate::diagnose::windowed_data::{Column, WindowedData};
+use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 
 /// `clip(tau, +-TM) - tau`, with a coefficient near 1.
 pub struct TorqueSaturation;

@@ -3,8 +3,8 @@
 use dh_codegen::robot::Robot;
 
 use super::world::{Hidden, World, record};
+use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};
 use crate::diagnose::hypotheses::causes;
-use crate::diagnose::model::{Chosen, Mode, ModelUnderTest};
 use crate::diagnose::{Diagnosis, Settings, diagnose};
 use crate::model::PerturbableArm;
 use crate::model::perturbable_robot::PerturbableRobot;

@@ -9,7 +9,7 @@ use super::mechanisms::{Bodies, RATE, bare, log, plain, planar};
 use super::world::{motion, record};
 use crate::data::log::open;
 use crate::data::signal::{Prepare, each_motion};
-use crate::diagnose::windowed_data::edge;
+use crate::diagnose::windows::windowed_data::edge;
 use crate::diagnose::{Diagnosis, Offered, SearchSettings, Settings, diagnose, extended, misses, written_errors};
 use crate::identify::{AccumulatorSettings, IdentifySettings, KnownEffects, QrAccumulator, solve};
 use crate::model::file_torque_model::FileTorqueModel;

@@ -1,0 +1,13 @@
+//! What is reported: causes with their evidence, effects that no torque model shows, error maps,
+//! remaining structure.
+
+pub(super) mod attribution;
+pub(super) mod calibration;
+pub(super) mod deflection;
+pub(super) mod evidence;
+pub(super) mod impacts;
+pub(super) mod links;
+pub(super) mod maps;
+pub(super) mod reported_cause;
+pub(super) mod result;
+pub(super) mod structure;

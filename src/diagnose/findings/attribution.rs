@@ -1,0 +1,272 @@
+//! From findings and measures to the entries of the result, in order, with the causes that can't be
+//! separated from them.
+
+use super::calibration::{self, Features};
+use super::evidence;
+use super::evidence::Shown;
+use super::reported_cause::{Item, friction_values, place_of};
+use super::result::{Cause, Curve, Errors, measured_on};
+use super::structure::Structure;
+use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
+use crate::diagnose::fit::moments::Moments;
+use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
+use crate::diagnose::hypotheses::{COULOMB, Cause as _, Named, OFFSET, VISCOUS};
+use crate::diagnose::search::baseline_friction::Plain;
+use crate::diagnose::search::judge::Accepted;
+use crate::diagnose::select::measure::{Measured, share, taken_of};
+use dh_codegen::robot::effects;
+
+/// A model whose causes get probabilities.
+pub(in crate::diagnose) struct Attribution<'a> {
+    pub(in crate::diagnose) bench: &'a ModelUnderTest<'a>,
+    pub(in crate::diagnose) fitted: &'a Fitted,
+    pub(in crate::diagnose) uncertainty: &'a Uncertainty,
+    pub(in crate::diagnose) accepted: &'a [Accepted],
+    /// Alternatives to plain friction.
+    pub(in crate::diagnose) rivals: &'a [Plain],
+    pub(in crate::diagnose) noise: &'a [f64],
+    /// Whether the validating data are logs of their own.
+    pub(in crate::diagnose) own_validation: bool,
+    /// The equations in stretches of one piece each.
+    pub(in crate::diagnose) stretches: &'a Moments,
+}
+
+impl Attribution<'_> {
+    /// An item as a cause of the result: errors without it and with it, `on` the fitted logs
+    /// (`fit`) or the validating ones (`validate`). Where it is measured on the fitted logs since
+    /// its joints differ on the others, the share that it takes there, `far`, counts half.
+    pub(in crate::diagnose) fn attribute(
+        &self,
+        item: &Item,
+        [without, with]: [&Measured; 2],
+        far: Option<f64>,
+        interval: [f64; 2],
+        on: &'static str,
+    ) -> Cause {
+        let Self { bench, fitted, uncertainty, accepted: all, rivals: plain_rivals, noise, own_validation, .. } = *self;
+        let keys = self.keys(item);
+        let suffix = item.place.first().map(|j| (j + 1).to_string()).unwrap_or_default();
+        let parameters: Vec<Named> =
+            keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
+        let accepted = item.accepted.map(|a| &all[a]);
+        let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
+        let part = share(&without.steady, &with.steady, noise, &item.place);
+        let support = accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, item), |a| a.support);
+        // The same in another place says nearly as much.
+        let elsewhere: Vec<&[usize]> = near(item, accepted, plain_rivals)
+            .iter()
+            .filter(|r| r.0 == item.hypothesis.name())
+            .map(|r| r.1.as_slice())
+            .collect();
+        let elsewhere = elsewhere.iter().map(|p| format!("; the same {} would explain nearly as much", place_of(p)));
+        let recurrence = self.recurrence(item);
+        let counted = far.map_or(part, |far| 0.5 * (part + far));
+        let features = Features { support, margin, share: counted, recurrence };
+        Cause {
+            cause: item.hypothesis.name(),
+            joints: item.place.iter().map(|j| j + 1).collect(),
+            probability: calibration::probability(item.accepted.is_none(), &features),
+            support,
+            margin,
+            share: part,
+            recurrence,
+            evidence: evidence::sentence(&Shown {
+                cause: item.hypothesis,
+                place: &item.place,
+                parameters: &parameters,
+                before: &without.rms,
+                after: &with.rms,
+                noise,
+                on: measured_on(on, own_validation),
+                confirmed: accepted.map(|a| a.confirmed),
+            }) + &elsewhere.collect::<String>(),
+            curve: item.accepted.and_then(|index| evidence::curve(bench, fitted, index, &all[index].chosen)),
+            parameters,
+            keys,
+            interval,
+            rms_before: without.rms.clone(),
+            rms_after: with.rms.clone(),
+            on,
+            not_distinguished_from: confusable(bench, item, accepted, plain_rivals),
+            shown_by: item.hypothesis.shown_by(),
+        }
+    }
+}
+
+impl Attribution<'_> {
+    /// Parameters of an item under the keys of a robot file.
+    fn keys(&self, item: &Item) -> Vec<Named> {
+        let Self { bench, fitted, uncertainty, accepted: all, .. } = *self;
+        let friction = friction_values(bench, fitted, &uncertainty.covariance, item);
+        let Some(index) = item.accepted else { return friction };
+        let mut keys = parameters(bench, fitted, uncertainty, index, &all[index].chosen);
+        for named in friction {
+            if keys.iter().all(|k| k.symbol != named.symbol) {
+                keys.push(named);
+            }
+        }
+        keys
+    }
+
+    /// How an item recurs in stretches of the fitted logs. It is 1 for a cause that acts in a part
+    /// of a log and so can't recur, and for a delay, which has moved the data.
+    fn recurrence(&self, item: &Item) -> f64 {
+        let fitted = self.fitted;
+        if item.hypothesis.local() || item.hypothesis.moves_time() {
+            return 1.0;
+        }
+        let mut own: Vec<usize> = item.friction.iter().map(|k| fitted.friction + k).collect();
+        own.extend(item.accepted.iter().flat_map(|&i| (0..fitted.terms[i].len()).map(move |t| fitted.first[i] + t)));
+        self.stretches.recurrence(&fitted.solution, &own)
+    }
+}
+
+/// Share of the error that a cause explains: the logarithm of the ratio of root mean squares
+/// without and with it, noise added to both, summed over joints. So no joint counts for more than
+/// another by the size of its torques.
+pub(in crate::diagnose) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
+    taken_of(&cause.rms_before, &cause.rms_after, noise)
+}
+
+/// A margin beyond which more of it says nothing.
+pub(in crate::diagnose) const MOST_MARGIN: f64 = 1e4;
+
+/// Puts causes in order of what they are expected to gain: of two that take the same error the surer
+/// one comes first. Those of values come after those of structure.
+pub(in crate::diagnose) fn in_order(causes: &mut Vec<Cause>, scale: &[f64]) {
+    let expected = |c: &Cause| c.probability * taken(c, scale);
+    causes.sort_by(|a, b| expected(b).total_cmp(&expected(a)));
+    values_last(causes, scale);
+}
+
+/// Errors that no value of a link's parameter explains are named before those values. This holds if
+/// they explain half of the squared error of a joint beside them, or a quarter of that of all: an
+/// error of a recording or an arm as a whole, whatever the file contains. It holds for every cause
+/// if all parameters were refitted as a matter of course.
+fn values_last(causes: &mut Vec<Cause>, noise: &[f64]) {
+    let Some(at) = causes.iter().position(|c| c.cause == effects::LinkInertiaError::NAME) else { return };
+    let refitted = causes[at].keys.is_empty();
+    let structure = |c: &Cause| {
+        let joints = c.rms_before.iter().zip(&c.rms_after).zip(noise);
+        let shares: Vec<f64> = joints.map(|((b, a), s)| (b * b - a * a) / (b * b + s * s).max(1e-24)).collect();
+        let most = shares.iter().copied().fold(0.0, f64::max);
+        most > 0.5 || shares.iter().sum::<f64>() > 0.25 * shares.len() as f64
+    };
+    let value = |c: &Cause| [effects::LinkInertiaError::NAME, effects::Payload::NAME, "unknown"].contains(&c.cause);
+    let tail = causes.split_off(at);
+    let (first, rest): (Vec<Cause>, Vec<Cause>) =
+        tail.into_iter().partition(|c| !value(c) && (refitted || c.joints.is_empty()) && structure(c));
+    causes.extend(first);
+    causes.extend(rest);
+}
+
+/// Of a plain term of friction: the square of its value by its standard deviation, of the surest
+/// one.
+pub(in crate::diagnose) fn plain_support(fitted: &Fitted, covariance: &nalgebra::DMatrix<f64>, item: &Item) -> f64 {
+    let squares = item.friction.iter().map(|k| {
+        let at = fitted.friction + k;
+        let variance = covariance[(at, at)];
+        if variance > 0.0 { fitted.solution.x[at].powi(2) / variance } else { 0.0 }
+    });
+    squares.fold(0.0, f64::max)
+}
+
+/// Near alternatives of an item: cause, place, difference of support.
+pub(in crate::diagnose) fn near<'a>(
+    item: &Item,
+    accepted: Option<&'a Accepted>,
+    plain: &'a [Plain],
+) -> &'a [(&'static str, Vec<usize>, f64)] {
+    match accepted {
+        Some(accepted) => accepted.rivals.as_slice(),
+        None => plain.iter().find(|p| item.place == [p.joint]).map(|p| p.rivals.as_slice()).unwrap_or_default(),
+    }
+}
+
+/// Causes that this data, or any data, can't separate from a cause.
+pub(in crate::diagnose) fn confusable(
+    bench: &ModelUnderTest<'_>,
+    item: &Item,
+    accepted: Option<&Accepted>,
+    plain: &[Plain],
+) -> Vec<&'static str> {
+    let mut names: Vec<&'static str> = near(item, accepted, plain).iter().map(|r| r.0).collect();
+    names.extend(item.hypothesis.indistinguishable(&bench.scene, &item.place));
+    // One cause in the place of several plain ones.
+    if item.accepted.is_none() && item.friction.len() > 1 {
+        names.extend(item.friction.iter().map(|k| [&VISCOUS, &COULOMB, &OFFSET][k % 3].name()));
+    }
+    names.sort_unstable();
+    names.dedup();
+    names.retain(|n| *n != item.hypothesis.name());
+    names
+}
+
+/// Remainder without a name. `errors`: of the file and of the model; `floor`: noise of each joint's
+/// torque, N m; `noise`: what a gain is measured by.
+pub(in crate::diagnose) fn unknown(
+    causes: &mut Vec<Cause>,
+    left: &[Structure],
+    errors: [&Errors; 2],
+    floor: &[f64],
+    noise: &[f64],
+) {
+    if left.is_empty() {
+        return;
+    }
+    // A cause that acts in a part of a fitted log shows there alone.
+    let here = causes.iter().any(|c| c.on == "fit");
+    let [baseline, rms] = errors.map(|e| if here { &e.fit[..] } else { &e.validate[..] });
+    let mut left = left.to_vec();
+    left.sort_by(|a, b| (b.rms / noise[b.joint].max(1e-12)).total_cmp(&(a.rms / noise[a.joint].max(1e-12))));
+    let mut joints: Vec<usize> = Vec::new();
+    left.iter().map(|s| s.joint + 1).for_each(|j| {
+        if !joints.contains(&j) {
+            joints.push(j)
+        }
+    });
+    let sentences: Vec<&str> = left.iter().map(|s| s.description.as_str()).collect();
+    let mut after = rms.to_vec();
+    for s in &left {
+        after[s.joint] = (rms[s.joint].powi(2) - s.rms.powi(2)).max(0.0).sqrt();
+    }
+    let entry = Cause {
+        cause: "unknown",
+        support: MOST_MARGIN,
+        margin: MOST_MARGIN,
+        share: share(rms, &after, noise, &[]),
+        recurrence: 1.0,
+        joints,
+        probability: left.iter().map(|s| calibration::structure(s.rms, floor[s.joint])).fold(0.0, f64::max),
+        parameters: Vec::new(),
+        keys: Vec::new(),
+        evidence: format!("structure is left that no listed cause explains: {}", sentences.join("; ")),
+        rms_before: rms.to_vec(),
+        rms_after: after,
+        interval: [f64::NAN; 2],
+        on: "fit",
+        not_distinguished_from: Vec::new(),
+        shown_by: "a longer recording with slow and fast motion of the named joints",
+        curve: None,
+    };
+    // First, where more is left than the causes explain; else last: it gains nothing.
+    let most = causes.iter().map(|c| taken(c, noise)).fold(taken_of(baseline, rms, noise), f64::max);
+    if taken(&entry, noise) > most {
+        causes.insert(0, entry);
+    } else {
+        causes.push(entry);
+    }
+}
+
+/// Torque and errors over time, at most 2,000 points.
+pub(in crate::diagnose) fn curve(j: usize, after: &Measured, before: &[Vec<f64>]) -> Curve {
+    let n = after.error[j].len().min(before[j].len());
+    let every = n.div_ceil(2000).max(1);
+    let fine = |x: &[f64]| -> Vec<f64> { x[..n].iter().step_by(every).copied().collect() };
+    Curve {
+        t: fine(&after.view.clock()),
+        measured: fine(&after.view.torque[j]),
+        before: fine(&before[j]),
+        after: fine(&after.error[j]),
+    }
+}

@@ -1,0 +1,153 @@
+//! Deflection of a joint between its motor and its link, where the log has both angles.
+//!
+//! With `d = qm - q` and the transmitted torque `f`, a gear of stiffness `K` gives `d = f / K`. The
+//! file's rotor and friction move with the motor, so beside the link's angle its torque lacks `IA
+//! d'' + FV d' + FC (sign(q' + d') - sign(q'))` (M. W. Spong, *Modeling and control of elastic
+//! joint robots*, J. Dyn. Sys. Meas. Control 109, 1987).
+
+use dh_codegen::robot::effects;
+
+use super::evidence::short;
+use super::result::Cause;
+use crate::diagnose::fit::model::given_friction;
+use crate::diagnose::hypotheses::{Named, by_name};
+use crate::diagnose::select::measure::share;
+use crate::diagnose::select::refine_and_select::Settled;
+use crate::diagnose::windows::torque_noise::autocorrelation_time;
+use crate::diagnose::windows::windowed_data::WindowedData;
+
+/// Share of the deflection's variance that goes with the torque, from which on it is a spring's.
+const ELASTIC: f64 = 0.5;
+/// Standard deviations by which its compliance stands out of 0.
+const SURE: f64 = 5.0;
+/// Least share of the joint's squared error that it takes.
+const GAIN: f64 = 0.08;
+
+/// A spring that the deflection shows.
+#[derive(Debug, Clone, PartialEq)]
+struct Spring {
+    /// Compliance, rad/(N m), and its standard deviation.
+    compliance: [f64; 2],
+    /// Share of the deflection's variance that goes with the torque.
+    share: f64,
+}
+
+/// Line through deflections (rad) over torques (N m) at the windows that are `live`.
+fn spring(deflection: &[f64], torque: &[f64], live: &[bool]) -> Option<Spring> {
+    let at = || (0..live.len()).filter(|&w| live[w]);
+    let n = at().count() as f64;
+    let mean = |x: &[f64]| at().map(|w| x[w]).sum::<f64>() / n.max(1.0);
+    let (d0, f0) = (mean(deflection), mean(torque));
+    let sum = |a: &dyn Fn(usize) -> f64, b: &dyn Fn(usize) -> f64| at().map(|w| a(w) * b(w)).sum::<f64>();
+    let (d, f) = (|w: usize| deflection[w] - d0, |w: usize| torque[w] - f0);
+    let (dd, df, ff) = (sum(&d, &d), sum(&d, &f), sum(&f, &f));
+    if n < 20.0 || ff <= 0.0 || dd <= 0.0 {
+        return None;
+    }
+    let slope = df / ff;
+    let rest: Vec<f64> = (0..live.len()).map(|w| if live[w] { d(w) - slope * f(w) } else { 0.0 }).collect();
+    let left: f64 = rest.iter().map(|r| r * r).sum();
+    let std = (autocorrelation_time(&rest, live) * left / n / ff).sqrt();
+    let share = 1.0 - left / dd;
+    (slope > SURE * std && share > ELASTIC).then_some(Spring { compliance: [slope, std], share })
+}
+
+/// Angle of the motor before the link over the windows, rad; `None` where it was not recorded.
+fn measured(scene: &WindowedData<'_>, j: usize) -> Option<Vec<f64>> {
+    let own = &scene.own[j];
+    let there = own.iter().all(|o| o.motor.len() == o.q.len()) && own.iter().any(|o| !o.motor.is_empty());
+    there.then(|| own.iter().flat_map(|o| scene.average_of(o, |k| o.motor[k] - o.q[k])).collect())
+}
+
+/// Springs of joints whose error they make, as causes with what is left of each joint's error.
+pub(in crate::diagnose) fn deflections(model: &Settled<'_>, noise: &[f64]) -> Vec<Cause> {
+    let (scene, residual) = (&model.bench.scene, &model.fitted.residual);
+    let joint = |j: usize| {
+        let states = &scene.states[scene.seen[j]];
+        let acceleration = &states.ddq[j * scene.len..(j + 1) * scene.len];
+        let load: Vec<f64> = scene.rigid[j].iter().zip(acceleration).map(|(t, a)| t - scene.rotors[j] * a).collect();
+        let found = spring(&measured(scene, j)?, &load, &scene.live[j])?;
+        let rate = scene.rate_of(&load);
+        let second = scene.rate_of(&rate);
+        let velocity = &states.dq[j * scene.len..(j + 1) * scene.len];
+        let friction = |which: usize| {
+            let given = given_friction(model.bench.plant)[j][which].unwrap_or(0.0);
+            given + model.fitted.solution.x[model.fitted.friction + 3 * j + which]
+        };
+        let (compliance, viscous, dry) = (found.compliance[0], friction(0), friction(1));
+        let lacks = |w: usize| {
+            let (v, faster) = (velocity[w], compliance * rate[w]);
+            let turned = (v + faster).signum() - v.signum();
+            compliance * scene.rotors[j] * second[w] + viscous * faster + dry * turned
+        };
+        let squares = |left: &dyn Fn(usize) -> f64| {
+            (0..scene.len).filter(|&w| scene.live[j][w]).map(|w| left(w).powi(2)).sum::<f64>()
+        };
+        let [before, after] = [squares(&|w| residual[j][w]), squares(&|w| residual[j][w] - lacks(w))];
+        let left = after / before.max(f64::MIN_POSITIVE);
+        (left < 1.0 - GAIN).then(|| cause(model, j, &found, left, noise))
+    };
+    (0..scene.dof()).filter_map(joint).collect()
+}
+
+/// A spring as a cause: of the joint's squared error on the fitted logs it leaves this share.
+fn cause(model: &Settled<'_>, j: usize, found: &Spring, left: f64, noise: &[f64]) -> Cause {
+    let before = model.after_fit.rms.clone();
+    let mut after = before.clone();
+    after[j] *= left.sqrt();
+    let [compliance, std] = found.compliance;
+    let stiffness = 1.0 / compliance;
+    let hypothesis = by_name(effects::JointElasticity::NAME);
+    Cause {
+        cause: effects::JointElasticity::NAME,
+        joints: vec![j + 1],
+        probability: found.share.min(0.97),
+        parameters: vec![Named {
+            symbol: format!("KE{}", j + 1),
+            value: stiffness,
+            std: Some(stiffness * std / compliance),
+        }],
+        keys: Vec::new(),
+        support: 0.0,
+        margin: 0.0,
+        share: share(&before, &after, noise, &[j]),
+        recurrence: 1.0,
+        evidence: format!(
+            "joint {}: motor and link differ by an angle of which {:.0} % goes with the torque (KE{} = {} +- {} N m/rad); rotor and friction move with the motor, which takes the error of the joint from {} to {} N m. The file's law is for an angle measured at the motor, so it is not written",
+            j + 1,
+            100.0 * found.share,
+            j + 1,
+            short(stiffness),
+            short(stiffness * std / compliance),
+            short(before[j]),
+            short(after[j])
+        ),
+        rms_before: before,
+        rms_after: after,
+        interval: [f64::NAN; 2],
+        on: "fit",
+        not_distinguished_from: Vec::new(),
+        shown_by: hypothesis.map_or("", |h| h.shown_by()),
+        curve: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_line_is_a_spring_and_noise_is_none() {
+        let torque: Vec<f64> = (0..400).map(|k| 20.0 * (0.05 * f64::from(k)).sin()).collect();
+        let live = vec![true; 400];
+        let turned: Vec<f64> =
+            torque.iter().enumerate().map(|(k, f)| 0.3 + f / 1500.0 + 1e-5 * ((k * 7 % 11) as f64 - 5.0)).collect();
+        let found = spring(&turned, &torque, &live).unwrap();
+        assert!((1.0 / found.compliance[0] / 1500.0 - 1.0).abs() < 0.01 && found.share > 0.99);
+        let noise: Vec<f64> = (0..400).map(|k| 1e-5 * (f64::from(k * k % 13) - 6.0)).collect();
+        assert_eq!(spring(&noise, &torque, &live), None);
+        // Against the torque is no spring.
+        let against: Vec<f64> = turned.iter().map(|d| -d).collect();
+        assert_eq!(spring(&against, &torque, &live), None);
+    }
+}

@@ -1,0 +1,175 @@
+//! Wrong links and rotors as causes: all base parameters are refitted.
+
+use super::attribution::MOST_MARGIN;
+use super::calibration;
+use super::evidence;
+use super::result::{Cause, measured_on};
+use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};
+use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
+use crate::diagnose::hypotheses::Named;
+use crate::diagnose::search::equivalent_robot_cause;
+use crate::diagnose::search::judge::chosen_of;
+use crate::diagnose::search::merge_bodies::single_bodies;
+use crate::diagnose::select::measure::{Measured, Meter, bootstrap, matters, root_mean_square, share, taken_of};
+use crate::diagnose::select::model_choice::LeftOut;
+use crate::diagnose::select::refine_and_select::{Case, Settled};
+use crate::model::{DriveTerm, StandardParameter};
+use dh_codegen::robot::effects;
+
+/// Of what other links gain on stretches that are left out, one body must gain this share to be the
+/// answer.
+const ONE_BODY: f64 = 0.85;
+
+/// One body that says what the refitted links say.
+struct Body {
+    cause: &'static str,
+    joints: Vec<usize>,
+    parameters: Vec<Named>,
+    /// Of what the links gain on stretches that are left out, its share.
+    share: f64,
+}
+
+impl Case<'_> {
+    /// The causes, where base parameters differ from the file's, and the file's beside everything
+    /// else that was found are worse.
+    pub(in crate::diagnose) fn links(&self, model: &Settled<'_>) -> Vec<Cause> {
+        let [links, rotors] = evidence::changed_links(&model.bench, &model.fitted, &model.fitted.covariance());
+        if links.is_empty() && rotors.is_empty() {
+            return Vec::new();
+        }
+        // Residual of the file's links beside all other causes.
+        let delays = &model.bench.scene.delays;
+        let mut believed = ModelUnderTest::new(self.plant, self.fit, self.settings.rate, Mode::Trusted, delays, false);
+        believed.frozen = model.bench.frozen.clone();
+        let mut others = chosen_of(&model.accepted);
+        let trusting = believed.fit(&mut others);
+        let without = Meter::new(self.plant, self.validate, &believed).of(&believed, &trusting, &others, true);
+        let after = &model.after;
+        let known = believed.left_out(&others, &trusting);
+        let refit = model.left_out.less(&known, self.ground);
+        // It has to pay like any other.
+        let gains = taken_of(&without.steady, &after.steady, self.scale) > 0.0;
+        if !(refit.worth_refit() && gains && matters(&without.steady, &after.steady, self.noise, self.motion)) {
+            return Vec::new();
+        }
+        let sure = calibration::links(refit.gain, refit.error);
+        let mut causes: Vec<Cause> = rotors.iter().map(|&j| self.rotor(model, &without, j, sure)).collect();
+        if links.is_empty() {
+            return causes;
+        }
+        let [missed, now] = [&without, after].map(|m| evidence::short(root_mean_square(&m.rms)));
+        let on = measured_on("validate", self.own_validation);
+        let figures = format!(
+            "with the file's own and everything else that was found {missed} N m are missed on {on} (RMS over joints), with these {now} N m"
+        );
+        let cause = |name, joints, parameters, probability, evidence| Cause {
+            cause: name,
+            joints,
+            parameters,
+            probability,
+            evidence,
+            ..self.refitted(model, &without)
+        };
+        causes.push(match self.one_body(&mut believed, &others, &known, refit.gain) {
+            Some(body) => cause(
+                body.cause,
+                body.joints,
+                body.parameters,
+                sure,
+                format!(
+                    "one body says {:.0} % of what other base parameters of {} gain on stretches that were left out; {figures}",
+                    100.0 * body.share.min(1.0),
+                    of_joints(&links)
+                ),
+            ),
+            None => {
+                let evidence = format!(
+                    "the base parameters of {} differ from the file's by more than five of their standard deviations; {figures}",
+                    of_joints(&links)
+                );
+                cause(effects::LinkInertiaError::NAME, links, Vec::new(), sure, evidence)
+            }
+        });
+        causes
+    }
+
+    /// Common part of all causes of refitted parameters.
+    fn refitted(&self, model: &Settled<'_>, without: &Measured) -> Cause {
+        Cause {
+            cause: effects::LinkInertiaError::NAME,
+            evidence: String::new(),
+            joints: Vec::new(),
+            probability: 0.0,
+            support: MOST_MARGIN,
+            margin: MOST_MARGIN,
+            share: share(&without.rms, &model.after.rms, self.noise, &[]),
+            recurrence: 1.0,
+            parameters: Vec::new(),
+            keys: Vec::new(),
+            interval: bootstrap(without, &model.after, &[]),
+            rms_before: without.rms.clone(),
+            rms_after: model.after.rms.clone(),
+            on: "validate",
+            not_distinguished_from: Vec::new(),
+            shown_by: "an exciting motion for the base parameters",
+            curve: None,
+        }
+    }
+
+    /// A rotor (of joint `j`, from 1) that the file has otherwise, or not at all.
+    fn rotor(&self, model: &Settled<'_>, without: &Measured, j: usize, probability: f64) -> Cause {
+        let plant = model.bench.plant;
+        let rotor = StandardParameter::Drive(plant.rows()[j - 1], DriveTerm::IA);
+        let at = plant.standard_parameters().iter().position(|p| *p == rotor);
+        let value = at.and_then(|at| model.fitted.standard.as_ref().map(|s| s[at])).unwrap_or(0.0);
+        Cause {
+            cause: effects::RotorInertia::NAME,
+            probability,
+            joints: vec![j],
+            parameters: vec![Named { symbol: format!("{}{j}", DriveTerm::IA.name()), value, std: None }],
+            evidence: format!(
+                "joint {j}: beside other links the torque has a part in proportion to the joint's own acceleration, {} kg m^2, that the file lacks or has otherwise",
+                evidence::short(value)
+            ),
+            ..self.refitted(model, without)
+        }
+    }
+
+    /// The body that says nearly all that the refit's links say, if one does. `known`: errors with
+    /// the file's links; `gain`: what the refit gains on them.
+    fn one_body(
+        &self,
+        believed: &mut ModelUnderTest<'_>,
+        others: &[Chosen],
+        known: &LeftOut,
+        gain: f64,
+    ) -> Option<Body> {
+        let mut best: Option<(f64, Vec<Chosen>)> = None;
+        for body in single_bodies(believed) {
+            let mut trial = others.to_vec();
+            trial.push(body);
+            let fitted = believed.fit(&mut trial);
+            let gained = believed.left_out(&trial, &fitted).less(known, self.ground).gain;
+            if best.as_ref().is_none_or(|b| gained > b.0) {
+                best = Some((gained, trial));
+            }
+        }
+        let (gained, mut trial) = best.filter(|(gained, _)| *gained >= ONE_BODY * gain)?;
+        let fitted = believed.fit(&mut trial);
+        let (body, index) = (trial.last()?, trial.len() - 1);
+        let uncertainty = Uncertainty::of(believed, &fitted, &trial);
+        let found = parameters(believed, &fitted, &uncertainty, index, body);
+        let named = equivalent_robot_cause(believed, body, &fitted.terms[index]);
+        let cause = named.as_ref().unwrap_or(body);
+        let joints: Vec<usize> = cause.place.iter().map(|j| j + 1).collect();
+        let suffix = joints.first().map(usize::to_string).unwrap_or_default();
+        let parameters = found.into_iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k }).collect();
+        Some(Body { cause: cause.cause.name(), joints, parameters, share: gained / gain })
+    }
+}
+
+/// `joint 3`, `joints 3, 4`.
+fn of_joints(joints: &[usize]) -> String {
+    let numbers: Vec<String> = joints.iter().map(usize::to_string).collect();
+    format!("joint{} {}", if joints.len() > 1 { "s" } else { "" }, numbers.join(", "))
+}

@@ -1,0 +1,142 @@
+//! A reported cause: an accepted one with the friction that belongs to it, or friction that changed
+//! by itself.
+
+use super::result::Cause;
+use crate::diagnose::fit::model::{Fitted, ModelUnderTest, given_friction};
+use crate::diagnose::hypotheses::{AsymmetricFriction, COULOMB, Cause as Hypothesis, Kind, Named, OFFSET, VISCOUS};
+use crate::diagnose::search::judge::Accepted;
+
+/// A cause on its way into the result.
+pub(in crate::diagnose) struct Item {
+    pub(in crate::diagnose) hypothesis: &'static dyn Hypothesis,
+    pub(in crate::diagnose) place: Vec<usize>,
+    /// Among the accepted; `None`: a friction parameter.
+    pub(in crate::diagnose) accepted: Option<usize>,
+    /// Unknowns of friction that belong to it.
+    pub(in crate::diagnose) friction: Vec<usize>,
+}
+
+/// Place of an item, in words.
+pub(in crate::diagnose) fn place_of(place: &[usize]) -> String {
+    match place {
+        [] => "of the whole robot".into(),
+        [j] => format!("of joint {}", j + 1),
+        many => format!("of joints {}", many.iter().map(|j| (j + 1).to_string()).collect::<Vec<_>>().join(" and ")),
+    }
+}
+
+/// The accepted causes, and the friction parameters that changed and belong to none of them.
+pub(in crate::diagnose) fn items(bench: &ModelUnderTest<'_>, accepted: &[Accepted], fitted: &Fitted) -> Vec<Item> {
+    let mut items: Vec<Item> = accepted
+        .iter()
+        .enumerate()
+        .map(|(index, a)| Item {
+            hypothesis: a.chosen.cause,
+            place: a.chosen.place.clone(),
+            accepted: Some(index),
+            friction: Vec::new(),
+        })
+        .collect();
+    let given = given_friction(bench.plant);
+    for j in 0..bench.scene.dof() {
+        for (which, hypothesis) in [&VISCOUS, &COULOMB, &OFFSET].into_iter().enumerate() {
+            let k = 3 * j + which;
+            if bench.frozen[k] || bench.quiet[k] {
+                continue;
+            }
+            // If a friction law was found, the plain terms of the file are part of it.
+            let owner = items.iter_mut().find(|i| {
+                let friction = i.hypothesis.kind() == Kind::Friction && which < 2 && given[j][which].is_some();
+                let shift = which == 2 && i.hypothesis.has_constant();
+                i.accepted.is_some() && i.place == [j] && (friction || shift)
+            });
+            match owner {
+                Some(owner) => owner.friction.push(k),
+                None => items.push(Item { hypothesis, place: vec![j], accepted: None, friction: vec![k] }),
+            }
+        }
+    }
+    one_for_two(items, bench, fitted)
+}
+
+/// Of a level and an offset, neither next to nothing beside the other, the smaller is taken for
+/// half a difference of levels.
+pub(in crate::diagnose) const BESIDE: f64 = 0.15;
+
+/// A changed Coulomb level and an offset on one joint are, with as many unknowns, one cause: levels
+/// that differ with the direction. It takes their place where both levels are of friction.
+pub(in crate::diagnose) fn one_for_two(mut items: Vec<Item>, bench: &ModelUnderTest<'_>, fitted: &Fitted) -> Vec<Item> {
+    let given = given_friction(bench.plant);
+    for (j, given) in given.iter().enumerate() {
+        let plain = |which: usize| {
+            let here = |i: &Item| i.accepted.is_none() && i.friction == [3 * j + which];
+            items.iter().position(here).map(|at| (at, fitted.solution.x[fitted.friction + 3 * j + which]))
+        };
+        let (Some((level_at, level)), Some((offset_at, offset))) = (plain(1), plain(2)) else { continue };
+        let (small, large) = (level.abs().min(offset.abs()), level.abs().max(offset.abs()));
+        if small < BESIDE * large || offset.abs() > given[1].unwrap_or(0.0) + level {
+            continue;
+        }
+        items[level_at] = Item {
+            hypothesis: &AsymmetricFriction,
+            place: vec![j],
+            accepted: None,
+            friction: vec![3 * j + 1, 3 * j + 2],
+        };
+        items.remove(offset_at);
+    }
+    items
+}
+
+/// Values of the friction parameters that belong to an item.
+pub(in crate::diagnose) fn friction_values(
+    bench: &ModelUnderTest<'_>,
+    fitted: &Fitted,
+    covariance: &nalgebra::DMatrix<f64>,
+    item: &Item,
+) -> Vec<Named> {
+    let given = given_friction(bench.plant);
+    item.friction
+        .iter()
+        .map(|&k| {
+            let (j, which, at) = (k / 3, k % 3, fitted.friction + k);
+            let base = if which == 2 && item.accepted.is_none() { 0.0 } else { given[j][which].unwrap_or(0.0) };
+            Named {
+                symbol: ["FV", "FC", "TO"][which].to_string(),
+                value: base + fitted.solution.x[at],
+                std: Some(covariance[(at, at)].max(0.0).sqrt()),
+            }
+        })
+        .collect()
+}
+
+/// Friction that is in the model but no news, for the file.
+pub(in crate::diagnose) fn quiet(bench: &ModelUnderTest<'_>, fitted: &Fitted) -> Vec<Cause> {
+    let covariance = fitted.covariance();
+    (0..bench.quiet.len())
+        .filter(|&k| bench.quiet[k] && !bench.frozen[k])
+        .map(|k| {
+            let hypothesis: &'static dyn Hypothesis = [&VISCOUS, &COULOMB, &OFFSET][k % 3];
+            let item = Item { hypothesis, place: vec![k / 3], accepted: None, friction: vec![k] };
+            Cause {
+                cause: hypothesis.name(),
+                joints: vec![k / 3 + 1],
+                probability: 0.0,
+                keys: friction_values(bench, fitted, &covariance, &item),
+                parameters: Vec::new(),
+                support: 0.0,
+                margin: 0.0,
+                share: 0.0,
+                recurrence: 1.0,
+                evidence: String::new(),
+                rms_before: Vec::new(),
+                rms_after: Vec::new(),
+                interval: [f64::NAN; 2],
+                on: "fit",
+                not_distinguished_from: Vec::new(),
+                shown_by: hypothesis.shown_by(),
+                curve: None,
+            }
+        })
+        .collect()
+}

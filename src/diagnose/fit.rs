@@ -1,0 +1,9 @@
+//! Least squares of a model under test: moments, regulariser, physical limits, uncertainty and
+//! likelihood.
+
+pub(super) mod likelihood;
+pub(super) mod model;
+pub(super) mod moments;
+pub(super) mod possible;
+pub(super) mod regulariser;
+pub(super) mod uncertainty;

@@ -1,0 +1,150 @@
+//! Gain in likelihood where errors have a memory.
+//!
+//! What is left of a joint is mostly slow: it goes with nothing measured, and hundreds of windows in
+//! a row repeat it. To count so many windows as one is right for a cause that is as slow, and
+//! wrong for one that is not: a step of friction stands out of a slow background at once. So
+//! errors are taken as an autoregression (Yule and Walker's equations by Levinson's recursion), and
+//! the gain is that of its innovations, what of each window the windows before it don't predict.
+
+/// Windows that predict the next.
+const ORDER: usize = 12;
+
+/// White part of an error that is never taken as predicted, by its root mean square. A model that
+/// is off by less than that from window to window is neither confirmed nor refuted by it.
+const WHITE: f64 = 0.1;
+
+/// Most by which a size found from the innovations alone may differ from that found from the
+/// errors, as a part of it.
+const APART: f64 = 0.5;
+
+/// An autoregression of errors.
+struct Autoregression {
+    coefficients: Vec<f64>,
+    /// Variance of the innovations.
+    variance: f64,
+}
+
+/// Autocovariances of a series at lags `0..=ORDER` over pairs of windows that count.
+fn autocovariances(series: &[f64], live: &[bool]) -> Vec<f64> {
+    let count = live.iter().filter(|l| **l).count().max(1) as f64;
+    let at = |lag: usize| {
+        let pairs = series.iter().zip(&series[lag.min(series.len())..]);
+        let live = live.iter().zip(&live[lag.min(live.len())..]);
+        pairs.zip(live).filter(|(_, (a, b))| **a && **b).map(|((a, b), _)| a * b).sum::<f64>() / count
+    };
+    (0..=ORDER).map(at).collect()
+}
+
+/// The autoregression of a series, with a white part of variance `white`.
+fn autoregression(series: &[f64], live: &[bool], white: f64) -> Autoregression {
+    let mut r = autocovariances(series, live);
+    r[0] += white;
+    let (mut a, mut variance) = (Vec::<f64>::new(), r[0]);
+    for order in 0..ORDER {
+        if variance <= 1e-12 * r[0] {
+            break;
+        }
+        let predicted: f64 = a.iter().enumerate().map(|(k, a)| a * r[order - k]).sum();
+        let reflection = (r[order + 1] - predicted) / variance;
+        // Gaps in a series can make its autocovariances inconsistent.
+        if reflection.abs() >= 1.0 {
+            break;
+        }
+        let turned: Vec<f64> = a.iter().rev().copied().collect();
+        a.iter_mut().zip(turned).for_each(|(a, b)| *a -= reflection * b);
+        a.push(reflection);
+        variance *= 1.0 - reflection * reflection;
+    }
+    Autoregression { coefficients: a, variance }
+}
+
+impl Autoregression {
+    /// Sum over windows of the product of the innovations of two series.
+    fn product(&self, x: &[f64], y: &[f64], live: &[bool]) -> f64 {
+        let order = self.coefficients.len();
+        let innovation = |s: &[f64], w: usize| {
+            s[w] - self.coefficients.iter().enumerate().map(|(k, a)| a * s[w - 1 - k]).sum::<f64>()
+        };
+        let whole = |w: &usize| live[w - order..=*w].iter().all(|l| *l);
+        (order..x.len()).filter(whole).map(|w| innovation(x, w) * innovation(y, w)).sum()
+    }
+}
+
+/// Twice the gain in log-likelihood from residuals `before` to `after` (per joint, zero where
+/// windows do not count), where errors are autoregressive; 0 where the sizes that slow and fast
+/// errors ask for are not the same.
+pub(in crate::diagnose) fn gain(before: &[Vec<f64>], after: &[Vec<f64>], live: &[Vec<bool>]) -> f64 {
+    let (mut gain, mut with, mut own) = (0.0, 0.0, 0.0);
+    for ((before, after), live) in before.iter().zip(after).zip(live) {
+        let count = live.iter().filter(|l| **l).count() as f64;
+        let squares: f64 = after.iter().map(|e| e * e).sum();
+        if count < 20.0 * ORDER as f64 || squares <= 0.0 || before == after {
+            continue;
+        }
+        let white = WHITE * WHITE * squares / count;
+        let [without, rest] = [before, after].map(|e| autoregression(e, live, white));
+        gain += count * (without.variance / rest.variance).ln();
+        let taken: Vec<f64> = before.iter().zip(after).map(|(b, a)| b - a).collect();
+        with += rest.product(&taken, before, live) / rest.variance;
+        own += rest.product(&taken, &taken, live) / rest.variance;
+    }
+    let apart = (with / own.max(f64::MIN_POSITIVE) - 1.0).abs();
+    if apart < APART { gain } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::prng::Random;
+
+    /// Nearly normal.
+    fn normal(random: &mut Random) -> f64 {
+        (0..12).map(|_| random.uniform(-0.5, 0.5)).sum()
+    }
+
+    /// A slow error, and a column of steps that turns about once a second.
+    fn slow(random: &mut Random, n: usize) -> [Vec<f64>; 2] {
+        let mut x = 0.0;
+        let error = (0..n).map(|_| {
+            x = 0.99 * x + normal(random) * 0.02;
+            x + 0.02 * normal(random)
+        });
+        let error: Vec<f64> = error.collect();
+        [error, (0..n).map(|w| if (w / 97) % 2 == 0 { 1.0 } else { -1.0 }).collect()]
+    }
+
+    #[test]
+    fn steps_stand_out_of_a_slow_error() {
+        let mut random = Random::new(7);
+        let [after, steps] = slow(&mut random, 3000);
+        let live = vec![vec![true; 3000]];
+        let before: Vec<f64> = after.iter().zip(&steps).map(|(e, s)| e + 0.1 * s).collect();
+        let found = gain(&[before], std::slice::from_ref(&after), &live);
+        assert!(found > 200.0, "{found}");
+    }
+
+    #[test]
+    fn chance_gains_what_an_unknown_gains() {
+        let mut random = Random::new(8);
+        let (mut over, runs) = (0, 100);
+        for _ in 0..runs {
+            let [before, steps] = slow(&mut random, 2000);
+            let x = before.iter().zip(&steps).map(|(e, s)| e * s).sum::<f64>() / 2000.0;
+            let after: Vec<f64> = before.iter().zip(&steps).map(|(e, s)| e - x * s).collect();
+            over += usize::from(gain(&[before], &[after], &[vec![true; 2000]]) > 6.6);
+        }
+        // One in a hundred exceeds 6.6 by chance.
+        assert!(over <= 5, "{over}");
+    }
+
+    #[test]
+    fn a_white_error_gains_what_windows_do() {
+        let mut random = Random::new(9);
+        let after: Vec<f64> = (0..2000).map(|_| normal(&mut random)).collect();
+        let before: Vec<f64> = after.iter().map(|e| e + 0.35 * normal(&mut random)).collect();
+        let squares = |x: &[f64]| x.iter().map(|e| e * e).sum::<f64>();
+        let windows = 2000.0 * (squares(&before) / squares(&after)).ln();
+        let found = gain(&[before], &[after], &[vec![true; 2000]]);
+        assert!((found / windows - 1.0).abs() < 0.25, "{found} {windows}");
+    }
+}

@@ -1,0 +1,579 @@
+//! A model under test: the rigid arm, its friction, and the causes that were accepted so far;
+//! fitted to a [`WindowedData`].
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
+
+use nalgebra::DMatrix;
+
+use crate::identify::recover_standard;
+use crate::model::{DriveTerm, PerturbableArm, StandardParameter};
+
+use super::moments::{Moments, Solution};
+use super::regulariser::{Regulariser, STRENGTHS, prior};
+use super::uncertainty::derivative;
+use crate::diagnose::hypotheses::{COULOMB, Cause, OFFSET, Term, UNIT, VISCOUS};
+use crate::diagnose::select::model_choice::LeftOut;
+use crate::diagnose::windows::recording::Recording;
+use crate::diagnose::windows::torque_noise::autocorrelation_time;
+use crate::diagnose::windows::windowed_data::{BLOCKS, Column, WindowedData};
+
+/// A delay that is taken as in proportion to its column, s: to move the data by it would change
+/// nothing.
+const LINEAR: f64 = 2e-4;
+
+/// Unknown parameters of the rigid arm.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mode {
+    /// None: the file's links are right but for what a cause says.
+    Trusted,
+    /// All base parameters.
+    Refitted,
+}
+
+/// An accepted cause.
+#[derive(Clone)]
+pub struct Chosen {
+    /// The cause.
+    pub cause: &'static dyn Cause,
+    /// The place: joints, from 0.
+    pub place: Vec<usize>,
+    /// The numbers in which it is not linear.
+    pub shape: Vec<f64>,
+    /// Its coefficients.
+    pub x: Vec<f64>,
+}
+
+/// Place among `[FV, FC, FO]`, and row, of the friction parameters that are handled beside the base
+/// parameters.
+fn friction_of(parameter: StandardParameter) -> Option<(usize, usize)> {
+    let StandardParameter::Drive(row, term) = parameter else { return None };
+    let which = [DriveTerm::FV, DriveTerm::FC, DriveTerm::FO].iter().position(|t| *t == term)?;
+    Some((which, row))
+}
+
+/// Friction of the file, per joint: `[FV, FC, FO]`; `None` where its model lacks the term.
+pub fn given_friction(plant: &dyn PerturbableArm) -> Vec<[Option<f64>; 3]> {
+    let mut out = vec![[None; 3]; plant.dof()];
+    for (i, parameter) in plant.standard_parameters().iter().enumerate() {
+        if let Some((which, row)) = friction_of(*parameter)
+            && let Some(j) = plant.rows().iter().position(|r| *r == row)
+        {
+            out[j][which] = Some(plant.given_drive(i));
+        }
+    }
+    out
+}
+
+/// Base parameters that belong to the rigid arm: all but friction.
+pub(in crate::diagnose) fn inertial(plant: &dyn PerturbableArm) -> Vec<usize> {
+    let base = plant.base_parameters();
+    (0..base.len()).filter(|&b| friction_of(base[b].leader).is_none()).collect()
+}
+
+/// Values of the base parameters in the file, friction left out.
+fn given_base(plant: &dyn PerturbableArm) -> Vec<f64> {
+    let Some(standard) = plant.given() else { return vec![0.0; plant.base_parameters().len()] };
+    plant
+        .base_parameters()
+        .iter()
+        .map(|b| match friction_of(b.leader) {
+            Some(_) => 0.0,
+            None => b.coefficients.iter().map(|(i, k)| k * standard[*i]).sum(),
+        })
+        .collect()
+}
+
+/// A fitted model.
+#[derive(Clone)]
+pub struct Fitted {
+    /// The least-squares problem.
+    pub moments: Moments,
+    /// Its solution.
+    pub solution: Solution,
+    /// Residuals, per joint.
+    pub residual: Vec<Vec<f64>>,
+    /// Autocorrelation time of each joint's residual, windows.
+    pub memory: Vec<f64>,
+    /// First unknown of friction; three per joint.
+    pub friction: usize,
+    /// First unknown of each chosen cause.
+    pub first: Vec<usize>,
+    /// Their terms.
+    pub terms: Vec<Arc<Vec<Term>>>,
+    /// Standard parameters of possible bodies with these base parameters, friction left out;
+    /// `None`: not looked for.
+    pub standard: Option<Vec<f64>>,
+}
+
+impl Fitted {
+    /// Covariance of the unknowns.
+    pub fn covariance(&self) -> DMatrix<f64> {
+        self.moments.covariance(&self.solution, &self.memory)
+    }
+}
+
+/// Unknowns of causes that act in a part of a log only: other parts don't determine them.
+pub fn local(chosen: &[Chosen], fitted: &Fitted) -> Vec<usize> {
+    let of = chosen.iter().zip(&fitted.first).zip(&fitted.terms).filter(|((c, _), _)| c.cause.local());
+    of.flat_map(|((_, first), terms)| *first..first + terms.len()).collect()
+}
+
+/// Unknowns of causes whose size is in their shape ([`Cause::unit`]).
+pub(in crate::diagnose) fn units(chosen: &[Chosen], fitted: &Fitted) -> Vec<usize> {
+    let of = chosen.iter().zip(&fitted.first).zip(&fitted.terms).filter(|((c, _), _)| c.cause.unit());
+    of.flat_map(|((_, first), terms)| *first..first + terms.len()).collect()
+}
+
+/// Key that distinguishes sets of terms.
+type Key = (&'static str, Vec<usize>, Vec<u64>);
+
+/// Data with what is known about them.
+pub struct ModelUnderTest<'a> {
+    /// The arm.
+    pub plant: &'a dyn PerturbableArm,
+    /// The logs.
+    pub recordings: &'a [Recording],
+    /// Windows per second.
+    pub rate: f64,
+    /// Unknowns of the rigid arm.
+    pub mode: Mode,
+    /// The data as causes see them.
+    pub scene: WindowedData<'a>,
+    /// Friction parameters (three per joint) that stay as the file has them.
+    pub frozen: Vec<bool>,
+    /// Friction parameters that are fitted but no news: too little or too unsure to be named.
+    pub quiet: Vec<bool>,
+    /// Prior on directions that the motion does not show, at the file's values; made at the first
+    /// fit.
+    pub hold: Option<Regulariser>,
+    /// Torque errors of each joint due to errors of the recorded motion, N m; empty: unknown.
+    pub motion_error: Vec<f64>,
+    /// Whether every window counts.
+    all: bool,
+    /// Terms of families that depend on the motion alone, by cause, place and shape.
+    known: Mutex<HashMap<Key, Arc<Vec<Term>>>>,
+    /// Equations in the rigid arm's unknowns and friction's alone, in pieces from everywhere and in
+    /// stretches.
+    ground: [OnceLock<Moments>; 2],
+    base: Vec<Column>,
+    friction: Vec<Column>,
+    y: Vec<Vec<f64>>,
+}
+
+impl<'a> ModelUnderTest<'a> {
+    /// Sets up. `all`: every sample counts, for the final measure.
+    pub fn new(
+        plant: &'a dyn PerturbableArm,
+        recordings: &'a [Recording],
+        rate: f64,
+        mode: Mode,
+        delays: &[f64],
+        all: bool,
+    ) -> Self {
+        let scene = WindowedData::new(plant, recordings, rate, delays, all);
+        let (frozen, quiet) = (vec![false; 3 * plant.dof()], vec![false; 3 * plant.dof()]);
+        let (base, friction, y) = Default::default();
+        let mut bench = Self {
+            plant,
+            recordings,
+            rate,
+            mode,
+            scene,
+            frozen,
+            quiet,
+            hold: None,
+            motion_error: Vec::new(),
+            all,
+            known: Mutex::default(),
+            ground: Default::default(),
+            base,
+            friction,
+            y,
+        };
+        bench.scene.set_model(given_base(plant), plant.given().map(|s| without_friction(plant, s)));
+        bench.prepare();
+        bench
+    }
+
+    /// Columns that do not depend on what is found.
+    fn prepare(&mut self) {
+        self.ground = Default::default();
+        let (scene, plant) = (&self.scene, self.plant);
+        self.friction = (0..scene.dof())
+            .flat_map(|j| [&VISCOUS, &COULOMB, &OFFSET].map(|p| p.terms(scene, &[j], &[]).remove(0).column))
+            .collect();
+        self.base = match self.mode {
+            Mode::Trusted => Vec::new(),
+            Mode::Refitted => {
+                let mut rows: Vec<Vec<Vec<f64>>> = Vec::new();
+                let wanted = inertial(plant);
+                rows.resize(wanted.len(), vec![Vec::new(); scene.dof()]);
+                for (j, entries) in scene.base_rows().into_iter().enumerate() {
+                    for (b, series) in entries {
+                        if let Some(at) = wanted.iter().position(|w| *w == b) {
+                            rows[at][j] = series;
+                        }
+                    }
+                }
+                let fill = |rows: Vec<Vec<f64>>| {
+                    rows.into_iter().map(|r| if r.is_empty() { vec![0.0; scene.len] } else { r }).collect()
+                };
+                rows.into_iter().map(|r| scene.column(fill(r))).collect()
+            }
+        };
+        // The file's friction is taken out, and its rigid torque where it is trusted.
+        let given = given_friction(plant);
+        let base = given_base(plant);
+        let rigid = match self.mode {
+            Mode::Trusted if base.iter().any(|b| *b != 0.0) => self.rigid_of(&base),
+            _ => vec![vec![0.0; scene.len]; scene.dof()],
+        };
+        self.y = (0..scene.dof())
+            .map(|j| {
+                let mut y = scene.y[j].clone();
+                y.iter_mut()
+                    .zip(&rigid[j])
+                    .zip(&scene.live[j])
+                    .for_each(|((y, r), live)| *y -= if *live { *r } else { 0.0 });
+                for which in 0..3 {
+                    let value = given[j][which].unwrap_or(0.0);
+                    if value != 0.0
+                        && let Some((_, series)) = self.friction[3 * j + which].rows.first()
+                    {
+                        y.iter_mut().zip(series).for_each(|(y, s)| *y -= value * s);
+                    }
+                }
+                y
+            })
+            .collect();
+    }
+
+    fn rigid_of(&self, beta: &[f64]) -> Vec<Vec<f64>> {
+        let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
+        for (row, entries) in rows.iter_mut().zip(self.scene.base_rows()) {
+            for (b, series) in entries {
+                row.iter_mut().zip(&series).for_each(|(t, s)| *t += beta[b] * s);
+            }
+        }
+        rows
+    }
+
+    /// Torque to be explained: the measured one without the parts taken from the file.
+    pub fn target(&self) -> &[Vec<f64>] {
+        &self.y
+    }
+
+    /// Shifts the torques by further delays and recomputes everything.
+    pub fn delay(&mut self, joints: &[usize], by: f64) {
+        let mut delays = self.scene.delays.clone();
+        let all: Vec<usize> = (0..delays.len()).collect();
+        for &j in if joints.is_empty() { &all } else { joints } {
+            delays[j] += by;
+        }
+        let (beta, standard) = (self.scene.beta.clone(), self.scene.standard.clone());
+        self.scene = WindowedData::new(self.plant, self.recordings, self.rate, &delays, self.all);
+        self.scene.set_model(beta, standard);
+        self.known = Mutex::default();
+        self.prepare();
+    }
+
+    /// Takes back delays, per joint.
+    pub fn undo_delay(&mut self, by: &[f64]) {
+        for (j, by) in by.iter().enumerate().filter(|(_, by)| **by != 0.0) {
+            self.delay(&[j], *by);
+        }
+    }
+
+    /// Terms of a chosen cause as the scene is now.
+    pub fn terms(&self, chosen: &Chosen) -> Arc<Vec<Term>> {
+        self.family(chosen.cause, &chosen.place, &chosen.shape)
+    }
+
+    /// Terms of a cause; made once where they depend on the motion alone.
+    pub fn family(&self, cause: &'static dyn Cause, place: &[usize], shape: &[f64]) -> Arc<Vec<Term>> {
+        let rests = cause.rests_on_model()
+            && (self.mode == Mode::Refitted || cause.rests_on_friction() || cause.finite_difference());
+        if rests || self.all {
+            return Arc::new(cause.terms(&self.scene, place, shape));
+        }
+        let key = (cause.name(), place.to_vec(), shape.iter().map(|s| s.to_bits()).collect());
+        let lock = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(found) = lock().get(&key) {
+            return found.clone();
+        }
+        let made = Arc::new(cause.terms(&self.scene, place, shape));
+        lock().insert(key, made.clone());
+        made
+    }
+
+    /// Fits rigid arm (where unknown), friction and the chosen causes together. Families that are
+    /// difference quotients are recomputed about the estimate until it converges; so is everything
+    /// that depends on the rigid model.
+    pub fn fit(&mut self, chosen: &mut [Chosen]) -> Fitted {
+        if self.hold.is_none() {
+            self.hold = Some(self.held());
+        }
+        let mut weights: Option<Vec<f64>> = None;
+        for round in 0.. {
+            let fitted = self.fit_once(chosen, weights.as_deref());
+            weights = Some(fitted.solution.weights.clone());
+            let mut settled = true;
+            for (i, c) in chosen.iter_mut().enumerate() {
+                let before = c.x.clone();
+                c.x = (0..fitted.terms[i].len()).map(|t| fitted.solution.x[fitted.first[i] + t]).collect();
+                if c.cause.finite_difference() && !c.x.is_empty() {
+                    let x = c.x[0];
+                    if c.cause.moves_time() {
+                        // Smaller parts are taken on lines.
+                        if x.abs() > LINEAR && x.is_finite() {
+                            settled = false;
+                            self.delay(&c.place, x.clamp(-0.05, 0.05));
+                            c.shape[0] = 1e-3;
+                        }
+                    } else if x != 0.0 && (x / c.shape[0] - 1.0).abs() > 1e-3 {
+                        c.shape[0] = x;
+                        settled = false;
+                    }
+                }
+                if c.cause.rests_on_model() && !c.cause.moves_time() && before != c.x {
+                    let size = c.x.iter().map(|x| x.abs()).fold(1e-12, f64::max);
+                    let change = before.iter().zip(&c.x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
+                    settled &= before.len() == c.x.len() && change < 1e-3 * size;
+                }
+            }
+            self.update_model(&fitted);
+            let rests = self.mode == Mode::Refitted && chosen.iter().any(|c| c.cause.rests_on_model());
+            if (settled && !(rests && round < 2)) || round >= 6 {
+                return fitted;
+            }
+        }
+        unreachable!("the loop returns")
+    }
+
+    /// Sizes that stand in the shape of a law ([`Cause::unit`]), by Gauss's and Newton's steps with
+    /// everything else refitted.
+    pub fn polish(&mut self, chosen: &mut [Chosen]) -> Fitted {
+        let mut fitted = self.fit(chosen);
+        for index in (0..chosen.len()).filter(|&i| chosen[i].cause.unit()).collect::<Vec<usize>>() {
+            let off = |c: &Chosen| ((c.x.first().copied().unwrap_or(0.0) - 1.0) / UNIT).powi(2);
+            let misfit = |fitted: &Fitted, c: &Chosen| {
+                let Solution { rss, counts, .. } = &fitted.solution;
+                rss.iter().zip(counts).map(|(r, n)| n * r.max(1e-290).ln()).sum::<f64>() + off(c)
+            };
+            for _ in 0..4 {
+                let Some(step) = self.newton(&fitted, chosen, index) else { break };
+                let known = misfit(&fitted, &chosen[index]);
+                let better = [1.0, 0.4, 0.15].into_iter().find_map(|share| {
+                    let mut trial = chosen.to_vec();
+                    let numbers = trial[index].cause.shape();
+                    for ((value, by), number) in trial[index].shape.iter_mut().zip(&step).zip(numbers) {
+                        let next = (*value + share * by).clamp(0.6 * *value, 1.6 * *value);
+                        *value = next.clamp(number.range[0], number.range[1]);
+                    }
+                    let next = self.fit(&mut trial);
+                    (misfit(&next, &trial[index]) < known).then_some((trial, next))
+                });
+                let Some((trial, next)) = better else { break };
+                let gained = known - misfit(&next, &trial[index]);
+                chosen.clone_from_slice(&trial);
+                fitted = next;
+                if gained < 0.1 {
+                    break;
+                }
+            }
+        }
+        // The scene's model is that of the last trial.
+        self.update_model(&fitted);
+        fitted
+    }
+
+    /// The step of the numbers of one law's shape to where the misfit is least on lines, its
+    /// coefficient known to be 1 to [`UNIT`].
+    fn newton(&self, fitted: &Fitted, chosen: &[Chosen], index: usize) -> Option<Vec<f64>> {
+        let (c, own) = (&chosen[index], fitted.first[index]);
+        let columns: Option<Vec<Column>> = (0..c.shape.len())
+            .map(|k| {
+                let first = c.cause.shape()[k].step?;
+                derivative(self, fitted, index, c, k, 1e-2 * first.abs() * c.shape[k])
+            })
+            .collect();
+        let columns = columns.filter(|columns| !columns.is_empty() && !c.x.is_empty())?;
+        let solution = fitted.moments.with(&columns).solve(Some(&fitted.solution.weights));
+        let known = (1.0 - solution.x[own]) / (solution.inverse[(own, own)].max(0.0) + UNIT * UNIT);
+        let behind = fitted.solution.x.len();
+        let step: Vec<f64> =
+            (0..columns.len()).map(|k| solution.x[behind + k] + solution.inverse[(behind + k, own)] * known).collect();
+        step.iter().all(|s| s.is_finite()).then_some(step)
+    }
+
+    fn fit_once(&self, chosen: &[Chosen], weights: Option<&[f64]>) -> Fitted {
+        let (moments, first, terms) = self.equations(chosen, false);
+        let friction = self.base.len();
+        let solution = moments.solve(weights);
+        let residual = moments.residual(&solution.x);
+        let memory = residual.iter().zip(&self.scene.live).map(|(e, l)| autocorrelation_time(e, l)).collect();
+        Fitted { moments, solution, residual, memory, friction, first, terms, standard: None }
+    }
+
+    /// Equations in the rigid arm's unknowns, friction's and those of the chosen causes, in pieces
+    /// or in stretches; where the causes' begin; their terms.
+    fn equations(&self, chosen: &[Chosen], stretches: bool) -> (Moments, Vec<usize>, Vec<Arc<Vec<Term>>>) {
+        let ground = self.ground[usize::from(stretches)].get_or_init(|| {
+            let columns: Vec<Column> = self.base.iter().chain(&self.friction).cloned().collect();
+            let len = self.scene.len.max(1);
+            let spans: Vec<usize> = (0..self.scene.len).map(|w| w * BLOCKS / len).collect();
+            Moments::new(&self.scene, if stretches { &spans } else { &self.scene.block }, &self.y, &columns)
+        });
+        let terms: Vec<Arc<Vec<Term>>> = chosen.iter().map(|c| self.terms(c)).collect();
+        let (mut columns, mut first) = (Vec::new(), Vec::new());
+        for term in &terms {
+            first.push(ground.unknowns + columns.len());
+            columns.extend(term.iter().map(|t| t.column.clone()));
+        }
+        let free = |k: usize| k.checked_sub(self.base.len()).is_some_and(|k| self.frozen.get(k) == Some(&true));
+        let mut moments = ground.without(free).with(&columns);
+        moments.held_by(self.holding());
+        (moments, first, terms)
+    }
+
+    /// Parameters that are fixed while some friction is fixed.
+    fn holding(&self) -> Regulariser {
+        let frozen = |k: usize| k.checked_sub(self.base.len()).is_some_and(|k| self.frozen.get(k) == Some(&true));
+        self.hold.as_ref().map_or_else(Regulariser::none, |hold| hold.without(frozen))
+    }
+
+    /// Holds nothing of these joints' friction. Beside a slow error the data seem to determine
+    /// little of it, and it is fixed; beside the cause of that error it need not be.
+    pub fn release_joints(&mut self, joints: &[usize]) {
+        let base = self.base.len();
+        let own = |k: usize| k.checked_sub(base).is_some_and(|k| joints.contains(&(k / 3)));
+        self.hold = self.hold.take().map(|hold| hold.without(own));
+    }
+
+    /// Determined directions of base parameters and friction, and those that stay at the file.
+    fn held(&self) -> Regulariser {
+        let wanted = if self.mode == Mode::Refitted { inertial(self.plant) } else { Vec::new() };
+        let torque: Vec<f64> = self
+            .scene
+            .y
+            .iter()
+            .map(|y| (y.iter().map(|y| y * y).sum::<f64>() / y.len().max(1) as f64).sqrt())
+            .collect();
+        let Some(belief) = prior(self.plant, &wanted, &torque) else { return Regulariser::none() };
+        let free = self.fit_once(&[], None);
+        let weights = &free.solution.weights;
+        let thinned: Vec<f64> = weights.iter().zip(&free.memory).map(|(w, m)| w / m).collect();
+        let (full, thinned) = (free.moments.information(weights), free.moments.information(&thinned));
+        let mut stretches = self.stretches(&[]);
+        let counts = stretches.counts();
+        let ground: Vec<f64> = torque.iter().map(|t| 0.004 * t).collect();
+        let mut best: Option<(Regulariser, LeftOut)> = None;
+        for hold in STRENGTHS.iter().filter_map(|firm| Regulariser::new(&belief, &full, &thinned, *firm)) {
+            stretches.held_by(hold.clone());
+            let left = LeftOut::new(&stretches.cross_validated(&free.solution), &counts);
+            if best.as_ref().is_none_or(|(_, known)| left.less(known, &ground).gain > 0.0) {
+                best = Some((hold, left));
+            }
+        }
+        best.map_or_else(Regulariser::none, |b| b.0)
+    }
+
+    /// The equations in stretches that can be left out: eighths of the data, each in one piece.
+    pub fn stretches(&self, chosen: &[Chosen]) -> Moments {
+        self.equations(chosen, true).0
+    }
+
+    /// Errors of the fitted model on stretches that were left out in turn.
+    pub fn left_out(&self, chosen: &[Chosen], fitted: &Fitted) -> LeftOut {
+        let stretches = self.stretches(chosen);
+        let sums = stretches.cross_validated_without(&fitted.solution, &[], &local(chosen, fitted));
+        LeftOut::new(&sums, &stretches.counts())
+    }
+
+    /// Errors of the unchanged file on the same stretches.
+    pub fn file_left_out(&self) -> LeftOut {
+        let (mut sums, mut counts) =
+            (vec![vec![0.0; self.scene.dof()]; BLOCKS], vec![vec![0.0; self.scene.dof()]; BLOCKS]);
+        for j in 0..self.scene.dof() {
+            for w in (0..self.scene.len).filter(|&w| self.scene.live[j][w]) {
+                let span = w * BLOCKS / self.scene.len;
+                sums[span][j] += self.y[j][w].powi(2);
+                counts[span][j] += 1.0;
+            }
+        }
+        LeftOut::new(&sums, &counts)
+    }
+
+    /// The rigid model, and the torque with friction, as causes see them.
+    pub(in crate::diagnose) fn update_model(&mut self, fitted: &Fitted) {
+        if self.mode == Mode::Refitted {
+            let mut beta = vec![0.0; self.plant.base_parameters().len()];
+            for (at, b) in inertial(self.plant).into_iter().enumerate() {
+                beta[b] = fitted.solution.x[at];
+            }
+            let file = || self.plant.given().map(|s| without_friction(self.plant, s));
+            let nearest = || recover_standard(self.plant, &beta, file().as_deref()).ok();
+            let standard = fitted.standard.clone().or_else(nearest);
+            self.scene.set_model(beta, standard);
+        }
+        let given = given_friction(self.plant);
+        for j in 0..self.scene.dof() {
+            let value =
+                |which: usize| given[j][which].unwrap_or(0.0) + fitted.solution.x[fitted.friction + 3 * j + which];
+            // A shift that was found is the sensor's: no gear and no gain sees it.
+            let (fv, fc, fo) = (value(0), value(1), given[j][2].unwrap_or(0.0));
+            let with_rigid = |fc: f64| -> Vec<f64> {
+                let own = self.scene.own[j].iter();
+                let friction =
+                    own.flat_map(|own| self.scene.average_of(own, |k| fv * own.v[k] + fc * own.sign[k] + fo));
+                friction.zip(&self.scene.rigid[j]).map(|(f, r)| f + r).collect()
+            };
+            let (whole, smooth) = (with_rigid(fc), with_rigid(0.0));
+            (self.scene.whole[j], self.scene.smooth[j]) = (whole, smooth);
+        }
+    }
+
+    /// Takes over the rigid model and the friction that another bench found.
+    pub fn adopt(&mut self, other: &ModelUnderTest<'_>, fitted: &Fitted) {
+        self.scene.set_model(other.scene.beta.clone(), other.scene.standard.clone());
+        let keep = self.mode;
+        self.mode = Mode::Trusted;
+        self.update_model(fitted);
+        self.mode = keep;
+    }
+
+    /// Torques that the model predicts with unknowns `x` (in the order of the fit), beside what the
+    /// file explains, per joint: the target less this is the error.
+    pub fn predict(&self, x: &nalgebra::DVector<f64>, chosen: &[Chosen]) -> Vec<Vec<f64>> {
+        let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
+        let terms: Vec<Arc<Vec<Term>>> = chosen.iter().map(|c| self.terms(c)).collect();
+        let mut at = 0;
+        let mut add = |column: &Column| {
+            for (j, series) in &column.rows {
+                rows[*j].iter_mut().zip(series).for_each(|(r, s)| *r += x[at] * s);
+            }
+            at += 1;
+        };
+        self.base.iter().chain(&self.friction).for_each(&mut add);
+        for (chosen, terms) in chosen.iter().zip(&terms) {
+            // A family that this data can't show still has its place among the unknowns.
+            for k in 0..chosen.x.len() {
+                match terms.get(k) {
+                    Some(term) => add(&term.column),
+                    None => add(&Column::default()),
+                }
+            }
+        }
+        rows
+    }
+}
+
+pub(in crate::diagnose) fn without_friction(plant: &dyn PerturbableArm, standard: &[f64]) -> Vec<f64> {
+    plant
+        .standard_parameters()
+        .iter()
+        .zip(standard)
+        .map(|(p, value)| if friction_of(*p).is_some() { 0.0 } else { *value })
+        .collect()
+}

@@ -1,0 +1,581 @@
+//! Second moments of columns, joint by joint and part by part: all that least squares, its
+//! alternatives and its cross-validation need.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+use super::regulariser::Regulariser;
+use crate::diagnose::windows::windowed_data::{BLOCKS, Column, WindowedData};
+use crate::identify::dot;
+
+/// Products of a joint's columns with each other and with the torque, over one part of the data.
+#[derive(Debug, Clone)]
+struct Part {
+    /// `A' A`.
+    gram: DMatrix<f64>,
+    /// `A' y`.
+    with_y: DVector<f64>,
+    /// `y' y`.
+    yy: f64,
+    /// Windows.
+    count: f64,
+}
+
+/// One joint's equations.
+#[derive(Debug, Clone)]
+struct Joint {
+    /// Unknowns that act on it.
+    columns: Vec<usize>,
+    series: Vec<Arc<Vec<f64>>>,
+    parts: Vec<Part>,
+}
+
+/// Equations of all joints in unknowns `0..unknowns`.
+#[derive(Debug, Clone)]
+pub struct Moments {
+    joints: Vec<Joint>,
+    /// Number of unknowns.
+    pub unknowns: usize,
+    y: Arc<Vec<Vec<f64>>>,
+    /// Pieces of the data, and the part that each belongs to.
+    pieces: Arc<Vec<(Range<usize>, usize)>>,
+    /// Of the whole data.
+    whole: Vec<Part>,
+    /// Prior of the first unknowns.
+    hold: Regulariser,
+}
+
+/// A least-squares solution.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    /// The unknowns.
+    pub x: DVector<f64>,
+    /// Weight of each joint, `1 / sigma^2`.
+    pub weights: Vec<f64>,
+    /// Sum of squared residuals of each joint.
+    pub rss: Vec<f64>,
+    /// Windows of each joint.
+    pub counts: Vec<f64>,
+    /// `(sum_j w_j A_j' A_j + hold)^+`.
+    pub inverse: DMatrix<f64>,
+}
+
+/// Columns that are tried beside those of a [`Moments`].
+pub struct Trial {
+    terms: usize,
+    /// Per joint it acts on: the joint, the terms that act there, their products with the joint's
+    /// columns, with each other and with y, whole data.
+    joints: Vec<TrialJoint>,
+}
+
+struct TrialJoint {
+    joint: usize,
+    terms: Vec<usize>,
+    cross: DMatrix<f64>,
+    gram: DMatrix<f64>,
+    with_y: DVector<f64>,
+}
+
+/// Result of a trial.
+#[derive(Debug, Clone)]
+pub struct Gain {
+    /// Coefficients of the terms.
+    pub x: Vec<f64>,
+    /// Sum of squared residuals of each joint with them.
+    pub rss: Vec<f64>,
+}
+
+impl Moments {
+    /// Of these columns and the torque `y` (per joint, masked), in the parts `block` (one number
+    /// below [`BLOCKS`] a window).
+    pub fn new(scene: &WindowedData<'_>, block: &[usize], y: &[Vec<f64>], columns: &[Column]) -> Self {
+        let mut pieces: Vec<(Range<usize>, usize)> = Vec::new();
+        for (w, &part) in block.iter().enumerate() {
+            match pieces.last_mut() {
+                Some((range, last)) if *last == part => range.end = w + 1,
+                _ => pieces.push((w..w + 1, part)),
+            }
+        }
+        let nothing = |j: usize| {
+            let part = |part: usize| {
+                let here = || pieces.iter().filter(move |p| p.1 == part).map(|p| p.0.clone());
+                let live = |range: Range<usize>| scene.live[j][range].iter().filter(|l| **l).count() as f64;
+                Part {
+                    gram: DMatrix::zeros(0, 0),
+                    with_y: DVector::zeros(0),
+                    yy: here().map(|range| dot(&y[j][range.clone()], &y[j][range])).sum(),
+                    count: here().map(live).sum(),
+                }
+            };
+            Joint { columns: Vec::new(), series: Vec::new(), parts: (0..BLOCKS).map(part).collect() }
+        };
+        let joints = (0..scene.dof()).map(nothing).collect();
+        let bare = Self {
+            joints,
+            unknowns: 0,
+            y: Arc::new(y.to_vec()),
+            pieces: Arc::new(pieces),
+            whole: Vec::new(),
+            hold: Regulariser::none(),
+        };
+        bare.with(columns)
+    }
+
+    /// The same equations with further unknowns behind the others.
+    pub fn with(&self, more: &[Column]) -> Self {
+        let mut all = Self { unknowns: self.unknowns + more.len(), ..self.clone() };
+        for (c, column) in more.iter().enumerate() {
+            for (j, series) in &column.rows {
+                all.joints[*j].columns.push(self.unknowns + c);
+                all.joints[*j].series.push(Arc::new(series.clone()));
+            }
+        }
+        for (j, joint) in all.joints.iter_mut().enumerate() {
+            let (old, n) = (self.joints[j].columns.len(), joint.columns.len());
+            if n == old {
+                continue;
+            }
+            for (number, part) in joint.parts.iter_mut().enumerate() {
+                part.gram = std::mem::replace(&mut part.gram, DMatrix::zeros(0, 0)).resize(n, n, 0.0);
+                part.with_y = std::mem::replace(&mut part.with_y, DVector::zeros(0)).resize_vertically(n, 0.0);
+                for (range, _) in self.pieces.iter().filter(|p| p.1 == number) {
+                    let cut: Vec<&[f64]> = joint.series.iter().map(|s| &s[range.clone()]).collect();
+                    let y = &self.y[j][range.clone()];
+                    for i in old..n {
+                        for k in 0..=i {
+                            part.gram[(i, k)] += dot(cut[i], cut[k]);
+                        }
+                        part.with_y[i] += dot(cut[i], y);
+                    }
+                }
+                part.gram.fill_upper_triangle_with_lower_triangle();
+            }
+        }
+        all.whole = all.sums(|_| true);
+        all
+    }
+
+    /// The same equations in which some unknowns do nothing.
+    pub fn without(&self, out: impl Fn(usize) -> bool) -> Self {
+        let mut all = self.clone();
+        for joint in &mut all.joints {
+            let kept: Vec<usize> = (0..joint.columns.len()).filter(|i| !out(joint.columns[*i])).collect();
+            if kept.len() == joint.columns.len() {
+                continue;
+            }
+            joint.columns = kept.iter().map(|&i| joint.columns[i]).collect();
+            joint.series = kept.iter().map(|&i| joint.series[i].clone()).collect();
+            for part in &mut joint.parts {
+                part.gram = part.gram.select_rows(&kept).select_columns(&kept);
+                part.with_y = part.with_y.select_rows(&kept);
+            }
+        }
+        all.whole = all.sums(|_| true);
+        all
+    }
+
+    /// Parts of the data.
+    pub fn parts(&self) -> usize {
+        BLOCKS
+    }
+
+    fn sums(&self, keep: impl Fn(usize) -> bool) -> Vec<Part> {
+        self.joints
+            .iter()
+            .map(|joint| {
+                let n = joint.columns.len();
+                let mut sum = Part { gram: DMatrix::zeros(n, n), with_y: DVector::zeros(n), yy: 0.0, count: 0.0 };
+                for (_, part) in joint.parts.iter().enumerate().filter(|(b, _)| keep(*b)) {
+                    sum.gram += &part.gram;
+                    sum.with_y += &part.with_y;
+                    sum.yy += part.yy;
+                    sum.count += part.count;
+                }
+                sum
+            })
+            .collect()
+    }
+
+    fn assemble(&self, sums: &[Part], weights: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
+        let mut matrix = DMatrix::zeros(self.unknowns, self.unknowns);
+        let mut rhs = DVector::zeros(self.unknowns);
+        for ((joint, sum), weight) in self.joints.iter().zip(sums).zip(weights) {
+            for (i, &p) in joint.columns.iter().enumerate() {
+                rhs[p] += weight * sum.with_y[i];
+                for (k, &q) in joint.columns.iter().enumerate() {
+                    matrix[(p, q)] += weight * sum.gram[(i, k)];
+                }
+            }
+        }
+        let n = self.hold.mean.len();
+        let mut corner = matrix.view_mut((0, 0), (n, n));
+        corner += &self.hold.precision;
+        let mut top = rhs.rows_mut(0, n);
+        top += &self.hold.precision * &self.hold.mean;
+        (matrix, rhs)
+    }
+
+    /// Values at which the hold pulls, of all unknowns.
+    fn held(&self) -> DVector<f64> {
+        let mut x = DVector::zeros(self.unknowns);
+        x.rows_mut(0, self.hold.mean.len()).copy_from(&self.hold.mean);
+        x
+    }
+
+    /// Information of the whole data on the unknowns: `sum_j w_j A_j' A_j`, without the prior.
+    pub fn information(&self, weights: &[f64]) -> DMatrix<f64> {
+        let mut matrix = DMatrix::zeros(self.unknowns, self.unknowns);
+        for ((joint, sum), weight) in self.joints.iter().zip(&self.whole).zip(weights) {
+            for (i, &p) in joint.columns.iter().enumerate() {
+                for (k, &q) in joint.columns.iter().enumerate() {
+                    matrix[(p, q)] += weight * sum.gram[(i, k)];
+                }
+            }
+        }
+        matrix
+    }
+
+    fn residuals(&self, sums: &[Part], x: &DVector<f64>) -> Vec<f64> {
+        self.joints
+            .iter()
+            .zip(sums)
+            .map(|(joint, sum)| {
+                let local = DVector::from_iterator(joint.columns.len(), joint.columns.iter().map(|&c| x[c]));
+                (sum.yy - 2.0 * local.dot(&sum.with_y) + local.dot(&(&sum.gram * &local)))
+                    .max(1e-14 * sum.yy)
+                    .max(1e-300)
+            })
+            .collect()
+    }
+
+    /// Weighted least squares, each joint by its own residual, weights iterated from `start`.
+    pub fn solve(&self, start: Option<&[f64]>) -> Solution {
+        let sums = &self.whole;
+        let counts: Vec<f64> = sums.iter().map(|s| s.count).collect();
+        let fresh = || sums.iter().map(|s| if s.yy > 0.0 { s.count / s.yy } else { 0.0 }).collect::<Vec<_>>();
+        let mut weights = start.map_or_else(fresh, <[f64]>::to_vec);
+        let mut round = 0;
+        loop {
+            let (matrix, rhs) = self.assemble(sums, &weights);
+            let inverse = pseudo_inverse(&matrix);
+            // From where the hold pulls, so that what the equations leave open stays there.
+            let held = self.held();
+            let x = &inverse * (&rhs - &matrix * &held) + held;
+            let rss = self.residuals(sums, &x);
+            round += 1;
+            let next: Vec<f64> =
+                rss.iter().zip(sums).map(|(r, s)| if s.yy > 0.0 { s.count / r } else { 0.0 }).collect();
+            let change =
+                weights.iter().zip(&next).map(|(a, b)| (a - b).abs() / (a + b).max(1e-300)).fold(0.0, f64::max);
+            if round >= 8 || change < 1e-3 {
+                return Solution { x, weights, rss, counts, inverse };
+            }
+            weights = next;
+        }
+    }
+
+    /// Normal matrix and right-hand side of the whole data with these weights, the hold included.
+    pub fn normal(&self, weights: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
+        self.assemble(&self.whole, weights)
+    }
+
+    /// Root mean square of each joint's torque, N m.
+    pub fn torque(&self) -> Vec<f64> {
+        self.whole.iter().map(|s| (s.yy / s.count.max(1.0)).sqrt()).collect()
+    }
+
+    /// The solution with other values of the unknowns.
+    pub fn at(&self, solution: &Solution, x: DVector<f64>) -> Solution {
+        Solution { rss: self.residuals(&self.whole, &x), x, ..solution.clone() }
+    }
+
+    /// Sums of squared residuals per joint and part, each part predicted from all others (weights
+    /// as in `whole`).
+    pub fn cross_validated(&self, whole: &Solution) -> Vec<Vec<f64>> {
+        self.cross_validated_without(whole, &[], &[])
+    }
+
+    /// The same with some unknowns at 0 (`out`), and others (`fixed`) at their values in the whole,
+    /// since no other part determines them.
+    pub fn cross_validated_without(&self, whole: &Solution, out: &[usize], fixed: &[usize]) -> Vec<Vec<f64>> {
+        let held = self.held();
+        let plain = |matrix: &DMatrix<f64>, rhs: &DVector<f64>| {
+            Ok::<_, std::convert::Infallible>(pseudo_inverse(matrix) * (rhs - matrix * &held) + &held)
+        };
+        match self.cross_validated_by(whole, &whole.weights, out, fixed, plain) {
+            Ok(sums) => sums,
+            Err(never) => match never {},
+        }
+    }
+
+    /// The same by any solver of the normal equations, with these weights.
+    ///
+    /// # Errors
+    /// Those of the solver.
+    pub fn cross_validated_by<E>(
+        &self,
+        whole: &Solution,
+        weights: &[f64],
+        out: &[usize],
+        fixed: &[usize],
+        solve: impl Fn(&DMatrix<f64>, &DVector<f64>) -> Result<DVector<f64>, E>,
+    ) -> Result<Vec<Vec<f64>>, E> {
+        (0..self.parts())
+            .map(|part| {
+                let sums = self.sums(|b| b != part);
+                let (mut matrix, mut rhs) = self.assemble(&sums, weights);
+                for &k in fixed {
+                    rhs.axpy(-whole.x[k], &matrix.column(k), 1.0);
+                }
+                for &k in out.iter().chain(fixed) {
+                    matrix.row_mut(k).fill(0.0);
+                    matrix.column_mut(k).fill(0.0);
+                    rhs[k] = 0.0;
+                }
+                let mut x = solve(&matrix, &rhs)?;
+                fixed.iter().for_each(|&k| x[k] = whole.x[k]);
+                Ok(self.residuals(&self.sums(|b| b == part), &x))
+            })
+            .collect()
+    }
+
+    /// Residual series of each joint, zero where a window is not used.
+    pub fn residual(&self, x: &DVector<f64>) -> Vec<Vec<f64>> {
+        self.joints
+            .iter()
+            .zip(self.y.iter())
+            .map(|(joint, y)| {
+                let mut e = y.clone();
+                for (&c, series) in joint.columns.iter().zip(&joint.series) {
+                    e.iter_mut().zip(series.iter()).for_each(|(e, s)| *e -= x[c] * s);
+                }
+                e
+            })
+            .collect()
+    }
+
+    /// The same equations with another hold.
+    pub fn held_by(&mut self, hold: Regulariser) {
+        self.hold = hold;
+    }
+
+    /// Windows per part and joint.
+    pub fn counts(&self) -> Vec<Vec<f64>> {
+        (0..self.parts()).map(|part| self.joints.iter().map(|j| j.parts[part].count).collect()).collect()
+    }
+
+    /// Products of further columns with those that are here.
+    pub fn trial(&self, terms: &[&Column]) -> Trial {
+        let mut touched: Vec<usize> = terms.iter().flat_map(|t| t.rows.iter().map(|r| r.0)).collect();
+        touched.sort_unstable();
+        touched.dedup();
+        let joints = touched
+            .into_iter()
+            .map(|j| {
+                let here: Vec<(usize, &Vec<f64>)> = terms
+                    .iter()
+                    .enumerate()
+                    .filter_map(|(i, t)| t.rows.iter().find(|r| r.0 == j).map(|r| (i, &r.1)))
+                    .collect();
+                let joint = &self.joints[j];
+                TrialJoint {
+                    joint: j,
+                    terms: here.iter().map(|h| h.0).collect(),
+                    cross: DMatrix::from_fn(joint.columns.len(), here.len(), |i, k| {
+                        dot(&joint.series[i][..], here[k].1)
+                    }),
+                    gram: DMatrix::from_fn(here.len(), here.len(), |i, k| dot(here[i].1, here[k].1)),
+                    with_y: DVector::from_fn(here.len(), |i, _| dot(here[i].1, &self.y[j])),
+                }
+            })
+            .collect();
+        Trial { terms: terms.len(), joints }
+    }
+
+    /// Gain of the trial's columns beside the others, which are refitted; `None` where the others
+    /// already explain the same.
+    pub fn gain(&self, at: &Solution, trial: &Trial) -> Option<Gain> {
+        let (n, k) = (self.unknowns, trial.terms);
+        let (mut cross, mut gram, mut rhs) = (DMatrix::zeros(n, k), DMatrix::zeros(k, k), DVector::zeros(k));
+        for part in &trial.joints {
+            let (joint, weight) = (&self.joints[part.joint], at.weights[part.joint]);
+            for (b, &t) in part.terms.iter().enumerate() {
+                rhs[t] += weight * part.with_y[b];
+                for (a, &c) in joint.columns.iter().enumerate() {
+                    cross[(c, t)] += weight * part.cross[(a, b)];
+                }
+                for (a, &u) in part.terms.iter().enumerate() {
+                    gram[(u, t)] += weight * part.gram[(a, b)];
+                }
+            }
+        }
+        let solved = &at.inverse * &cross;
+        let reduced = &gram - cross.transpose() * &solved;
+        // The part of a column that is independent of the others must exceed rounding.
+        if (0..k).all(|t| reduced[(t, t)] <= 1e-7 * gram[(t, t)]) {
+            return None;
+        }
+        let right = rhs - cross.transpose() * &at.x;
+        let x = pseudo_inverse(&reduced) * right;
+        let others = &at.x - &solved * &x;
+        let sums: Vec<(DVector<f64>, f64)> = self
+            .joints
+            .iter()
+            .map(|joint| (DVector::from_iterator(joint.columns.len(), joint.columns.iter().map(|&c| others[c])), 0.0))
+            .collect();
+        let rss = self
+            .whole
+            .iter()
+            .enumerate()
+            .map(|(j, sum)| {
+                let local = &sums[j].0;
+                let mut rss = sum.yy - 2.0 * local.dot(&sum.with_y) + local.dot(&(&sum.gram * local));
+                if let Some(part) = trial.joints.iter().find(|p| p.joint == j) {
+                    let own = DVector::from_iterator(part.terms.len(), part.terms.iter().map(|&t| x[t]));
+                    rss += own.dot(&(&part.gram * &own)) - 2.0 * own.dot(&part.with_y)
+                        + 2.0 * local.dot(&(&part.cross * &own));
+                }
+                rss.max(1e-14 * sum.yy).max(1e-300)
+            })
+            .collect();
+        Some(Gain { x: x.iter().copied().collect(), rss })
+    }
+}
+
+/// Pseudo-inverse of a symmetric positive semidefinite matrix, in units in which its diagonal is 1.
+pub fn pseudo_inverse(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    let n = matrix.nrows();
+    let scale: Vec<f64> =
+        (0..n).map(|i| if matrix[(i, i)] > 0.0 { matrix[(i, i)].sqrt().recip() } else { 0.0 }).collect();
+    let scaled = DMatrix::from_fn(n, n, |i, k| matrix[(i, k)] * scale[i] * scale[k]);
+    if n == 1 {
+        return DMatrix::from_element(1, 1, if matrix[(0, 0)] > 0.0 { matrix[(0, 0)].recip() } else { 0.0 });
+    }
+    if let Some(root) = scaled.clone().cholesky() {
+        let l = root.l_dirty();
+        let least = (0..n).map(|i| l[(i, i)]).fold(f64::INFINITY, f64::min);
+        if least > 1e-4 {
+            let mut inverse = root.inverse();
+            for i in 0..n {
+                for k in 0..n {
+                    inverse[(i, k)] *= scale[i] * scale[k];
+                }
+            }
+            return inverse;
+        }
+    }
+    let eigen = SymmetricEigen::new(scaled);
+    let largest = eigen.eigenvalues.iter().fold(0.0_f64, |m, v| m.max(*v));
+    let mut inverse = DMatrix::zeros(n, n);
+    for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {
+        if *value > 1e-9 * largest {
+            inverse.ger(1.0 / value, &vector, &vector, 1.0);
+        }
+    }
+    for i in 0..n {
+        for k in 0..n {
+            inverse[(i, k)] *= scale[i] * scale[k];
+        }
+    }
+    inverse
+}
+
+impl Moments {
+    /// Covariance of the unknowns where the residuals of joint `j` are correlated over
+    /// `inflation[j]` windows, `A^-1 (sum_j w_j lambda_j A_j' A_j) A^-1`. Each unknown's standard
+    /// deviation is at least its scatter between the parts of the data: `A^-1 (sum_p g_p g_p') A^-1
+    /// P / (P - 1)`, `g_p` the gradient of part `p` (P. J. Huber 1967; K.-Y. Liang and S. L. Zeger,
+    /// Biometrika 73, 1986). The second sees a law that is not the one that acts: what is left then
+    /// goes with what moves, and not as noise does.
+    pub fn covariance(&self, at: &Solution, inflation: &[f64]) -> DMatrix<f64> {
+        let weights: Vec<f64> = at.weights.iter().zip(inflation).map(|(w, l)| w * l).collect();
+        let mut middle = self.information(&weights);
+        // The file may be wrong where the prior holds.
+        let n = self.hold.mean.len();
+        let mut corner = middle.view_mut((0, 0), (n, n));
+        corner += &self.hold.spread;
+        let mut covariance = &at.inverse * middle * &at.inverse;
+        let seen = self.pulled_to_and_fro(at);
+        let by: Vec<f64> = (0..self.unknowns)
+            .map(|i| match covariance[(i, i)] {
+                usual if usual > 0.0 => (seen[i] / usual).max(1.0).sqrt(),
+                _ => 1.0,
+            })
+            .collect();
+        for i in 0..self.unknowns {
+            for k in 0..self.unknowns {
+                covariance[(i, k)] *= by[i] * by[k];
+            }
+        }
+        covariance
+    }
+
+    /// How a set of unknowns recurs in the parts of the data. It is 1 if each part by itself, all
+    /// else as found, gives it the size of the whole, and tends to 0 if parts give it other sizes,
+    /// or none. `1 / (1 + s^2)`, `s` the deviation of the parts' factors from 1, each part weighted
+    /// by its information.
+    pub fn recurrence(&self, at: &Solution, own: &[usize]) -> f64 {
+        let (mut off, mut all) = (0.0, 0.0);
+        for part in 0..self.parts() {
+            let (mut information, mut pull) = (0.0, 0.0);
+            for (joint, weight) in self.joints.iter().zip(&at.weights) {
+                let sums = &joint.parts[part];
+                let entry = |ours: bool| {
+                    let value = move |c: &usize| if own.contains(c) == ours { at.x[*c] } else { 0.0 };
+                    DVector::from_iterator(joint.columns.len(), joint.columns.iter().map(value))
+                };
+                let (ours, others) = (entry(true), entry(false));
+                let seen = &sums.gram * &ours;
+                information += weight * ours.dot(&seen);
+                pull += weight * (ours.dot(&sums.with_y) - others.dot(&seen));
+            }
+            if information > 0.0 {
+                off += (pull - information).powi(2) / information;
+                all += information;
+            }
+        }
+        if all > 0.0 { 1.0 / (1.0 + off / all) } else { 0.0 }
+    }
+
+    /// Variance of each unknown by how the parts of the data pull at it, each about the mean of
+    /// all.
+    fn pulled_to_and_fro(&self, at: &Solution) -> DVector<f64> {
+        let mut pulls = Vec::new();
+        for part in 0..self.parts() {
+            let mut gradient = DVector::zeros(self.unknowns);
+            let mut count = 0.0;
+            for (joint, weight) in self.joints.iter().zip(&at.weights) {
+                let sums = &joint.parts[part];
+                let local = DVector::from_iterator(joint.columns.len(), joint.columns.iter().map(|&c| at.x[c]));
+                let left = &sums.with_y - &sums.gram * local;
+                joint.columns.iter().zip(left.iter()).for_each(|(&c, g)| gradient[c] += weight * g);
+                count += sums.count;
+            }
+            if count > 0.0 {
+                pulls.push(&at.inverse * gradient);
+            }
+        }
+        let parts = pulls.len() as f64;
+        let mut spread = DVector::zeros(self.unknowns);
+        if pulls.len() > 1 {
+            let mean = pulls.iter().fold(DVector::zeros(self.unknowns), |sum, p| sum + p) / parts;
+            for pull in pulls {
+                let off = pull - &mean;
+                spread += off.component_mul(&off) * (parts / (parts - 1.0));
+            }
+        }
+        spread
+    }
+
+    /// The same equations and solution with further columns, of unknowns that are at their best
+    /// value already: zero.
+    pub fn beside(&self, at: &Solution, more: &[Column]) -> (Self, Solution) {
+        let moments = self.with(more);
+        let (matrix, _) = moments.assemble(&moments.whole, &at.weights);
+        let x = at.x.clone().resize_vertically(moments.unknowns, 0.0);
+        let solution = Solution { x, inverse: pseudo_inverse(&matrix), ..at.clone() };
+        (moments, solution)
+    }
+}

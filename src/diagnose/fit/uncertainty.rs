@@ -1,0 +1,195 @@
+//! Uncertainty of a fit: standard deviations that include the shapes', and directions that the data
+//! leave open.
+
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+use super::model::{Chosen, Fitted, ModelUnderTest, given_friction};
+use super::moments::pseudo_inverse;
+use crate::diagnose::hypotheses::{Estimate, Named, UNIT};
+use crate::diagnose::windows::windowed_data::Column;
+
+/// Covariance of everything that was estimated.
+pub struct Uncertainty {
+    /// Of the unknowns of the fit, and behind them the numbers in which the causes are not linear.
+    pub covariance: DMatrix<f64>,
+    /// Position of each cause's shape in it; `None` for a value that is no estimate.
+    shapes: Vec<Vec<Option<usize>>>,
+    /// Those of them that are taken to be integers, by preference.
+    integer_priors: Vec<usize>,
+}
+
+impl Uncertainty {
+    /// Of a fit. A number of a shape is an unknown too, and its column is the derivative of what
+    /// its cause says.
+    pub fn of(bench: &ModelUnderTest<'_>, fitted: &Fitted, chosen: &[Chosen]) -> Self {
+        let (mut shapes, mut more, mut integer_priors) = (Vec::new(), Vec::new(), Vec::new());
+        for (index, c) in chosen.iter().enumerate() {
+            let places = c.cause.shape().iter().enumerate().map(|(k, number)| {
+                let integer = c.cause.integer_shape() == Some(k) && c.shape[k].fract() == 0.0;
+                let first =
+                    number.step.filter(|_| number.named() && !(integer && c.cause.integer_prior_std().is_none()))?;
+                let step = if first > 0.0 { 1e-2 * first * c.shape[k] } else { -1e-2 * first };
+                let step = Some(step).filter(|s| *s != 0.0)?;
+                let column = derivative(bench, fitted, index, c, k, step)?;
+                more.push(column);
+                let at = fitted.solution.x.len() + more.len() - 1;
+                integer_priors.extend(c.cause.integer_prior_std().filter(|_| integer).map(|std| (at, std)));
+                Some(at)
+            });
+            shapes.push(places.collect());
+        }
+        if more.is_empty() {
+            return Self { covariance: fitted.covariance(), shapes, integer_priors: Vec::new() };
+        }
+        let (moments, solution) = fitted.moments.beside(&fitted.solution, &more);
+        let mut covariance = moments.covariance(&solution, &fitted.memory);
+        // Prior information: one more measurement of an unknown.
+        let units = chosen.iter().enumerate().filter(|(_, c)| c.cause.unit() && !c.x.is_empty());
+        for (at, std) in units.map(|(index, _)| (fitted.first[index], UNIT)).chain(integer_priors.iter().copied()) {
+            measure(&mut covariance, at, std);
+        }
+        Self { covariance, shapes, integer_priors: integer_priors.into_iter().map(|h| h.0).collect() }
+    }
+}
+
+impl Uncertainty {
+    /// By how much a cause's coefficients stand out of their uncertainty, in Wald's statistic;
+    /// below zero it may be none. With the shape that was found they must exceed a level that
+    /// chance reaches once in some 150,000 times (a normal number beyond 4.5), for that shape was
+    /// the best of many. With the shape unknown the level is once in a hundred (beyond 2.5).
+    pub fn stands_out(&self, bench: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
+        let first = fitted.first[index];
+        if chosen.x.is_empty() {
+            // Its columns are gone: of what is known now it is nothing.
+            return f64::NEG_INFINITY;
+        }
+        let x = DVector::from_vec(chosen.cause.above_resolution(&bench.scene, &chosen.place, &chosen.x));
+        let unknowns = x.len() as f64;
+        let wald = |covariance: &DMatrix<f64>| {
+            let own = covariance.view((first, first), (x.len(), x.len())).into_owned();
+            x.dot(&(pseudo_inverse(&own) * &x))
+        };
+        // Quantiles of chi-squared, on lines.
+        let known = wald(&fitted.covariance()) - (18.0 + 2.5 * unknowns);
+        let mut covariance = self.covariance.clone();
+        self.integer_priors.iter().for_each(|&at| measure(&mut covariance, at, 0.0));
+        let unknown = wald(&covariance) - (4.2 + 2.1 * unknowns);
+        known.min(unknown)
+    }
+}
+
+/// The covariance when one unknown has been measured, too.
+fn measure(covariance: &mut DMatrix<f64>, at: usize, std: f64) {
+    let own = covariance.column(at).into_owned();
+    if own[at] > 0.0 {
+        *covariance -= &own * own.transpose() / (own[at] + std * std);
+    }
+}
+
+/// Difference quotient of what a cause adds, by a number of its shape.
+pub(in crate::diagnose) fn derivative(
+    bench: &ModelUnderTest<'_>,
+    fitted: &Fitted,
+    index: usize,
+    chosen: &Chosen,
+    k: usize,
+    step: f64,
+) -> Option<Column> {
+    let sides = [step, -step].map(|by| {
+        let mut shape = chosen.shape.clone();
+        shape[k] += by;
+        bench.family(chosen.cause, &chosen.place, &shape)
+    });
+    if sides.iter().any(|s| s.len() != fitted.terms[index].len()) {
+        return None;
+    }
+    let mut column = Column::default();
+    for (terms, sign) in sides.iter().zip([1.0, -1.0]) {
+        for (term, x) in terms.iter().zip(&chosen.x) {
+            for (joint, series) in &term.column.rows {
+                let at = column.rows.iter().position(|r| r.0 == *joint).unwrap_or_else(|| {
+                    column.rows.push((*joint, vec![0.0; series.len()]));
+                    column.rows.len() - 1
+                });
+                let by = sign * x / (2.0 * step);
+                column.rows[at].1.iter_mut().zip(series).for_each(|(c, s)| *c += by * s);
+            }
+        }
+    }
+    column.rows.iter().flat_map(|r| &r.1).any(|v| *v != 0.0).then_some(column)
+}
+
+/// Values of a chosen cause's parameters with standard deviations, under the names of a robot file.
+pub fn parameters(
+    bench: &ModelUnderTest<'_>,
+    fitted: &Fitted,
+    uncertainty: &Uncertainty,
+    index: usize,
+    chosen: &Chosen,
+) -> Vec<Named> {
+    let joint = chosen.place.first().copied().unwrap_or(0);
+    let given = given_friction(bench.plant)[joint];
+    let level = |which: usize| fitted.friction + 3 * joint + which;
+    let at: Vec<usize> = (0..chosen.x.len()).map(|k| fitted.first[index] + k).chain((0..3).map(level)).collect();
+    let whole = &uncertainty.covariance;
+    let variance = |k: usize| whole[(k, k)].max(0.0).sqrt();
+    let mut x = DVector::from_column_slice(&chosen.x);
+    let mut covariance = DMatrix::from_fn(at.len(), at.len(), |i, k| whole[(at[i], at[k])]);
+    if let Some(std) = chosen.cause.beliefs(&bench.scene, &chosen.place, &fitted.terms[index]) {
+        let information = fitted.moments.information(&fitted.solution.weights);
+        let own = information.view((fitted.first[index], fitted.first[index]), (x.len(), x.len()));
+        let loose = undetermined(&own.into_owned(), &std);
+        let scale = DMatrix::from_diagonal(&DVector::from_vec(std));
+        let inverse = scale.map_diagonal(|s| if s > 0.0 { 1.0 / s } else { 0.0 });
+        let share = x.component_mul(&inverse);
+        x -= &scale * (&loose * (&loose.transpose() * share));
+        let mut corner = covariance.view_mut((0, 0), (x.len(), x.len()));
+        corner += &scale * (&loose * loose.transpose()) * &scale;
+    }
+    chosen.cause.named(&Estimate {
+        scene: &bench.scene,
+        place: &chosen.place,
+        shape: &chosen.shape,
+        shape_std: uncertainty.shapes[index].iter().map(|k| k.map(variance)).collect(),
+        terms: &fitted.terms[index],
+        x: x.as_slice(),
+        levels: std::array::from_fn(|which| given[which].unwrap_or(0.0) + fitted.solution.x[level(which)]),
+        covariance,
+    })
+}
+
+/// Directions, one a column, of unknowns in units of their prior deviation (`std`), on which the
+/// data (`information`, their normal matrix) have less information than that prior. Of a mass on the axis
+/// and a first moment along it, for example, often only a sum is determined. There the least change
+/// is as good as any other, and as uncertain as the belief.
+fn undetermined(information: &DMatrix<f64>, std: &[f64]) -> DMatrix<f64> {
+    let n = std.len();
+    let white = DMatrix::from_fn(n, n, |i, k| information[(i, k)] * std[i] * std[k]);
+    if !white.iter().all(|x| x.is_finite()) {
+        return DMatrix::zeros(n, 0);
+    }
+    let eigen = SymmetricEigen::new(white);
+    let columns: Vec<_> =
+        (0..n).filter(|&k| eigen.eigenvalues[k] < 1.0).map(|k| eigen.eigenvectors.column(k).into_owned()).collect();
+    if columns.is_empty() { DMatrix::zeros(n, 0) } else { DMatrix::from_columns(&columns) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sum_that_is_told_leaves_the_difference_open() {
+        // Unknowns in units of 2 and 0.5; the data determine x + y and z to a hundredth of that.
+        let column = [1.0, 1.0, 0.0];
+        let mut information = DMatrix::from_fn(3, 3, |i, k| 1e4 * column[i] * column[k]);
+        information[(2, 2)] = 1e4;
+        let loose = undetermined(&information, &[2.0, 0.5, 1.0]);
+        assert_eq!(loose.shape(), (3, 1));
+        // Along it 2 u + 0.5 v stays: (0.5, -2, 0).
+        let norm = f64::hypot(0.5, 2.0);
+        assert!((loose[(0, 0)] * loose[(1, 0)] + 1.0 / norm.powi(2)).abs() < 1e-9, "{loose}");
+        assert!(loose[(2, 0)].abs() < 1e-9);
+        assert_eq!(undetermined(&DMatrix::identity(2, 2), &[10.0, 10.0]).ncols(), 0);
+    }
+}

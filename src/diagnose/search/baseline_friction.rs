@@ -1,0 +1,90 @@
+//! Plain friction, which is always among the unknowns, on a par with the other causes.
+
+use super::candidate::{Candidate, candidates, logs, rivals};
+use super::judge::{Accepted, Judge, adopt, chosen_of};
+use super::{SearchSettings, makes_sense};
+use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
+use crate::diagnose::hypotheses::Cause;
+use dh_codegen::robot::effects;
+
+/// Causes of plain friction, and which of a joint's three columns each has.
+const PLAIN: [(&str, usize); 3] =
+    [(effects::ViscousFriction::NAME, 0), (effects::CoulombFriction::NAME, 1), (effects::TorqueOffset::NAME, 2)];
+
+/// Alternatives to the plain friction of a joint.
+pub struct Plain {
+    /// Joint, from 0.
+    pub joint: usize,
+    /// Near alternatives in its place: cause, place, difference of support.
+    pub rivals: Vec<(&'static str, Vec<usize>, f64)>,
+}
+
+/// Puts plain friction, which is always among the unknowns, on a par with the other causes. If a
+/// joint has no cause of its own but changed friction or an offset, that is taken out and every
+/// cause of the joint is tried in its place. One that says more with its unknowns takes the place;
+/// those that say nearly as much are rivals.
+pub fn reconsider(
+    bench: &mut ModelUnderTest<'_>,
+    accepted: &mut Vec<Accepted>,
+    mut fitted: Fitted,
+    noise: &[f64],
+    settings: &SearchSettings,
+) -> (Fitted, Vec<Plain>) {
+    let mut all = Vec::new();
+    for j in 0..bench.scene.dof() {
+        let free: Vec<usize> = (3 * j..3 * j + 3).filter(|k| !bench.frozen[*k]).collect();
+        // A joint whose friction went back to the file's, and left more than noise, is looked at
+        // once more.
+        let left = fitted.solution.rss[j] > fitted.solution.counts[j] * (0.7 * noise[j]).powi(2);
+        if free.is_empty() && !left || accepted.iter().any(|a| a.chosen.place.contains(&j)) {
+            continue;
+        }
+        let chosen = chosen_of(accepted);
+        let delays = bench.scene.delays.clone();
+        free.iter().for_each(|&k| bench.frozen[k] = true);
+        let mut without = chosen.clone();
+        let reduced = bench.fit(&mut without);
+        let wanted =
+            |cause: &'static dyn Cause, place: &[usize]| place.len() == 1 && place[0] == j && makes_sense(bench, cause);
+        let ranked = candidates(bench, &reduced, &wanted);
+        let total: f64 = reduced.solution.counts.iter().sum();
+        let raw: f64 =
+            logs(&reduced.solution.rss, &fitted.solution.rss).zip(&reduced.solution.counts).map(|(l, n)| n * l).sum();
+        let plain = raw - free.len() as f64 * total.max(2.0).ln();
+        let memory = fitted.memory[j];
+        let mut replaced = false;
+        if let Some(best) = ranked.first().filter(|c| c.score > plain + 4.0 * memory) {
+            let mut trial = without.clone();
+            trial.push(best.chosen());
+            let next = bench.fit(&mut trial);
+            let judge = Judge { bench, noise, settings, accepted: accepted.as_slice(), tried: ranked.len() };
+            if let Some(mut judged) = judge.judge(&reduced, &next, &trial) {
+                judged.rivals = rivals(&ranked, 0, &next);
+                let margin = (best.score - plain) / memory;
+                let near = best.score - plain < (10.0 * memory).max(0.015 * best.score);
+                let plain = PLAIN.iter().filter(|(_, which)| near && free.contains(&(3 * j + which)));
+                judged.rivals.extend(plain.map(|(name, _)| (*name, vec![j], margin)));
+                accepted.push(judged);
+                adopt(accepted, &trial);
+                fitted = next;
+                replaced = true;
+            }
+        }
+        if replaced {
+            continue;
+        }
+        free.iter().for_each(|&k| bench.frozen[k] = false);
+        if delays != bench.scene.delays {
+            let by = bench.scene.delays.iter().zip(&delays).map(|(a, b)| b - a).collect::<Vec<_>>();
+            bench.undo_delay(&by);
+        }
+        let near = |c: &&Candidate| plain - c.score < (10.0 * memory).max(0.015 * plain);
+        let rivals = ranked.iter().filter(near).take(4);
+        let rivals = rivals.map(|c| (c.cause.name(), c.place.clone(), ((plain - c.score) / memory).max(0.0))).collect();
+        all.push(Plain { joint: j, rivals });
+    }
+    let mut chosen = chosen_of(accepted);
+    fitted = bench.fit(&mut chosen);
+    adopt(accepted, &chosen);
+    (fitted, all)
+}

@@ -1,0 +1,305 @@
+//! Candidates: every cause in every place with its best shape, by what it gains with everything
+//! else refitted.
+
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use super::judge::SURE;
+use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
+use crate::diagnose::fit::moments::Gain;
+use crate::diagnose::hypotheses::{Cause, Sign, UNIT, at_edge, causes};
+
+/// A cause in a place with its best shape.
+#[derive(Clone)]
+pub struct Candidate {
+    /// The cause.
+    pub cause: &'static dyn Cause,
+    /// The place.
+    pub place: Vec<usize>,
+    /// Its shape.
+    pub shape: Vec<f64>,
+    /// Its gain.
+    pub gain: Gain,
+    /// Sum over joints of windows times the logarithm of the ratio of residuals, less what its
+    /// unknowns cost.
+    pub score: f64,
+}
+
+impl Candidate {
+    /// As a part of a model.
+    pub(in crate::diagnose) fn chosen(&self) -> Chosen {
+        Chosen { cause: self.cause, place: self.place.clone(), shape: self.shape.clone(), x: self.gain.x.clone() }
+    }
+}
+
+pub(in crate::diagnose) fn unknowns(cause: &dyn Cause, shape: &[f64], terms: usize) -> f64 {
+    (terms + cause.free(shape)) as f64
+}
+
+/// Evaluates one shape.
+pub(in crate::diagnose) fn evaluate(
+    bench: &ModelUnderTest<'_>,
+    fitted: &Fitted,
+    cause: &'static dyn Cause,
+    place: &[usize],
+    shape: &[f64],
+) -> Option<Candidate> {
+    if !cause.shows(&bench.scene, place, shape) {
+        return None;
+    }
+    let terms = bench.family(cause, place, shape);
+    if terms.is_empty() {
+        return None;
+    }
+    let columns: Vec<_> = terms.iter().map(|t| &t.column).collect();
+    let gain = fitted.moments.gain(&fitted.solution, &fitted.moments.trial(&columns))?;
+    let signed = terms.iter().zip(&gain.x).all(|(t, x)| match t.sign {
+        Sign::Any => true,
+        Sign::Positive => *x > 0.0,
+    });
+    if !signed || !gain.x.iter().all(|x| x.is_finite()) || !cause.plausible(&bench.scene, place, shape, &gain.x) {
+        return None;
+    }
+    let total: f64 = fitted.solution.counts.iter().sum();
+    let raw: f64 = logs(&fitted.solution.rss, &gain.rss).zip(&fitted.solution.counts).map(|(l, n)| n * l).sum();
+    let off = if cause.unit() { (gain.x[0] - 1.0) / UNIT } else { 0.0 };
+    let score = raw - unknowns(cause, shape, terms.len()) * total.max(2.0).ln() - off * off;
+    Some(Candidate { cause, place: place.to_vec(), shape: shape.to_vec(), gain, score })
+}
+
+pub(in crate::diagnose) fn logs<'a>(before: &'a [f64], after: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
+    before.iter().zip(after).map(|(a, b)| if *a > 1e-290 && *b > 1e-290 { (a / b).ln() } else { 0.0 })
+}
+
+/// The best shape of every cause in every place, best first.
+pub fn candidates(
+    bench: &ModelUnderTest<'_>,
+    fitted: &Fitted,
+    wanted: &(dyn Fn(&'static dyn Cause, &[usize]) -> bool + Sync),
+) -> Vec<Candidate> {
+    let mut tasks: Vec<(&'static dyn Cause, Vec<usize>)> = Vec::new();
+    for cause in causes() {
+        tasks.extend(cause.places(&bench.scene).into_iter().filter(|p| wanted(cause, p)).map(|p| (cause, p)));
+    }
+    let next = AtomicUsize::new(0);
+    let work = || {
+        let mut found: Vec<(usize, Candidate)> = Vec::new();
+        loop {
+            let at = next.fetch_add(1, Ordering::Relaxed);
+            let Some((cause, place)) = tasks.get(at) else { return found };
+            let shapes = cause.grid(&bench.scene, place, &fitted.residual);
+            let tried = shapes.iter().filter_map(|shape| evaluate(bench, fitted, *cause, place, shape));
+            found.extend(best_of(bench, fitted, tried).map(|b| (at, b)));
+        }
+    };
+    let threads = std::thread::available_parallelism().map_or(1, |n| n.get()).min(4);
+    let mut all: Vec<(usize, Candidate)> = std::thread::scope(|scope| {
+        let handles: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        handles.into_iter().flat_map(|h| h.join().unwrap_or_default()).collect()
+    });
+    all.sort_by_key(|a| a.0);
+    let mut all: Vec<Candidate> = all.into_iter().map(|a| a.1).collect();
+    all.sort_by(|a, b| b.score.total_cmp(&a.score));
+    let refined = all.len().min(10);
+    for candidate in &mut all[..refined] {
+        refine(bench, fitted, candidate);
+    }
+    all.retain(|c| !at_edge(c.cause, &c.shape));
+    all.sort_by(|a, b| b.score.total_cmp(&a.score));
+    simplest_first(&mut all, fitted);
+    least_change_first(&mut all, bench);
+    all
+}
+
+/// The best of the shapes of one cause. If they belong to several laws each law's best is refined
+/// first: a coarse grid does not decide which of them holds.
+fn best_of(bench: &ModelUnderTest<'_>, fitted: &Fitted, tried: impl Iterator<Item = Candidate>) -> Option<Candidate> {
+    let mut best: Vec<Candidate> = Vec::new();
+    for next in tried {
+        let law = |c: &Candidate| c.cause.law(&c.shape);
+        match best.iter_mut().find(|known| law(known) == law(&next)) {
+            Some(known) if known.score > next.score => {}
+            Some(known) => *known = next,
+            None => best.push(next),
+        }
+    }
+    if best.len() > 1 {
+        best.iter_mut().for_each(|candidate| refine(bench, fitted, candidate));
+    }
+    best.into_iter().max_by(|a, b| a.score.total_cmp(&b.score))
+}
+
+/// Beyond this many times a residual's autocorrelation time, or this share of itself, a difference
+/// of scores separates two candidates.
+fn tolerance(best: &Candidate, memory: f64) -> f64 {
+    (10.0 * memory).max(0.015 * best.score)
+}
+
+/// Two links are the same to the data within this share of what they gain: both have ten columns,
+/// so that nothing else decides.
+const SAME: f64 = 0.002;
+
+/// Of wrong links that gain nearly the same (a neighbour's mass on the common axis is the link's
+/// own) the one with the least change goes first.
+fn least_change_first(all: &mut [Candidate], bench: &ModelUnderTest<'_>) {
+    let change = |c: &Candidate| {
+        let terms = bench.family(c.cause, &c.place, &c.shape);
+        let std = c.cause.beliefs(&bench.scene, &c.place, &terms)?;
+        Some(c.gain.x.iter().zip(std).map(|(x, s)| (x / s).powi(2)).sum::<f64>().sqrt())
+    };
+    let last = |c: &Candidate| c.place.first().is_some_and(|j| j + 1 == bench.scene.dof());
+    let Some(best) = all.first().filter(|c| !last(c)) else { return };
+    let Some(mut least) = change(best) else { return };
+    let near = SAME * best.score;
+    let (score, mut at) = (best.score, 0);
+    for (i, c) in all.iter().enumerate().filter(|(_, c)| score - c.score < near && !last(c)) {
+        if let Some(change) = change(c).filter(|c| *c < least) {
+            (least, at) = (change, i);
+        }
+    }
+    all[..=at].rotate_right(1);
+}
+
+/// Of candidates on one joint that gain nearly the same, the one beside which fewest terms of plain
+/// friction are needed goes first. Whether models were fitted for that, so that the bench is left
+/// with another.
+pub(in crate::diagnose) fn sparest_first(
+    all: &mut [Candidate],
+    bench: &mut ModelUnderTest<'_>,
+    others: &[Chosen],
+    fitted: &Fitted,
+) -> bool {
+    let Some(best) = all.first() else { return false };
+    let [joint] = best.place[..] else { return false };
+    let eligible = |c: &Candidate| c.place == [joint] && !c.cause.moves_time() && !c.cause.local();
+    let least = best.score - tolerance(best, fitted.memory[joint]);
+    let near: Vec<usize> = (0..all.len()).filter(|&i| eligible(&all[i]) && all[i].score > least).take(4).collect();
+    if near.len() < 2 || near[0] != 0 {
+        return false;
+    }
+    let mut needed = |c: &Candidate| {
+        let mut trial = [others, &[c.chosen()]].concat();
+        let fitted = bench.fit(&mut trial);
+        let covariance = fitted.covariance();
+        let sure = |k: &usize| {
+            let at = fitted.friction + k;
+            fitted.solution.x[at].powi(2) > SURE.powi(2) * covariance[(at, at)]
+        };
+        let friction = (3 * joint..3 * joint + 3).filter(|k| !bench.frozen[*k]).filter(sure).count();
+        unknowns(c.cause, &c.shape, c.gain.x.len()) + friction as f64
+    };
+    let counts: Vec<f64> = near.iter().map(|&i| needed(&all[i])).collect();
+    let fewest = counts.iter().copied().fold(f64::INFINITY, f64::min);
+    if let Some(at) = counts.iter().position(|c| *c <= fewest) {
+        all[..=near[at]].rotate_right(1);
+    }
+    true
+}
+
+fn mean(x: &[f64]) -> f64 {
+    x.iter().sum::<f64>() / x.len().max(1) as f64
+}
+
+/// Share, in the logarithm, by which the gain of a candidate with more unknowns must exceed that of
+/// one with fewer. Errors that are not noise (of derivatives, of a law's shape) give many unknowns
+/// something foreign to fit.
+const WORTH_UNKNOWNS: f64 = 0.03;
+
+/// Puts a candidate with several unknowns fewer before the best one where it gains nearly as much
+/// in the same place or on the whole robot.
+fn simplest_first(all: &mut [Candidate], fitted: &Fitted) {
+    let Some(best) = all.first() else { return };
+    let total: f64 = fitted.solution.counts.iter().sum();
+    let count = |c: &Candidate| unknowns(c.cause, &c.shape, c.gain.x.len());
+    let raw = |c: &Candidate| c.score + count(c) * total.max(2.0).ln();
+    let (most, many) = (raw(best), count(best));
+    let place = |c: &Candidate| c.place == best.place || c.place.is_empty() || best.place.is_empty();
+    let simpler = |c: &Candidate| count(c) + 3.0 <= many && raw(c) > (1.0 - WORTH_UNKNOWNS) * most && place(c);
+    if let Some(at) = all.iter().position(simpler) {
+        all[..=at].rotate_right(1);
+    }
+}
+
+/// Walks each number of the shape up and down with shrinking steps.
+pub(in crate::diagnose) fn refine(bench: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate) {
+    let shape = candidate.cause.shape();
+    if candidate.cause.finite_difference() && shape.first().is_some_and(|s| s.step.is_none()) {
+        // The step follows the coefficient.
+        for _ in 0..6 {
+            let x = candidate.gain.x[0];
+            let step = x.clamp(shape[0].range[0], shape[0].range[1]);
+            if step == 0.0 {
+                break;
+            }
+            let mut next = candidate.shape.clone();
+            next[0] = step;
+            match evaluate(bench, fitted, candidate.cause, &candidate.place, &next) {
+                Some(better) => *candidate = better,
+                None => break,
+            }
+        }
+    }
+    for (k, number) in shape.iter().enumerate() {
+        let Some(first) = number.step else { continue };
+        let mut step = first;
+        for _ in 0..14 {
+            if step.abs() < 0.05 * first.abs() {
+                break;
+            }
+            let mut moved = false;
+            for direction in [1.0, -1.0] {
+                let mut next = candidate.shape.clone();
+                next[k] = if step > 0.0 { next[k] * (1.0 + step).powf(direction) } else { next[k] - direction * step };
+                if next[k] < number.range[0] || next[k] > number.range[1] {
+                    continue;
+                }
+                if let Some(better) = evaluate(bench, fitted, candidate.cause, &candidate.place, &next)
+                    && better.score > candidate.score
+                {
+                    *candidate = better;
+                    moved = true;
+                    break;
+                }
+            }
+            if !moved {
+                step *= 0.45;
+            }
+        }
+    }
+    if let Some(k) = candidate.cause.integer_shape() {
+        let mut next = candidate.shape.clone();
+        next[k] = next[k].round().max(1.0);
+        if let Some(better) = evaluate(bench, fitted, candidate.cause, &candidate.place, &next)
+            && better.score > candidate.score
+        {
+            *candidate = better;
+        }
+    }
+}
+
+/// The last link's parameters and a payload are one thing; the vocabulary's table says so, the
+/// rivals need not.
+fn same_body(a: &Candidate, b: &Candidate) -> bool {
+    let body = |c: &Candidate| c.cause.within_links();
+    body(a) && body(b) && (a.score - b.score).abs() < 1e-6 * a.score.abs().max(1.0)
+}
+
+/// Candidates that explain nearly as much as the one that was taken.
+pub(in crate::diagnose) fn rivals(
+    ranked: &[Candidate],
+    taken: usize,
+    after: &Fitted,
+) -> Vec<(&'static str, Vec<usize>, f64)> {
+    let best = &ranked[taken];
+    let memory = best.place.first().map_or_else(|| mean(&after.memory), |j| after.memory[*j]);
+    let neighbour = |c: &Candidate| c.cause.name() == best.cause.name() && c.cause.within_links();
+    ranked
+        .iter()
+        .enumerate()
+        .filter(|(i, c)| *i != taken && (c.cause.name() != best.cause.name() || neighbour(c)))
+        .filter(|(_, c)| neighbour(c) || !same_body(c, best))
+        .filter(|(_, c)| neighbour(c) || c.place == best.place || c.place.is_empty() || best.place.is_empty())
+        .filter(|(_, c)| best.score - c.score < tolerance(best, memory))
+        .map(|(_, c)| (c.cause.name(), c.place.clone(), (best.score - c.score) / memory))
+        .take(4)
+        .collect()
+}

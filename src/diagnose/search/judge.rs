@@ -1,0 +1,216 @@
+//! Decides whether a candidate is accepted. Its gain must pay for its unknowns and for the number
+//! of candidates, parts of the data that were not used to fit it must confirm it, and it must be
+//! large enough to matter beside the noise.
+
+use super::SearchSettings;
+use super::candidate::{logs, unknowns};
+use crate::diagnose::fit::likelihood::gain as autoregressive_gain;
+use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
+use crate::diagnose::fit::moments::Solution;
+use crate::diagnose::hypotheses::{Sign, at_edge};
+
+/// An accepted cause with the evidence.
+#[derive(Clone)]
+pub struct Accepted {
+    /// The cause.
+    pub chosen: Chosen,
+    /// Twice the gain in log-likelihood, in independent windows, less the cost.
+    pub support: f64,
+    /// Share of the parts of the data that confirm it.
+    pub confirmed: f64,
+    /// Near alternatives: cause, place, difference of support.
+    pub rivals: Vec<(&'static str, Vec<usize>, f64)>,
+    /// Variance that it takes, summed over joints, (N m)^2.
+    pub variance: f64,
+}
+
+/// The choice, in the form that a model takes.
+pub(in crate::diagnose) fn chosen_of(accepted: &[Accepted]) -> Vec<Chosen> {
+    accepted.iter().map(|a| a.chosen.clone()).collect()
+}
+
+/// Takes over what a fit made of the chosen causes.
+pub(in crate::diagnose) fn adopt(accepted: &mut [Accepted], chosen: &[Chosen]) {
+    accepted.iter_mut().zip(chosen).for_each(|(a, c)| a.chosen = c.clone());
+}
+
+/// Standard deviations from 0 at which a term of plain friction is needed: what chance gives once
+/// in some 150,000 times, for there are many to choose from.
+pub(in crate::diagnose) const SURE: f64 = 4.5;
+
+/// Less than this share of a joint's squared error is left by what takes nearly all of it.
+const NEARLY: f64 = 0.1;
+/// Support of a cause that holds in every stretch, where correlated windows can't decide.
+const THROUGHOUT: f64 = 1.0;
+
+/// By what a cause is judged.
+pub(in crate::diagnose) struct Judge<'a> {
+    pub(in crate::diagnose) bench: &'a ModelUnderTest<'a>,
+    pub(in crate::diagnose) noise: &'a [f64],
+    pub(in crate::diagnose) settings: &'a SearchSettings,
+    /// Accepted before.
+    pub(in crate::diagnose) accepted: &'a [Accepted],
+    /// How many candidates there were.
+    pub(in crate::diagnose) tried: usize,
+}
+
+impl Judge<'_> {
+    /// Whether some joint's error is beyond the noise of its torque.
+    pub(in crate::diagnose) fn leaves_more_than_noise(&self, fitted: &Fitted) -> bool {
+        let Solution { rss, counts, .. } = &fitted.solution;
+        rss.iter().zip(counts).zip(self.noise).any(|((rss, count), noise)| *rss > count * noise * noise)
+    }
+
+    /// Least that a cause takes of a joint's squared error, (N m)^2: a share of the noise, and more
+    /// than errors of the recorded motion can make.
+    fn least(&self, joint: usize) -> f64 {
+        let motion = self.bench.motion_error.get(joint).copied().unwrap_or(0.0);
+        (self.settings.least_effect * self.noise[joint]).max(motion).powi(2)
+    }
+
+    /// Whether the last of `trial` takes nearly all of a joint's error in every stretch of the logs
+    /// that is left out. Its residual may then be autocorrelated for so long that hardly a window
+    /// is independent: a slow rest does not refute a cause that predicts all but that.
+    fn throughout(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> bool {
+        let Some((last, others)) = trial.split_last() else { return false };
+        let nearly = |j: usize| after.solution.rss[j] < NEARLY * before.solution.rss[j];
+        let large = |j: usize| before.solution.rss[j] > before.solution.counts[j] * self.noise[j].powi(2);
+        let joints: Vec<usize> = (0..self.noise.len()).filter(|&j| nearly(j) && large(j)).collect();
+        if joints.is_empty() || last.cause.local() || last.cause.moves_time() {
+            return false;
+        }
+        let [a, b] = [(others, before), (trial, after)].map(|(chosen, fitted)| self.bench.left_out(chosen, fitted));
+        joints.into_iter().any(|j| b.nearly_all(&a, j, NEARLY))
+    }
+
+    /// Twice the gain in log-likelihood, in independent windows, less the cost of the unknowns and of
+    /// the choice; `None` where it is not enough. [`THROUGHOUT`] where correlated windows count for
+    /// too few and the errors of stretches, or innovations, decide.
+    fn support(&self, before: &Fitted, after: &Fitted, trial: &[Chosen], unknowns: f64) -> Option<f64> {
+        let counts = &before.solution.counts;
+        let windows = || counts.iter().zip(&after.memory).map(|(n, m)| n / m);
+        let gain: f64 = logs(&before.solution.rss, &after.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();
+        let independent: f64 = windows().sum();
+        let cost = unknowns * independent.max(2.0).ln() + 2.0 * (self.tried as f64).ln() + 6.0;
+        if gain > cost {
+            return Some(gain - cost);
+        }
+        let stands_out = || autoregressive_gain(&before.residual, &after.residual, &self.bench.scene.live) > cost;
+        (self.throughout(before, after, trial) || stands_out()).then_some(THROUGHOUT)
+    }
+
+    /// Whether the last of `trial` is worth having.
+    pub(in crate::diagnose) fn judge(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> Option<Accepted> {
+        let Self { bench, settings, accepted, .. } = *self;
+        let last = trial.last()?;
+        let terms = after.terms.last()?;
+        let Chosen { cause, place, shape, x } = last;
+        if terms.is_empty() || at_edge(*cause, shape) || !cause.plausible(&bench.scene, place, shape, x) {
+            return None;
+        }
+        if terms.iter().zip(&last.x).any(|(t, x)| t.sign == Sign::Positive && *x <= 0.0) {
+            return None;
+        }
+        let counts = &before.solution.counts;
+        let support = self.support(before, after, trial, unknowns(*cause, shape, terms.len()))?;
+        // Large enough beside the noise, on some joint?
+        let taken = variance_taken(before, after);
+        let size = |j: usize| if counts[j] > 0.0 { before.solution.rss[j] / counts[j] } else { 0.0 };
+        if !(0..taken.len()).any(|j| taken[j] > self.least(j).max(settings.least_gain * size(j))) {
+            return None;
+        }
+        let variance: f64 = taken.iter().filter(|t| **t > 0.0).sum();
+        // The misfit of an earlier law of the same kind is not another cause.
+        let same = |a: &Accepted| {
+            a.chosen.place == last.place && a.chosen.cause.kind() == last.cause.kind() && !last.place.is_empty()
+        };
+        let most = (0..taken.len()).any(|j| taken[j] > 0.5 * size(j));
+        let overshadowed = accepted.iter().any(|a| {
+            let share = if same(a) { settings.least_share } else { 0.3 * settings.least_share };
+            // A law of another kind that takes most of what is left is no misfit.
+            let joints = !a.chosen.place.is_empty() && a.chosen.place == last.place && !most;
+            (same(a) || joints) && variance < share * a.variance
+        });
+        if overshadowed {
+            return None;
+        }
+        let stands: Vec<bool> = (0..counts.len()).map(|j| last.place.is_empty() && stands(bench, j)).collect();
+        let Confirmation { confirmed, predicted, spoilt, stirred } = confirmation(before, after, &stands);
+        if last.cause.local() {
+            // No other part can vouch for it: it must stand out by itself.
+            let stands_out = (0..taken.len()).any(|j| taken[j] > 0.25 * size(j));
+            if !stands_out {
+                return None;
+            }
+        } else if confirmed < 0.75
+            || predicted < 0.6 * settings.least_gain
+            || spoilt > bearable(predicted)
+            || stirred > (0.5 * predicted).max(0.1)
+        {
+            return None;
+        }
+        Some(Accepted { chosen: last.clone(), support, confirmed, rivals: Vec::new(), variance })
+    }
+}
+
+/// Whether a joint stands most of the time: the motion does not show the file's errors of that
+/// joint, and a cause of the whole robot can make them seem larger.
+pub(in crate::diagnose) fn stands(bench: &ModelUnderTest<'_>, j: usize) -> bool {
+    let (mut moving, mut all) = (0, 0);
+    for sign in bench.scene.own[j].iter().flat_map(|own| &own.sign) {
+        moving += usize::from(*sign != 0.0);
+        all += 1;
+    }
+    2 * moving < all
+}
+
+/// Share by which another joint's error may grow. A cause that explains most of one joint's error
+/// is not refuted by earlier causes, found beside that error, that still have to change. A tenth up
+/// to six tenths of the error, a half from nine tenths on.
+fn bearable(predicted: f64) -> f64 {
+    0.1 + 0.4 * ((predicted - 0.6) / 0.3).clamp(0.0, 1.0)
+}
+
+/// Result of leaving parts of the data out of the fit in turn.
+struct Confirmation {
+    /// Share of the parts that the larger model predicts better, parts weighted by what they gain
+    /// or lose.
+    confirmed: f64,
+    /// The largest share of a joint's error that it takes.
+    predicted: f64,
+    /// The largest share by which a joint's error grows.
+    spoilt: f64,
+    /// The same of joints that stand, where the cause is one of the whole robot.
+    stirred: f64,
+}
+
+fn confirmation(before: &Fitted, after: &Fitted, stands: &[bool]) -> Confirmation {
+    let (a, b) = (before.moments.cross_validated(&before.solution), after.moments.cross_validated(&after.solution));
+    let weights = &after.solution.weights;
+    let (mut won, mut lost) = (0.0, 0.0);
+    let mut sums = vec![[0.0; 2]; weights.len()];
+    for (a, b) in a.iter().zip(&b) {
+        let change: f64 = a.iter().zip(b).zip(weights).map(|((a, b), w)| w * (a - b)).sum();
+        if change > 0.0 {
+            won += change
+        } else {
+            lost -= change
+        }
+        for (sum, (a, b)) in sums.iter_mut().zip(a.iter().zip(b)) {
+            *sum = [sum[0] + a, sum[1] + b];
+        }
+    }
+    let shares = || sums.iter().map(|[a, b]| if *a > 1e-200 { 1.0 - b / a } else { 0.0 });
+    Confirmation {
+        confirmed: if won + lost > 0.0 { won / (won + lost) } else { 0.0 },
+        predicted: shares().fold(0.0, f64::max),
+        spoilt: -shares().zip(stands).filter(|s| !s.1).map(|s| s.0).fold(0.0, f64::min),
+        stirred: -shares().zip(stands).filter(|s| *s.1).map(|s| s.0).fold(0.0, f64::min),
+    }
+}
+
+/// By how much the variance of each joint's residual falls, (N m)^2.
+fn variance_taken(before: &Fitted, after: &Fitted) -> Vec<f64> {
+    let pairs = before.solution.rss.iter().zip(&after.solution.rss).zip(&before.solution.counts);
+    pairs.map(|((a, b), n)| if *n > 0.0 { (a - b) / n } else { 0.0 }).collect()
+}

@@ -1,0 +1,78 @@
+//! Wrong bodies that are one body.
+
+use super::candidate::logs;
+use super::equivalent_robot_cause;
+use super::judge::{Accepted, adopt, chosen_of};
+use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
+use crate::diagnose::hypotheses::hypothesis;
+use dh_codegen::robot::EffectKind;
+
+/// Of the error that several bodies take, one must take this share to be all of them.
+const NEARLY_ALL: f64 = 0.97;
+
+/// Each link of the arm as a wrong body, the fit still to come.
+pub(in crate::diagnose) fn single_bodies(bench: &ModelUnderTest<'_>) -> Vec<Chosen> {
+    let cause = hypothesis(EffectKind::LinkInertiaError);
+    let of = |place| Chosen { cause, place, shape: Vec::new(), x: Vec::new() };
+    cause.places(&bench.scene).into_iter().map(of).collect()
+}
+
+/// A body that was found first as its neighbour, for the columns of links are alike, leaves a rest
+/// that its own link then takes. One body that explains the same as several takes their place with
+/// all of its mass, if it costs less than the unknowns that it saves, or explains nearly all that
+/// they explain.
+pub(in crate::diagnose) fn merge_bodies(
+    bench: &mut ModelUnderTest<'_>,
+    accepted: &mut Vec<Accepted>,
+    fitted: &mut Fitted,
+) {
+    let is_body = |a: &Accepted| a.chosen.cause.within_links();
+    let bodies: Vec<Accepted> = accepted.iter().filter(|a| is_body(a)).cloned().collect();
+    if bodies.len() < 2 {
+        return;
+    }
+    let mut kept: Vec<Accepted> = accepted.iter().filter(|a| !is_body(a)).cloned().collect();
+    let others = chosen_of(&kept);
+    let without = bench.fit(&mut others.clone());
+    let misfit = |f: &Fitted| f.solution.rss.iter().zip(&fitted.solution.weights).map(|(r, w)| r * w).sum::<f64>();
+    let mut best: Option<(f64, Vec<Chosen>, Fitted)> = None;
+    for body in single_bodies(bench) {
+        let mut trial = others.clone();
+        trial.push(body);
+        let next = bench.fit(&mut trial);
+        let left = misfit(&next);
+        if best.as_ref().is_none_or(|b| left < b.0) {
+            best = Some((left, trial, next));
+        }
+    }
+    let counts = &fitted.solution.counts;
+    let independent: f64 = counts.iter().zip(&fitted.memory).map(|(n, m)| n / m).sum();
+    let unknowns = |c: &[Chosen]| c.iter().map(|c| c.x.len()).sum::<usize>() as f64;
+    let one = best.filter(|(left, trial, next)| {
+        let pairs = logs(&fitted.solution.rss, &next.solution.rss).zip(counts.iter().zip(&fitted.memory));
+        let lost: f64 = pairs.map(|(l, (n, m))| -l * n / m).sum();
+        let saved = (unknowns(&chosen_of(accepted)) - unknowns(trial)) * independent.max(2.0).ln();
+        let [none, all] = [misfit(&without), misfit(fitted)];
+        lost < saved || none - left > NEARLY_ALL * (none - all)
+    });
+    let Some((_, mut trial, mut next)) = one else {
+        let mut chosen = chosen_of(accepted);
+        *fitted = bench.fit(&mut chosen);
+        adopt(accepted, &chosen);
+        return;
+    };
+    let terms = next.terms.last().map_or(&[][..], |t| t.as_slice());
+    if let Some(named) = trial.last().and_then(|body| equivalent_robot_cause(bench, body, terms))
+        && let Some(last) = trial.last_mut()
+    {
+        *last = named;
+    }
+    let mut whole = bodies[0].clone();
+    whole.support = bodies.iter().map(|b| b.support).fold(f64::NEG_INFINITY, f64::max);
+    whole.variance = bodies.iter().map(|b| b.variance).sum();
+    whole.rivals.clear();
+    kept.push(whole);
+    next = bench.fit(&mut trial);
+    adopt(&mut kept, &trial);
+    (*accepted, *fitted) = (kept, next);
+}

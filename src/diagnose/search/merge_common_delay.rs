@@ -1,0 +1,83 @@
+//! Delays of several joints that are one.
+
+use super::candidate::logs;
+use super::judge::{Accepted, adopt, chosen_of};
+use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
+
+/// Delays of several joints that are the same within what they are known to are one: that of a
+/// clock, or a bus. It takes their place where the data do not speak against it: where it costs
+/// less than the unknowns that it saves.
+pub(in crate::diagnose) fn merge_common_delay(
+    bench: &mut ModelUnderTest<'_>,
+    accepted: &mut Vec<Accepted>,
+    fitted: &mut Fitted,
+) {
+    let late: Vec<usize> = (0..accepted.len())
+        .filter(|&i| accepted[i].chosen.cause.moves_time() && accepted[i].chosen.place.len() == 1)
+        .collect();
+    let common = accepted.iter().any(|a| a.chosen.cause.moves_time() && a.chosen.place.is_empty());
+    if late.len() < 2 || common {
+        return;
+    }
+    let covariance = fitted.covariance();
+    // Joint, delay, variance: at least that of half a sample.
+    let of = |i: usize| {
+        let (joint, at) = (accepted[i].chosen.place[0], fitted.first[i]);
+        let sampled = (0.5 * bench.scene.period).powi(2) / 3.0;
+        (joint, bench.scene.delays[joint], covariance[(at, at)].max(0.0) + sampled)
+    };
+    let alike = |i: usize, k: usize| {
+        let ((_, a, va), (_, b, vb)) = (of(i), of(k));
+        (a - b).abs() <= 3.0 * (va + vb).sqrt()
+    };
+    // The largest company about one of them.
+    let company = |i: usize| late.iter().copied().filter(|&k| alike(i, k)).collect::<Vec<usize>>();
+    let Some(group) = late.iter().map(|&i| company(i)).max_by_key(Vec::len).filter(|g| g.len() > 1) else { return };
+    let weight: f64 = group.iter().map(|&i| 1.0 / of(i).2).sum();
+    let mean = group.iter().map(|&i| of(i).1 / of(i).2).sum::<f64>() / weight;
+    let own: Vec<usize> = late.iter().map(|&i| of(i).0).collect();
+    let members: Vec<usize> = group.iter().map(|&i| of(i).0).collect();
+    let before = bench.scene.delays.clone();
+    for (j, was) in before.iter().enumerate() {
+        let wanted = if own.contains(&j) && !members.contains(&j) { *was } else { mean };
+        if wanted != *was {
+            bench.delay(&[j], wanted - was);
+        }
+    }
+    let mut kept: Vec<Accepted> =
+        accepted.iter().enumerate().filter(|(i, _)| !group.contains(i)).map(|(_, a)| a.clone()).collect();
+    let mut one = accepted[group[0]].clone();
+    one.chosen.place = Vec::new();
+    one.chosen.x = vec![0.0];
+    one.support = group.iter().map(|&i| accepted[i].support).fold(f64::NEG_INFINITY, f64::max);
+    one.variance = group.iter().map(|&i| accepted[i].variance).sum();
+    kept.insert(group[0].min(kept.len()), one);
+    let mut chosen = chosen_of(&kept);
+    let next = bench.fit(&mut chosen);
+    let (lost, independent) = lost_by(fitted, &next);
+    let saved = (group.len() - 1) as f64 * independent.max(2.0).ln();
+    if lost < saved {
+        adopt(&mut kept, &chosen);
+        (*accepted, *fitted) = (kept, next);
+        return;
+    }
+    for (j, was) in before.iter().enumerate() {
+        let now = bench.scene.delays[j];
+        if *was != now {
+            bench.delay(&[j], was - now);
+        }
+    }
+    let mut chosen = chosen_of(accepted);
+    *fitted = bench.fit(&mut chosen);
+    adopt(accepted, &chosen);
+}
+
+/// Logarithm of likelihood lost from one fit to the next, and the number of independent windows.
+fn lost_by(fitted: &Fitted, next: &Fitted) -> (f64, f64) {
+    let counts = &next.solution.counts;
+    let lost = logs(&fitted.solution.rss, &next.solution.rss)
+        .zip(counts.iter().zip(&next.memory))
+        .map(|(l, (n, m))| -l * n / m)
+        .sum();
+    (lost, counts.iter().zip(&next.memory).map(|(n, m)| n / m).sum())
+}

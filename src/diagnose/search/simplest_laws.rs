@@ -1,0 +1,59 @@
+//! Of several laws of one effect the simplest that the data do not reject.
+//!
+//! A law with a further term fits no worse than one without, and correlated windows exaggerate its
+//! gain. The criterion is Schwarz's. The logarithm of the ratio of the residual sums of squares,
+//! with windows counted by the autocorrelation time of the richer law's residual, is compared with
+//! the further unknowns times the logarithm of the number of independent windows.
+
+use super::candidate::{Candidate, evaluate, logs, refine, unknowns};
+use super::judge::{Accepted, adopt, chosen_of};
+use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
+use crate::diagnose::hypotheses::at_edge;
+
+/// Puts a simpler law of the same effect in the place of each cause whose further terms do not pay.
+pub(in crate::diagnose) fn simplest_laws(
+    bench: &mut ModelUnderTest<'_>,
+    accepted: &mut [Accepted],
+    fitted: &mut Fitted,
+) {
+    let mut changed = false;
+    for index in 0..accepted.len() {
+        let own = accepted[index].chosen.clone();
+        let laws = own.cause.simpler(&bench.scene, &own.place, &own.shape);
+        if laws.is_empty() {
+            continue;
+        }
+        changed = true;
+        let mut rest = chosen_of(accepted);
+        rest.remove(index);
+        let without = bench.fit(&mut rest);
+        for (cause, shapes) in laws {
+            let of = |shape: &Vec<f64>| evaluate(bench, &without, cause, &own.place, shape);
+            let best = shapes.iter().filter_map(of).max_by(|a, b| a.score.total_cmp(&b.score));
+            let Some(mut simpler) = best else { continue };
+            refine(bench, &without, &mut simpler);
+            let mut trial = chosen_of(accepted);
+            trial[index] = simpler.chosen();
+            let next = bench.fit(&mut trial);
+            if !at_edge(cause, &simpler.shape) && suffices(&simpler, &next, &own, fitted) {
+                adopt(accepted, &trial);
+                *fitted = next;
+                break;
+            }
+        }
+    }
+    if changed {
+        let mut chosen = chosen_of(accepted);
+        *fitted = bench.fit(&mut chosen);
+        adopt(accepted, &chosen);
+    }
+}
+
+/// Whether what the richer law `own` fits better than `simpler` does not pay for its unknowns.
+fn suffices(simpler: &Candidate, next: &Fitted, own: &Chosen, fitted: &Fitted) -> bool {
+    let windows = || fitted.solution.counts.iter().zip(&fitted.memory).map(|(n, m)| n / m);
+    let lost: f64 = logs(&next.solution.rss, &fitted.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();
+    let further =
+        unknowns(own.cause, &own.shape, own.x.len()) - unknowns(simpler.cause, &simpler.shape, simpler.gain.x.len());
+    further > 0.0 && lost < further * windows().sum::<f64>().max(2.0).ln()
+}

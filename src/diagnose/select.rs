@@ -1,0 +1,9 @@
+//! From accepted causes to the offered model: measured on recordings, reduced, refined, chosen.
+
+pub(super) mod beside;
+pub(super) mod contenders;
+pub(super) mod excess;
+pub(super) mod measure;
+pub(super) mod model_choice;
+pub(super) mod reduction;
+pub(super) mod refine_and_select;

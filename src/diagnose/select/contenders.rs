@@ -1,0 +1,135 @@
+//! Models among which one is offered: with the file's links, with all base parameters refitted, and
+//! the plain refit beside which both have to hold on each validating log.
+
+use super::excess::{by_log, excess, with_excess};
+use super::measure::Meter;
+use super::model_choice::LeftOut;
+use super::refine_and_select::{Case, Settled};
+use crate::diagnose::findings::result::Errors;
+use crate::diagnose::findings::structure::{Structure, structure};
+use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
+use crate::diagnose::run::{DiagnoseError, Settings};
+use crate::diagnose::windows::recording::Recording;
+use crate::identify::ConsistentError;
+use crate::model::PerturbableArm;
+
+/// A refit of all base parameters and friction, without any further cause: what remains is
+/// structure.
+pub(in crate::diagnose) struct Refit<'a> {
+    pub(in crate::diagnose) bench: ModelUnderTest<'a>,
+    /// Errors on stretches of the fitted logs that are left out in turn.
+    pub(in crate::diagnose) left_out: LeftOut,
+    pub(in crate::diagnose) errors: Errors,
+    /// Errors on each validating log, where joints move, N m; empty without such logs.
+    by_log: Vec<Vec<f64>>,
+}
+
+impl<'a> Refit<'a> {
+    pub(in crate::diagnose) fn new(
+        plant: &'a dyn PerturbableArm,
+        fit: &'a [Recording],
+        validate: &'a [Recording],
+        own_validation: bool,
+        settings: &Settings,
+    ) -> Result<Self, DiagnoseError> {
+        let mut bench = ModelUnderTest::new(plant, fit, settings.rate, Mode::Refitted, &plant.delays(), false);
+        let (plain, left_out) = plainly(&mut bench)?;
+        let after = Meter::new(plant, validate, &bench).of(&bench, &plain, &[], true);
+        let fitted = Meter::new(plant, fit, &bench).of(&bench, &plain, &[], false).rms;
+        let by_log = if own_validation { by_log(plant, validate, &bench, &plain, &[]) } else { Vec::new() };
+        let errors = Errors { fit: fitted, validate: after.rms, moving: after.steady };
+        Ok(Self { bench, left_out, errors, by_log })
+    }
+}
+
+/// The fit without a cause, inside what is possible where that can be, and its errors on left-out
+/// stretches.
+fn plainly(refit: &mut ModelUnderTest<'_>) -> Result<(Fitted, LeftOut), DiagnoseError> {
+    let plain = refit.fit(&mut []);
+    Ok(match refit.possible(&mut [], &plain) {
+        Ok(possible) => {
+            let out = refit.possible_left_out(&[], &possible)?;
+            (possible, out)
+        }
+        // A refit that no arm can have is a yardstick; it is not offered.
+        Err(_) => {
+            let out = refit.left_out(&[], &plain);
+            (plain, out)
+        }
+    })
+}
+
+impl<'a> Case<'a> {
+    /// Part of a model's residual that is not noise. `torque`: root mean square of each joint's, N
+    /// m.
+    pub(in crate::diagnose) fn left(&self, model: &Settled<'_>, torque: &[f64]) -> Vec<Structure> {
+        let found = structure(&model.bench.scene, &model.fitted.residual, self.noise, torque);
+        with_excess(found, excess(model, self.noise))
+    }
+
+    /// The models that were searched and hold, and sentences on those that do not.
+    pub(in crate::diagnose) fn models(
+        &self,
+        has_links: bool,
+        refit: &Refit<'_>,
+        torque: &[f64],
+    ) -> Result<(Vec<Settled<'a>>, Vec<String>), ConsistentError> {
+        let (mut models, mut said) = (Vec::new(), Vec::new());
+        if has_links {
+            (self.progress)("the file's links unchanged");
+            models.push(self.searched(Mode::Trusted)?);
+        }
+        let refit_is_better =
+            |m: &Settled<'_>| refit.left_out.less(&m.left_out, self.ground).worth_refit() || self.worse_than(m, refit);
+        if !models.iter().any(|m| self.left(m, torque).is_empty() && !refit_is_better(m)) {
+            (self.progress)("all base parameters refitted");
+            match self.searched(Mode::Refitted) {
+                Ok(model) => models.push(model),
+                Err(error) => said.push(format!("Refitted parameters are not offered: {error}.")),
+            }
+        }
+        if self.own_validation {
+            let file = self.file_by_log()?;
+            let without = |m: &Settled<'_>| if m.bench.mode == Mode::Trusted { &file } else { &refit.by_log };
+            models.retain(|model| match self.fails_on(model, without(model)) {
+                Some(sentence) => {
+                    said.push(sentence);
+                    false
+                }
+                None => true,
+            });
+            if models.is_empty() {
+                models.extend(self.plain().ok());
+            }
+        }
+        Ok((models, said))
+    }
+
+    /// Errors of the unchanged file on each validating log, where joints move, N m.
+    fn file_by_log(&self) -> Result<Vec<Vec<f64>>, ConsistentError> {
+        Ok(self.by_log_of(&self.file()?))
+    }
+
+    /// Errors of a model without causes on each validating log, where joints move, N m.
+    pub(in crate::diagnose) fn by_log_of(&self, model: &Settled<'_>) -> Vec<Vec<f64>> {
+        by_log(self.plant, self.validate, &model.bench, &model.fitted, &[])
+    }
+
+    /// Whether a model errs more than a plain refit on a validating log.
+    pub(in crate::diagnose) fn worse_than(&self, model: &Settled<'_>, refit: &Refit<'_>) -> bool {
+        self.own_validation && !self.worse_on(model, &refit.by_log).is_empty()
+    }
+
+    /// Says so where a model errs more with further causes than without them on a validating log:
+    /// `without`, errors of the same links without any, per log and joint, N m. Logs of different
+    /// robots refute no model.
+    fn fails_on(&self, model: &Settled<'_>, without: &[Vec<f64>]) -> Option<String> {
+        let logs = self.worse_on(model, without);
+        let holds = model.accepted.is_empty() || logs.is_empty() || !self.changed(model, self.noise).is_empty();
+        (!holds).then(|| {
+            let (count, logs) = (model.accepted.len(), logs.join(", "));
+            let links = if model.bench.mode == Mode::Trusted { "the file's links" } else { "refitted links" };
+            format!("A model of {links} with {count} further causes errs more on {logs} than without them, and is not offered.")
+        })
+    }
+}

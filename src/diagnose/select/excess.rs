@@ -1,0 +1,143 @@
+//! Error beyond what noise explains, and error that the validating logs have and the fitted ones
+//! have not.
+
+use super::measure::{Measured, Meter, root_mean_square, taken_of};
+use super::refine_and_select::{Case, Settled};
+use crate::diagnose::findings::evidence::short;
+use crate::diagnose::findings::result::Cause;
+use crate::diagnose::findings::structure::Structure;
+use crate::diagnose::fit::model::{Chosen, Fitted, Mode, ModelUnderTest};
+use crate::diagnose::search::judge::chosen_of;
+use crate::diagnose::windows::recording::Recording;
+use crate::model::PerturbableArm;
+
+/// Error by floor above which it is more than noise.
+pub(in crate::diagnose) const EXCESS: f64 = 1.5;
+
+/// The same of all samples where the joint moves, those about its reversals included.
+const ABOUT_REVERSALS: f64 = 2.5;
+
+/// Error on the validating logs by that on the worst left-out stretch of the fitted ones, above
+/// which the logs may be of different robots.
+pub(in crate::diagnose) const CHANGED: f64 = 1.6;
+
+/// The same of one model that is fitted to all logs, above which they are.
+const APART: f64 = 1.3;
+
+/// Share of a joint's squared error above the noise that is nearly all of it.
+const NEARLY: f64 = 0.8;
+
+/// Sum over joints of the logarithms of error ratios above which a model is worse.
+const WORSE: f64 = 0.02;
+
+/// Least speed of a joint, by its fastest, at which its error counts as excess: about a reversal
+/// dry friction is no function of the recorded velocity.
+const SWIFT: f64 = 0.05;
+
+/// Error of joint `j` where it moves swiftly, root mean square, N m; that of all samples where it
+/// hardly does.
+fn swift(measured: &Measured, j: usize) -> f64 {
+    let velocity = measured.view.velocity(j);
+    let fastest = velocity.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let pairs = measured.error[j].iter().zip(velocity).filter(|(_, v)| v.abs() > SWIFT * fastest);
+    let error: Vec<f64> = pairs.map(|(e, _)| *e).collect();
+    if 2 * error.len() < measured.error[j].len() { measured.steady[j] } else { root_mean_square(&error) }
+}
+
+/// Joints that the model misses by more than the floor explains, on fitted and validating logs
+/// alike. `floor`: error of each joint's torque where a model is right, N m.
+pub(in crate::diagnose) fn excess(model: &Settled<'_>, floor: &[f64]) -> Vec<Structure> {
+    let joint = |j: usize| {
+        let least = |of: &dyn Fn(&Measured) -> f64| of(&model.after).min(of(&model.after_fit));
+        let rms = least(&|m| swift(m, j)).max(least(&|m| m.steady[j]) * EXCESS / ABOUT_REVERSALS);
+        (rms > EXCESS * floor[j]).then(|| Structure {
+            joint: j,
+            rms: (rms * rms - floor[j] * floor[j]).sqrt(),
+            description: format!(
+                "joint {} is missed by {} N m where noise explains {}",
+                j + 1,
+                short(rms),
+                short(floor[j])
+            ),
+        })
+    };
+    (0..floor.len()).filter_map(joint).collect()
+}
+
+/// Structure, and joints with excess alone.
+pub(in crate::diagnose) fn with_excess(mut found: Vec<Structure>, more: Vec<Structure>) -> Vec<Structure> {
+    let there: Vec<usize> = found.iter().map(|s| s.joint).collect();
+    found.extend(more.into_iter().filter(|m| !there.contains(&m.joint)));
+    found
+}
+
+/// Structure of joints of which one of these causes takes nearly all of the error is explained.
+pub(in crate::diagnose) fn explained(left: Vec<Structure>, by: &[Cause]) -> Vec<Structure> {
+    let none = |s: &Structure| by.iter().any(|c| c.joints == [s.joint + 1] && c.share > NEARLY);
+    left.into_iter().filter(|s| !none(s)).collect()
+}
+
+/// Errors of a model on each of some logs by itself, where joints move, N m.
+pub(in crate::diagnose) fn by_log(
+    plant: &dyn PerturbableArm,
+    logs: &[Recording],
+    bench: &ModelUnderTest<'_>,
+    fitted: &Fitted,
+    chosen: &[Chosen],
+) -> Vec<Vec<f64>> {
+    let of =
+        |log: &Recording| Meter::new(plant, std::slice::from_ref(log), bench).of(bench, fitted, chosen, true).steady;
+    logs.iter().map(of).collect()
+}
+
+impl Case<'_> {
+    /// Joints, from 0, that differ between fitted and validating logs. They are missed far more on
+    /// the latter than on any left-out stretch of the former, also by one model that is fitted to
+    /// both. Without that second test a joint that the fitted logs hardly show would count.
+    pub(in crate::diagnose) fn changed(&self, model: &Settled<'_>, floor: &[f64]) -> Vec<usize> {
+        let elsewhere = |j: usize| model.left_out.worst(j).max(model.after_fit.steady[j]).max(EXCESS * floor[j]);
+        let missed: Vec<usize> = (0..floor.len()).filter(|&j| model.after.steady[j] > CHANGED * elsewhere(j)).collect();
+        if missed.is_empty() {
+            return missed;
+        }
+        let all = [self.fit, self.validate].concat();
+        let mut bench =
+            ModelUnderTest::new(self.plant, &all, self.settings.rate, Mode::Refitted, &model.bench.scene.delays, false);
+        let mut chosen = chosen_of(&model.accepted);
+        let fitted = bench.fit(&mut chosen);
+        let of = |logs| Meter::new(self.plant, logs, &bench).of(&bench, &fitted, &chosen, true).steady;
+        let [fit, validate] = [of(self.fit), of(self.validate)];
+        missed.into_iter().filter(|&j| fit[j].max(validate[j]) > APART * elsewhere(j)).collect()
+    }
+
+    /// Validating logs, by name, on which a model errs more than a plain refit (its errors by log).
+    /// The limit is a fiftieth over all joints in units of `scale`, or on one joint a tenth and the
+    /// noise.
+    pub(in crate::diagnose) fn worse_on(&self, model: &Settled<'_>, refit: &[Vec<f64>]) -> Vec<String> {
+        let own = by_log(self.plant, self.validate, &model.bench, &model.fitted, &chosen_of(&model.accepted));
+        let pairs = own.iter().zip(refit).zip(self.validate);
+        let worse = pairs.filter(|((own, refit), _)| worse(own, refit, self.scale, self.noise));
+        worse.map(|(_, log)| log.name.clone()).collect()
+    }
+}
+
+/// Whether errors `own` are more than those of a refit, N m per joint.
+fn worse(own: &[f64], refit: &[f64], scale: &[f64], noise: &[f64]) -> bool {
+    let joint = |((a, b), s): ((&f64, &f64), &f64)| a * a > 1.21 * b * b + s * s;
+    taken_of(own, refit, scale) > WORSE || own.iter().zip(refit).zip(noise).any(joint)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn one_joint_that_is_much_worse_counts() {
+        let (scale, noise) = ([0.1; 3], [0.05; 3]);
+        assert!(!worse(&[1.0; 3], &[1.0; 3], &scale, &noise));
+        assert!(worse(&[0.2, 0.2, 1.3], &[1.0; 3], &scale, &noise));
+        assert!(worse(&[1.05; 3], &[1.0; 3], &scale, &noise));
+        // Within the noise nothing is worse.
+        assert!(!worse(&[0.0, 0.0, 0.04], &[0.0; 3], &[1.0; 3], &noise));
+    }
+}

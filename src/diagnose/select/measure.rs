@@ -1,0 +1,220 @@
+//! Errors of models on recordings, every sample counted, and what a cause takes of them.
+
+use crate::diagnose::findings::maps::View;
+use crate::diagnose::findings::reported_cause::Item;
+use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
+use crate::diagnose::windows::recording::Recording;
+use crate::model::PerturbableArm;
+
+/// Errors per joint and sample at the logs' own rate.
+pub(in crate::diagnose) struct Measured {
+    pub(in crate::diagnose) rms: Vec<f64>,
+    /// The same where the joint moves. At reversals the sign of a velocity inside its noise, or of
+    /// a joint that sticks, errs by twice the Coulomb level, whatever the cause.
+    pub(in crate::diagnose) steady: Vec<f64>,
+    pub(in crate::diagnose) error: Vec<Vec<f64>>,
+    pub(in crate::diagnose) time: Vec<f64>,
+    /// Samples that follow each other without a gap.
+    pub(in crate::diagnose) runs: Vec<std::ops::Range<usize>>,
+    pub(in crate::diagnose) view: View,
+    /// Whether this data can show each of the chosen causes.
+    pub(in crate::diagnose) shown: Vec<bool>,
+}
+
+pub(in crate::diagnose) const RAW: f64 = 1e9;
+
+/// Measures models on recordings, every sample counted.
+pub(in crate::diagnose) struct Meter<'a> {
+    pub(in crate::diagnose) fine: ModelUnderTest<'a>,
+}
+
+impl<'a> Meter<'a> {
+    /// For models with the mode and the delays of `bench`.
+    pub(in crate::diagnose) fn new(
+        plant: &'a dyn PerturbableArm,
+        recordings: &'a [Recording],
+        bench: &ModelUnderTest<'_>,
+    ) -> Self {
+        Self { fine: ModelUnderTest::new(plant, recordings, RAW, bench.mode, &bench.scene.delays, true) }
+    }
+
+    /// Errors of the unchanged file.
+    pub(in crate::diagnose) fn of_the_file(&self) -> Measured {
+        let error = vec![vec![0.0; self.fine.scene.len]; self.fine.scene.dof()];
+        self.errors(error)
+    }
+
+    /// Errors of a fitted model. `elsewhere`: not on the recordings that it was fitted to, so that
+    /// what acted in a part of them does not act here.
+    pub(in crate::diagnose) fn of(
+        &mut self,
+        bench: &ModelUnderTest<'_>,
+        fitted: &Fitted,
+        chosen: &[Chosen],
+        elsewhere: bool,
+    ) -> Measured {
+        self.fine.adopt(bench, fitted);
+        let mut x = fitted.solution.x.clone();
+        for (c, first) in chosen.iter().zip(&fitted.first).filter(|(c, _)| elsewhere && c.cause.local()) {
+            (0..c.x.len()).for_each(|k| x[first + k] = 0.0);
+        }
+        let shown = chosen.iter().map(|c| c.cause.shows(&self.fine.scene, &c.place, &c.shape)).collect();
+        Measured { shown, ..self.errors(self.fine.predict(&x, chosen)) }
+    }
+
+    pub(in crate::diagnose) fn errors(&self, predicted: Vec<Vec<f64>>) -> Measured {
+        let mut error = predicted;
+        for (e, y) in error.iter_mut().zip(self.fine.target()) {
+            e.iter_mut().zip(y).for_each(|(e, y)| *e = y - *e);
+        }
+        // A joint whose sensor was off has no error.
+        for (j, e) in error.iter_mut().enumerate() {
+            if self.fine.recordings.iter().flat_map(|r| &r.stretches).all(|s| s.of(&s.tau, j).iter().all(|t| *t == 0.0))
+            {
+                e.iter_mut().for_each(|e| *e = 0.0);
+            }
+        }
+        let rms = error.iter().map(|e| root_mean_square(e)).collect();
+        let scene = &self.fine.scene;
+        let steady = (0..error.len())
+            .map(|j| {
+                let moves = scene.own[j].iter().flat_map(|own| own.moves.iter().copied());
+                let moving = error[j].iter().zip(moves).filter(|(_, moves)| *moves);
+                let moving: Vec<f64> = moving.map(|(e, _)| *e).collect();
+                root_mean_square(if 2 * moving.len() < error[j].len() { &error[j] } else { &moving })
+            })
+            .collect();
+        let (time, runs, view) = (scene.time.clone(), scene.runs.clone(), View::of(scene));
+        Measured { rms, steady, error, time, runs, view, shown: Vec::new() }
+    }
+}
+
+pub(in crate::diagnose) fn root_mean_square(x: &[f64]) -> f64 {
+    (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt()
+}
+
+/// Whether a cause is measured on the fitted logs: it acts in a part of one of them, or the
+/// validating ones can't show it, and so can't refute it.
+pub(in crate::diagnose) fn here(item: &Item, after: &Measured) -> bool {
+    item.hypothesis.local() || item.accepted.is_some_and(|index| !after.shown[index])
+}
+
+/// Errors of the model that is fitted without one of its causes; the bench is left with that.
+pub(in crate::diagnose) fn leave_out<'a>(
+    plant: &'a dyn PerturbableArm,
+    fit: &'a [Recording],
+    meter: &mut Meter<'a>,
+    bench: &mut ModelUnderTest<'_>,
+    chosen: &[Chosen],
+    item: &Item,
+    elsewhere: bool,
+) -> Measured {
+    if item.hypothesis.moves_time() {
+        let (mut reduced, mut others, fitted) = reduced(plant, fit, bench, chosen, item);
+        let fitted = reduced.possible(&mut others, &fitted).unwrap_or(fitted);
+        return Meter::new(plant, meter.fine.recordings, &reduced).of(&reduced, &fitted, &others, elsewhere);
+    }
+    let frozen = bench.frozen.clone();
+    item.friction.iter().for_each(|&k| bench.frozen[k] = true);
+    let mut others: Vec<Chosen> =
+        chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
+    let fitted = bench.fit(&mut others);
+    let fitted = bench.possible(&mut others, &fitted).unwrap_or(fitted);
+    let measured = match bench.scene.delays == meter.fine.scene.delays {
+        true => meter.of(bench, &fitted, &others, elsewhere),
+        // Without this the delay is another.
+        false => Meter::new(plant, meter.fine.recordings, bench).of(bench, &fitted, &others, elsewhere),
+    };
+    bench.frozen = frozen;
+    measured
+}
+
+/// The model that is fitted without one of its causes.
+pub(in crate::diagnose) fn reduced<'a>(
+    plant: &'a dyn PerturbableArm,
+    fit: &'a [Recording],
+    bench: &ModelUnderTest<'_>,
+    chosen: &[Chosen],
+    item: &Item,
+) -> (ModelUnderTest<'a>, Vec<Chosen>, Fitted) {
+    let mut delays = bench.scene.delays.clone();
+    if item.hypothesis.moves_time() {
+        // The delay's own part of the shift goes.
+        let own: Vec<usize> = if item.place.is_empty() { (0..delays.len()).collect() } else { item.place.clone() };
+        let given = plant.delays();
+        own.iter().for_each(|&j| delays[j] = given[j]);
+    }
+    let mut reduced = ModelUnderTest::new(plant, fit, bench.rate, bench.mode, &delays, false);
+    (reduced.frozen, reduced.quiet, reduced.hold) = (bench.frozen.clone(), bench.quiet.clone(), bench.hold.clone());
+    reduced.motion_error.clone_from(&bench.motion_error);
+    item.friction.iter().for_each(|&k| reduced.frozen[k] = true);
+    let mut others: Vec<Chosen> =
+        chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
+    let fitted = reduced.fit(&mut others);
+    (reduced, others, fitted)
+}
+
+/// Whether a cause takes this share of the squared error of some joint.
+pub(in crate::diagnose) fn takes(before: &[f64], after: &[f64], share: f64) -> bool {
+    before.iter().zip(after).any(|(a, b)| a * a - b * b > share * a * a)
+}
+
+/// Whether a cause takes as much on some joint as a torque of half of the noise would, and more
+/// than errors of the recorded motion can make.
+pub(in crate::diagnose) fn matters(before: &[f64], after: &[f64], noise: &[f64], motion: &[f64]) -> bool {
+    let joints = before.iter().zip(after).zip(noise.iter().zip(motion));
+    joints.map(|((a, b), (s, m))| a * a - b * b - (0.5 * s).max(*m).powi(2)).any(|x| x > 0.0)
+}
+
+/// The same of errors without and with it.
+pub(in crate::diagnose) fn taken_of(before: &[f64], after: &[f64], noise: &[f64]) -> f64 {
+    let joints = before.iter().zip(after).zip(noise);
+    joints.map(|((a, b), s)| 0.5 * ((a * a + s * s).max(1e-24) / (b * b + s * s).max(1e-24)).ln()).sum()
+}
+
+/// 90 % interval of the share of the squared error on the main joint that the cause takes: moving
+/// blocks of half a second (Kuensch 1989).
+pub(in crate::diagnose) fn bootstrap(without: &Measured, with: &Measured, place: &[usize]) -> [f64; 2] {
+    let main = place.first().copied().unwrap_or_else(|| {
+        let gain = |j: &usize| without.rms[*j].powi(2) - with.rms[*j].powi(2);
+        (0..with.rms.len()).max_by(|a, b| gain(a).total_cmp(&gain(b))).unwrap_or(0)
+    });
+    let (Some(a), Some(b)) = (without.error.get(main), with.error.get(main)) else { return [f64::NAN; 2] };
+    let step = with.time.windows(2).map(|w| w[1] - w[0]).find(|d| *d > 0.0).unwrap_or(0.01);
+    let length = ((0.5 / step) as usize).max(1);
+    let n = a.len().min(b.len());
+    let sums: Vec<[f64; 2]> = (0..n / length)
+        .map(|i| {
+            let span = i * length..(i + 1) * length;
+            [a[span.clone()].iter().map(|e| e * e).sum(), b[span].iter().map(|e| e * e).sum()]
+        })
+        .collect();
+    if sums.len() < 4 {
+        return [f64::NAN; 2];
+    }
+    let mut random = crate::numerics::prng::Random::new(1);
+    let mut shares: Vec<f64> = (0..400)
+        .map(|_| {
+            let (mut before, mut after) = (0.0, 0.0);
+            for _ in 0..sums.len() {
+                let pick = sums[random.below(sums.len())];
+                before += pick[0];
+                after += pick[1];
+            }
+            if before > 0.0 { 1.0 - after / before } else { 0.0 }
+        })
+        .collect();
+    shares.sort_by(f64::total_cmp);
+    [shares[20], shares[379]]
+}
+
+/// Part of the squared error above the noise that goes: of the main joint, or of the one with the
+/// most to gain.
+pub(in crate::diagnose) fn share(before: &[f64], after: &[f64], noise: &[f64], place: &[usize]) -> f64 {
+    let gain = |j: usize| before[j].powi(2) - after[j].powi(2);
+    let joint = (0..before.len())
+        .max_by(|a, b| (gain(*a) / noise[*a].powi(2).max(1e-12)).total_cmp(&(gain(*b) / noise[*b].powi(2).max(1e-12))));
+    let joint = place.first().copied().or(joint).unwrap_or(0);
+    let above = before[joint].powi(2) - noise[joint].powi(2);
+    if above > 0.0 { (gain(joint) / above).clamp(-1.0, 1.0) } else { 0.0 }
+}

@@ -1,0 +1,210 @@
+//! Selects the terms of the extended model: causes and friction that stand out and hold on left-out
+//! stretches.
+
+use super::measure::reduced;
+use super::model_choice::LeftOut;
+use crate::diagnose::findings::reported_cause::{Item, items, place_of};
+use crate::diagnose::fit::likelihood::gain;
+use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest, given_friction, local};
+use crate::diagnose::fit::uncertainty::Uncertainty;
+use crate::diagnose::search::judge::{Accepted, SURE, adopt, chosen_of};
+use crate::diagnose::windows::recording::Recording;
+use crate::model::PerturbableArm;
+
+/// The model without some of its accepted causes, fitted.
+pub(in crate::diagnose) fn without(
+    bench: &mut ModelUnderTest<'_>,
+    accepted: &mut Vec<Accepted>,
+    out: &[usize],
+) -> Fitted {
+    let given = bench.plant.delays();
+    let mut late = vec![0.0; bench.scene.dof()];
+    for c in out.iter().map(|&i| &accepted[i].chosen).filter(|c| c.cause.moves_time()) {
+        let own: Vec<usize> = if c.place.is_empty() { (0..late.len()).collect() } else { c.place.clone() };
+        own.iter().for_each(|&j| late[j] = given[j] - bench.scene.delays[j]);
+    }
+    bench.undo_delay(&late);
+    let mut index = 0;
+    accepted.retain(|_| {
+        index += 1;
+        !out.contains(&(index - 1))
+    });
+    let mut chosen = chosen_of(accepted);
+    let fitted = bench.fit(&mut chosen);
+    adopt(accepted, &chosen);
+    fitted
+}
+
+/// Takes out, one after the other, what makes stretches of the fitted logs that are left out in
+/// turn worse.
+pub(in crate::diagnose) fn backward_eliminate(
+    plant: &dyn PerturbableArm,
+    fit: &[Recording],
+    bench: &mut ModelUnderTest<'_>,
+    accepted: &mut Vec<Accepted>,
+    mut fitted: Fitted,
+    ground: &[f64],
+    why: &mut Vec<String>,
+) -> Fitted {
+    for round in 0..12 {
+        let chosen = chosen_of(accepted);
+        let items = items(bench, accepted, &fitted);
+        let stretches = bench.stretches(&chosen);
+        let (counts, local) = (stretches.counts(), local(&chosen, &fitted));
+        let with = LeftOut::new(&stretches.cross_validated_without(&fitted.solution, &[], &local), &counts);
+        let mut worst = None;
+        for item in items.iter().filter(|i| !i.hypothesis.local()) {
+            let others = if item.hypothesis.moves_time() {
+                if round > 0 {
+                    continue;
+                }
+                let (reduced, others, fitted) = reduced(plant, fit, bench, &chosen, item);
+                reduced.left_out(&others, &fitted)
+            } else {
+                let mut out: Vec<usize> = item.friction.iter().map(|k| fitted.friction + k).collect();
+                out.extend(
+                    item.accepted
+                        .iter()
+                        .flat_map(|&i| (0..fitted.terms[i].len()).map(move |t| (i, t)))
+                        .map(|(i, t)| fitted.first[i] + t),
+                );
+                LeftOut::new(&stretches.cross_validated_without(&fitted.solution, &out, &local), &counts)
+            };
+            let paired = with.less(&others, ground);
+            if paired.gain < -1e-6
+                && worst.as_ref().is_none_or(|(_, w): &(&Item, super::model_choice::Paired)| paired.gain < w.gain)
+            {
+                worst = Some((item, paired));
+            }
+        }
+        let Some((item, paired)) = worst else { break };
+        why.push(format!(
+            "{} {} is not in the model: stretches of the fitted logs that were left out are predicted better without it ({:.1} +- {:.1} % of their squared error).",
+            item.hypothesis.name(),
+            place_of(&item.place),
+            -200.0 * paired.gain,
+            200.0 * paired.error
+        ));
+        item.friction.iter().for_each(|&k| bench.frozen[k] = true);
+        let out: Vec<usize> = item.accepted.into_iter().collect();
+        fitted = without(bench, accepted, &out);
+    }
+    fitted
+}
+
+/// Takes out, the least sure first, causes whose coefficients do not stand out of their
+/// uncertainty, that of the shape included.
+pub(in crate::diagnose) fn drop_insignificant(
+    bench: &mut ModelUnderTest<'_>,
+    accepted: &mut Vec<Accepted>,
+    mut fitted: Fitted,
+    noise: &[f64],
+) -> Fitted {
+    loop {
+        let chosen = chosen_of(accepted);
+        let uncertainty = Uncertainty::of(bench, &fitted, &chosen);
+        let least = (0..chosen.len())
+            .map(|index| (index, uncertainty.stands_out(bench, &fitted, index, &chosen[index])))
+            .min_by(|a, b| a.1.total_cmp(&b.1));
+        let Some((index, _)) = least.filter(|l| l.1 < 0.0) else { return fitted };
+        let gone = accepted.remove(index).chosen;
+        // Plain friction may have given way to it.
+        gone.place.iter().for_each(|j| bench.frozen[3 * j..3 * j + 3].fill(false));
+        if gone.cause.moves_time() {
+            let all: Vec<usize> = (0..bench.scene.dof()).collect();
+            for &j in if gone.place.is_empty() { &all } else { &gone.place } {
+                let given = bench.plant.delays()[j];
+                bench.delay(&[j], given - bench.scene.delays[j]);
+            }
+        }
+        fitted = fix_friction(bench, accepted, noise);
+    }
+}
+
+/// Friction parameters whose change the data do not support go back to the file's values.
+pub(in crate::diagnose) fn fix_friction(
+    bench: &mut ModelUnderTest<'_>,
+    accepted: &mut [Accepted],
+    noise: &[f64],
+) -> Fitted {
+    let mut chosen = chosen_of(accepted);
+    let mut fitted = bench.fit(&mut chosen);
+    let given = given_friction(bench.plant);
+    for _ in 0..4 {
+        let covariance = fitted.covariance();
+        let mut changed = false;
+        for j in 0..bench.scene.dof() {
+            // One at a time: of two that say nearly the same, neither seems to be wanted while the
+            // other is there.
+            let mut least: Option<(usize, f64)> = None;
+            for which in 0..3 {
+                let k = 3 * j + which;
+                if bench.frozen[k] {
+                    continue;
+                }
+                let at = fitted.friction + k;
+                let (value, std) = (fitted.solution.x[at], covariance[(at, at)].max(0.0).sqrt());
+                // Independent torque of this column: 1 / sqrt(inverse diagonal) is the column's own
+                // size.
+                let own = fitted.solution.inverse[(at, at)];
+                let weight = fitted.solution.weights[j] * fitted.solution.counts[j];
+                let effect = if own > 0.0 && weight > 0.0 { value.abs() / (own * weight).sqrt() } else { 0.0 };
+                let small = value.abs() < 0.04 * given[j][which].unwrap_or(0.0).abs();
+                // Friction that drives the joint is none. Where the file has some, the fit inside
+                // the limits ends at zero.
+                let file = given[j][which].unwrap_or(0.0);
+                let drives = which < 2 && file <= 0.0 && file + value < 0.0;
+                let mut sure = if std > 0.0 { value.abs() / std } else { 0.0 };
+                if sure < SURE && effect >= 0.2 * noise[j] && !small && !drives {
+                    sure = sure.max(beside_slow(bench, &fitted, at));
+                }
+                if (sure < SURE || effect < 0.2 * noise[j] || small || drives) && least.is_none_or(|(_, s)| sure < s) {
+                    least = Some((k, sure));
+                }
+            }
+            if let Some((k, _)) = least {
+                bench.frozen[k] = true;
+                changed = true;
+            }
+        }
+        if !changed {
+            break;
+        }
+        fitted = bench.fit(&mut chosen);
+    }
+    adopt(accepted, &chosen);
+    fitted
+}
+
+/// Standard deviations from 0 of an unknown where errors are autoregressive.
+fn beside_slow(bench: &ModelUnderTest<'_>, fitted: &Fitted, at: usize) -> f64 {
+    let inverse = &fitted.solution.inverse;
+    let own = inverse[(at, at)];
+    if own <= 0.0 {
+        return 0.0;
+    }
+    // The solution with this unknown at 0.
+    let x = &fitted.solution.x - inverse.column(at) * (fitted.solution.x[at] / own);
+    gain(&fitted.moments.residual(&x), &fitted.residual, &bench.scene.live).max(0.0).sqrt()
+}
+
+/// If all base parameters are unknown so is friction. Terms that went back to the file's values
+/// because they are too small or too unsure to be named are part of the model again, so that this
+/// is never less than a plain refit. Friction that would drive a joint ends at zero in the fit
+/// inside the limits.
+pub(in crate::diagnose) fn free_friction(
+    bench: &mut ModelUnderTest<'_>,
+    accepted: &mut [Accepted],
+    fitted: Fitted,
+) -> Fitted {
+    if bench.mode != Mode::Refitted {
+        return fitted;
+    }
+    let frozen = bench.frozen.clone();
+    let mut chosen = chosen_of(accepted);
+    bench.quiet.clone_from(&frozen);
+    bench.frozen.iter_mut().for_each(|f| *f = false);
+    let fitted = bench.fit(&mut chosen);
+    adopt(accepted, &chosen);
+    fitted
+}

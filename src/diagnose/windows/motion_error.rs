@@ -1,0 +1,54 @@
+//! Torque errors of a model due to errors of the recorded motion.
+
+use super::recording::{Recording, Stretch};
+use super::windowed_data::WindowedData;
+use crate::data::signal::repeatability;
+use crate::identify::{ErrorBudget, thinned, torque_of_errors};
+
+/// Windows at which the model's slopes are taken.
+const SAMPLES: usize = 128;
+
+/// Contributions to each joint's error that no model causes, N m, before the residual is known:
+/// sensors (`noise`), motion and clock by the rigid model of the data, repetitions of `recordings`.
+pub(in crate::diagnose) fn budget(scene: &WindowedData<'_>, recordings: &[Recording], noise: &[f64]) -> ErrorBudget {
+    let dof = scene.dof();
+    let stretches = || recordings.iter().flat_map(|r| &r.stretches);
+    let seconds: f64 = stretches().map(seconds_of).sum::<f64>().max(f64::MIN_POSITIVE);
+    let mean = |of: &dyn Fn(&Stretch) -> f64| stretches().map(|s| seconds_of(s) * of(s)).sum::<f64>() / seconds;
+    let error = |j: usize, k: usize| mean(&|s| s.error.get(j).map_or(0.0, |e| e[k] * e[k])).sqrt();
+    let errors: Vec<[f64; 3]> = (0..dof).map(|j| std::array::from_fn(|k| error(j, k))).collect();
+    let motion = match scene.states.first() {
+        Some(states) => torque_of_errors(scene.plant, &scene.beta, &thinned(states, dof, SAMPLES), &errors),
+        None => vec![0.0; dof],
+    };
+    let time = mean(&|s| s.clock_error * s.clock_error).sqrt();
+    let rate = |j: usize| {
+        let rates = scene.rate_of(&scene.rigid[j]);
+        (rates.iter().map(|r| r * r).sum::<f64>() / rates.len().max(1) as f64).sqrt()
+    };
+    ErrorBudget {
+        sensor: noise.to_vec(),
+        motion,
+        clock: (0..dof).map(|j| if time > 0.0 { time * rate(j) } else { 0.0 }).collect(),
+        repeatability: repetitions(recordings, dof),
+        left: vec![0.0; dof],
+    }
+}
+
+fn seconds_of(stretch: &Stretch) -> f64 {
+    stretch.states.len as f64 * stretch.period
+}
+
+/// By how much the torques of repeated motions differ, N m, per joint.
+fn repetitions(recordings: &[Recording], dof: usize) -> Option<Vec<f64>> {
+    let (mut squares, mut all) = (vec![0.0; dof], 0.0);
+    for stretch in recordings.iter().flat_map(|r| &r.stretches) {
+        let Some((rms, seconds)) = repeatability(&stretch.states.q, &stretch.tau, stretch.states.len, stretch.period)
+        else {
+            continue;
+        };
+        squares.iter_mut().zip(rms).for_each(|(sum, rms)| *sum += seconds * rms * rms);
+        all += seconds;
+    }
+    (all > 0.0).then(|| squares.iter().map(|s| (s / all).sqrt()).collect())
+}

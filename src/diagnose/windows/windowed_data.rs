@@ -1,0 +1,568 @@
+//! Recordings at the rate at which causes are distinguished: torque and motion averaged over short
+//! windows.
+//!
+//! Averaging is a linear operation that is done to the measured torque and to every column alike,
+//! so no filter stands between the two. White noise stays white, and steps of friction keep their
+//! size. Windows in which a joint turns about are not used for that joint's own torque, since there
+//! the sign of its velocity is noise.
+
+use std::sync::{Arc, OnceLock};
+
+use crate::model::{Change, DriveTerm, PerturbableArm, StandardParameter, States};
+
+use crate::data::signal::{Band, central};
+
+use super::recording::{Recording, Stretch};
+use super::torque_noise::torque_noise;
+
+/// What is cut off both ends of every stretch, s, so that a delayed state exists for each sample.
+const EDGE: f64 = 0.15;
+
+/// Part of a series of one joint, taken `by` samples earlier; empty where nothing was recorded.
+fn recorded(stretch: &Stretch, series: &[f64], j: usize, span: std::ops::Range<usize>, by: f64) -> Vec<f64> {
+    if series.is_empty() { Vec::new() } else { earlier(stretch.of(series, j), span, by) }
+}
+
+/// Samples that are cut off both ends of what is used of a stretch, `len` samples.
+pub(in crate::diagnose) fn edge(stretch: &Stretch, len: usize) -> usize {
+    if len as f64 * stretch.period > 1.0 { (EDGE / stretch.period).ceil() as usize } else { 0 }
+}
+
+/// The largest delay that is looked for, s.
+pub const MOST_DELAY: f64 = 0.14;
+
+/// Parts of the data, for cross-validation; each is made of pieces from everywhere, so that what is
+/// left out lies within what the others saw.
+pub const BLOCKS: usize = 8;
+
+/// Length of a piece, s: longer than the autocorrelation time of residuals.
+const PIECE: f64 = 1.0;
+
+/// One joint during one stretch, at the rate of the log.
+#[derive(Debug, Clone)]
+pub struct JointSeries {
+    /// Position, rad.
+    pub q: Vec<f64>,
+    /// Velocity, rad/s.
+    pub v: Vec<f64>,
+    /// Sign of the velocity, 0 inside its noise.
+    pub sign: Vec<f64>,
+    /// Whether a law of the velocity says something: outside its noise, and the joint does not
+    /// stick.
+    pub moves: Vec<bool>,
+    /// Acceleration, rad/s^2.
+    pub a: Vec<f64>,
+    /// Torque of the rigid model without the file's rotor: what the gear transmits, N m.
+    pub load: Vec<f64>,
+    /// Time since the recording began, s.
+    pub t: Vec<f64>,
+    /// Temperature, deg C; empty where there is none.
+    pub temperature: Vec<f64>,
+    /// Position of the motor, rad; empty where there is none.
+    pub motor: Vec<f64>,
+    /// Effect of the low-pass on the position.
+    pub band: Band,
+    /// Spacing of the samples, s.
+    pub period: f64,
+    first: usize,
+    windows: usize,
+    per: usize,
+}
+
+/// A series of numbers per joint that it acts on: what one unknown adds to the torques, averaged
+/// over the windows.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Column {
+    /// Joint and series (`len` numbers), by joint.
+    pub rows: Vec<(usize, Vec<f64>)>,
+}
+
+impl Column {
+    /// On one joint alone.
+    pub fn on(joint: usize, series: Vec<f64>) -> Self {
+        Self { rows: vec![(joint, series)] }
+    }
+}
+
+/// How the rigid torques change with one joint's motion: a series over the windows for each joint's
+/// torque.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Slopes {
+    /// With its position, N m/rad.
+    pub position: Vec<Vec<f64>>,
+    /// With its velocity, N m s/rad.
+    pub velocity: Vec<Vec<f64>>,
+    /// With its acceleration, kg m^2.
+    pub acceleration: Vec<Vec<f64>>,
+}
+
+/// Data available to causes.
+pub struct WindowedData<'a> {
+    /// The arm.
+    pub plant: &'a dyn PerturbableArm,
+    /// Number of windows.
+    pub len: usize,
+    /// Measured torque, per joint, N m.
+    pub y: Vec<Vec<f64>>,
+    /// Motion, once for each distinct delay.
+    pub states: Vec<States>,
+    /// Index into [`WindowedData::states`] of the state of a joint's torque.
+    pub seen: Vec<usize>,
+    /// Time of each window since its recording began, s.
+    pub time: Vec<f64>,
+    /// Whether a window is used for a joint's torque.
+    pub live: Vec<Vec<bool>>,
+    /// Part of the data, for cross-validation.
+    pub block: Vec<usize>,
+    /// Windows that follow each other without a gap.
+    pub runs: Vec<std::ops::Range<usize>>,
+    /// Each joint's stretches.
+    pub own: Vec<Vec<JointSeries>>,
+    /// Torque of the rigid model, per joint, N m.
+    pub rigid: Vec<Vec<f64>>,
+    /// Torque of the whole model, per joint, N m.
+    pub whole: Vec<Vec<f64>>,
+    /// The same without Coulomb's friction, which jumps.
+    pub smooth: Vec<Vec<f64>>,
+    /// Base parameters of the rigid model; friction entries zero.
+    pub beta: Vec<f64>,
+    /// Standard parameters that give `beta`; `None` until it is known.
+    pub standard: Option<Vec<f64>>,
+    /// Spacing of the windows, s.
+    pub step: f64,
+    /// Speed below which a joint's sign is noise, rad/s.
+    pub dead: Vec<f64>,
+    /// By how much each joint's torque is taken to be late, s.
+    pub delays: Vec<f64>,
+    /// Rotor inertias of the file, kg m^2.
+    pub rotors: Vec<f64>,
+    /// Largest torque of each joint, N m: its limit in the file, or one and a half times the
+    /// largest one seen.
+    pub rated: Vec<f64>,
+    /// Standard deviation of the noise of a window's torque, per joint, N m.
+    pub noise: Vec<f64>,
+    /// Longest spacing of the logs' samples, s.
+    pub period: f64,
+    /// Whether every window counts, as where models are measured and not fitted.
+    pub all: bool,
+    /// [`WindowedData::slopes`], by joint.
+    slopes: Vec<OnceLock<Arc<Slopes>>>,
+}
+
+impl<'a> WindowedData<'a> {
+    /// Windows of about `1 / rate` seconds (at least a sample), torques taken as late by `delays`
+    /// (one per joint).
+    ///
+    /// With `all`, every window counts, whatever the joint's speed.
+    pub fn new(plant: &'a dyn PerturbableArm, recordings: &[Recording], rate: f64, delays: &[f64], all: bool) -> Self {
+        let dof = plant.dof();
+        let mut distinct: Vec<f64> = Vec::new();
+        let seen: Vec<usize> = delays
+            .iter()
+            .map(|d| {
+                distinct.iter().position(|x| x == d).unwrap_or_else(|| {
+                    distinct.push(*d);
+                    distinct.len() - 1
+                })
+            })
+            .collect();
+        let dead = dead_zones(recordings, dof);
+        let (mut y, mut live) = (vec![Vec::new(); dof], vec![Vec::new(); dof]);
+        let mut parts: Vec<[Vec<Vec<f64>>; 3]> = vec![std::array::from_fn(|_| vec![Vec::new(); dof]); distinct.len()];
+        let (mut own, mut time, mut runs) = (vec![Vec::new(); dof], Vec::new(), Vec::new());
+        let mut step = 1.0 / rate;
+        let period = longest_period(recordings);
+        for recording in recordings {
+            let begin = recording.stretches.first().map_or(0.0, |s| s.start);
+            for stretch in &recording.stretches {
+                let per = ((1.0 / (rate * stretch.period)).round() as usize).max(1);
+                step = per as f64 * stretch.period;
+                let len = stretch.states.len;
+                let edge = edge(stretch, len);
+                let windows = len.saturating_sub(2 * edge) / per;
+                if windows == 0 {
+                    continue;
+                }
+                let span = edge..edge + windows * per;
+                let first = time.len();
+                runs.push(first..first + windows);
+                let mid = 0.5 * (per - 1) as f64;
+                time.extend(
+                    (0..windows)
+                        .map(|w| stretch.start - begin + (edge as f64 + (w * per) as f64 + mid) * stretch.period),
+                );
+                for (part, delay) in parts.iter_mut().zip(&distinct) {
+                    let by = delay / stretch.period;
+                    for j in 0..dof {
+                        let series = [&stretch.states.q, &stretch.states.dq, &stretch.states.ddq];
+                        for (out, x) in part.iter_mut().zip(series) {
+                            out[j].extend(average(&earlier(stretch.of(x, j), span.clone(), by), per));
+                        }
+                    }
+                }
+                for j in 0..dof {
+                    let by = delays[j] / stretch.period;
+                    let v = earlier(stretch.of(&stretch.states.dq, j), span.clone(), by);
+                    let sticks = |k: usize| {
+                        let then = (k as f64 - by).round().clamp(0.0, (len - 1) as f64) as usize;
+                        !stretch.stuck.is_empty() && stretch.of(&stretch.stuck, j)[then]
+                    };
+                    let moves: Vec<bool> =
+                        span.clone().zip(&v).map(|(k, v)| v.abs() > dead[j].0 && (dead[j].1 || !sticks(k))).collect();
+                    // Where every sample counts, the sign is that of the file's laws, so that the
+                    // measure is of their output; of a joint that stands the sign is nothing but
+                    // noise.
+                    let sign: Vec<f64> = match all && !dead[j].1 {
+                        true => v.iter().map(|v| if *v == 0.0 { 0.0 } else { v.signum() }).collect(),
+                        false => v.iter().map(|v| if v.abs() > dead[j].0 { v.signum() } else { 0.0 }).collect(),
+                    };
+                    live[j]
+                        .extend(sign.chunks_exact(per).map(|w| {
+                            all || dead[j].1 || (w.iter().all(|s| *s != 0.0) && w.iter().all(|s| *s == w[0]))
+                        }));
+                    y[j].extend(average(&stretch.of(&stretch.tau, j)[span.clone()], per));
+                    own[j].push(JointSeries {
+                        q: earlier(stretch.of(&stretch.states.q, j), span.clone(), by),
+                        a: earlier(stretch.of(&stretch.states.ddq, j), span.clone(), by),
+                        load: vec![0.0; span.len()],
+                        t: span.clone().map(|k| stretch.start - begin + (k as f64 - by) * stretch.period).collect(),
+                        temperature: recorded(stretch, &stretch.temperature, j, span.clone(), 0.0),
+                        motor: recorded(stretch, &stretch.motor, j, span.clone(), by),
+                        band: {
+                            let own = stretch.band.share.chunks_exact(len).nth(j);
+                            stretch.band.of(j, own.map_or(Vec::new(), |share| earlier(share, span.clone(), by)))
+                        },
+                        period: stretch.period,
+                        v,
+                        sign,
+                        moves,
+                        first,
+                        windows,
+                        per,
+                    });
+                }
+            }
+        }
+        let len = time.len();
+        let states = parts
+            .into_iter()
+            .map(|[q, dq, ddq]| States { len, q: q.concat(), dq: dq.concat(), ddq: ddq.concat() })
+            .collect();
+        for (row, live) in y.iter_mut().zip(&live) {
+            row.iter_mut().zip(live).filter(|(_, l)| !**l).for_each(|(y, _)| *y = 0.0);
+        }
+        Self {
+            block: (0..len)
+                .map(|w| (w as f64 * step / PIECE.min(len as f64 * step / BLOCKS as f64)) as usize % BLOCKS)
+                .collect(),
+            rigid: vec![vec![0.0; len]; dof],
+            whole: vec![vec![0.0; len]; dof],
+            smooth: vec![vec![0.0; len]; dof],
+            beta: vec![0.0; plant.base_parameters().len()],
+            standard: None,
+            dead: dead.iter().map(|d| d.0).collect(),
+            delays: delays.to_vec(),
+            rotors: rotors(plant),
+            rated: rated(plant, recordings),
+            noise: torque_noise(recordings, dof).iter().map(|s| s / (step / period).max(1.0).sqrt()).collect(),
+            period,
+            all,
+            slopes: vec![OnceLock::new(); dof],
+            plant,
+            len,
+            y,
+            states,
+            seen,
+            time,
+            live,
+            runs,
+            own,
+            step,
+        }
+    }
+
+    /// Degrees of freedom.
+    pub fn dof(&self) -> usize {
+        self.y.len()
+    }
+
+    /// A column that acts on joint `j` alone, from what that joint does at the log's rate.
+    pub fn own_column(&self, j: usize, f: impl Fn(&JointSeries) -> Vec<f64>) -> Column {
+        let mut series = Vec::with_capacity(self.len);
+        for own in &self.own[j] {
+            series.extend(average(&f(own), own.per));
+        }
+        self.masked(j, &mut series);
+        Column::on(j, series)
+    }
+
+    /// [`WindowedData::own_column`] of a function without memory.
+    pub fn pointwise(&self, j: usize, f: impl Fn(&JointSeries, usize) -> f64) -> Column {
+        self.own_column(j, |own| (0..own.v.len()).map(|k| f(own, k)).collect())
+    }
+
+    /// Averages over one stretch's windows of `f` (number of the sample in the stretch).
+    pub fn average_of(&self, own: &JointSeries, f: impl Fn(usize) -> f64) -> Vec<f64> {
+        average(&(0..own.v.len()).map(f).collect::<Vec<_>>(), own.per)
+    }
+
+    /// A series over the windows, each taken `by` seconds earlier, on lines within each run.
+    pub fn later(&self, series: &[f64], by: f64) -> Vec<f64> {
+        let mut out = vec![0.0; series.len()];
+        for run in &self.runs {
+            out[run.clone()].copy_from_slice(&earlier(&series[run.clone()], 0..run.len(), by / self.step));
+        }
+        out
+    }
+
+    /// Difference quotient of the torques when the arm has a change of size `scale`.
+    pub fn changed(&self, change: &Change, standard: &[f64], scale: f64) -> Vec<Vec<f64>> {
+        let mut rows = vec![vec![0.0; self.len]; self.dof()];
+        for (index, states) in self.states.iter().enumerate() {
+            let (mut one, mut other) = (vec![0.0; self.dof() * self.len], vec![0.0; self.dof() * self.len]);
+            self.plant.changed_dynamics(change, states, standard, &mut one);
+            self.plant.inverse_dynamics(states, standard, &mut other);
+            for (j, row) in rows.iter_mut().enumerate().filter(|(j, _)| self.seen[*j] == index) {
+                let span = j * self.len..(j + 1) * self.len;
+                row.iter_mut()
+                    .zip(one[span.clone()].iter().zip(&other[span]))
+                    .for_each(|(r, (a, b))| *r = (a - b) / scale);
+            }
+        }
+        rows
+    }
+
+    /// [`PerturbableArm::wrench_columns`] at some windows, in the last frame's axes or the base's.
+    pub fn wrenches(&self, span: std::ops::Range<usize>, base: bool) -> Vec<f64> {
+        let len = span.len();
+        let mut out = vec![0.0; 6 * self.dof() * len];
+        if let Some(states) = self.states.first() {
+            let cut = |x: &[f64]| x.chunks_exact(self.len.max(1)).flat_map(|row| row[span.clone()].to_vec()).collect();
+            let states = States { len, q: cut(&states.q), dq: cut(&states.dq), ddq: cut(&states.ddq) };
+            self.plant.wrench_columns(&states, base, &mut out);
+        }
+        out
+    }
+
+    /// The longest lever at the last frame that some joint has in some of the postures, m.
+    pub fn reach(&self) -> f64 {
+        let every = (self.len / 8).max(1);
+        let lever = |w: usize| {
+            let wrench = self.wrenches(w..w + 1, true);
+            let of = |j: usize| (0..3).map(|c| wrench[c * self.dof() + j].powi(2)).sum::<f64>().sqrt();
+            (0..self.dof()).map(of).fold(0.0, f64::max)
+        };
+        (0..self.len).step_by(every).map(lever).fold(0.0, f64::max)
+    }
+
+    /// Zero where the window is not used for joint `j`.
+    pub fn masked(&self, j: usize, series: &mut [f64]) {
+        series.iter_mut().zip(&self.live[j]).filter(|(_, live)| !**live).for_each(|(x, _)| *x = 0.0);
+    }
+
+    /// Several joints' series as one column, masked; joints on which nothing acts are left out.
+    pub fn column(&self, rows: Vec<Vec<f64>>) -> Column {
+        let mut column = Column::default();
+        for (j, mut series) in rows.into_iter().enumerate() {
+            self.masked(j, &mut series);
+            if series.iter().any(|x| *x != 0.0) {
+                column.rows.push((j, series));
+            }
+        }
+        column
+    }
+
+    /// Entries of the base regressor that belong to each joint's torque: `(base parameter,
+    /// series)`.
+    pub fn base_rows(&self) -> Vec<Vec<(usize, Vec<f64>)>> {
+        let pattern = self.plant.base_pattern();
+        let mut rows = vec![Vec::new(); self.dof()];
+        for (index, states) in self.states.iter().enumerate() {
+            let mut out = vec![0.0; pattern.len() * self.len];
+            self.plant.base_regressor(states, &mut out);
+            for (entry, &(row, column)) in out.chunks_exact(self.len.max(1)).zip(pattern) {
+                if self.seen[row] == index {
+                    rows[row].push((column, entry.to_vec()));
+                }
+            }
+        }
+        rows
+    }
+
+    /// Torque of the rigid model where each window's motion is first changed by `change` (states,
+    /// number of the delay).
+    pub fn rigid_with(&self, change: impl Fn(&mut States)) -> Vec<Vec<f64>> {
+        let pattern = self.plant.base_pattern();
+        let mut rows = vec![vec![0.0; self.len]; self.dof()];
+        for (index, states) in self.states.iter().enumerate() {
+            let mut states = states.clone();
+            change(&mut states);
+            let mut out = vec![0.0; pattern.len() * self.len];
+            self.plant.base_regressor(&states, &mut out);
+            for (entry, &(row, column)) in out.chunks_exact(self.len.max(1)).zip(pattern) {
+                if self.seen[row] == index && self.beta[column] != 0.0 {
+                    rows[row].iter_mut().zip(entry).for_each(|(t, w)| *t += w * self.beta[column]);
+                }
+            }
+        }
+        rows
+    }
+
+    /// Takes base parameters (friction entries zero) for the rigid model.
+    pub fn set_model(&mut self, beta: Vec<f64>, standard: Option<Vec<f64>>) {
+        (self.beta, self.standard) = (beta, standard);
+        self.rigid = self.rigid_with(|_| {});
+        self.slopes.fill(OnceLock::new());
+        for (j, stretches) in self.own.iter_mut().enumerate() {
+            for own in stretches {
+                let rigid = &self.rigid[j][own.first..own.first + own.windows];
+                own.load = spread(rigid, own.per);
+                own.load.iter_mut().zip(&own.a).for_each(|(t, a)| *t -= self.rotors[j] * a);
+            }
+        }
+    }
+
+    /// Visible part of a change of joint `j`'s position, given as a function of a series over the
+    /// windows, after the low-pass of its positions. Returned are the change (rad) and its two
+    /// derivatives, over the windows.
+    pub fn seen_through(&self, j: usize, series: &[f64], change: impl Fn(f64) -> f64) -> [Vec<f64>; 3] {
+        let mut out: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::with_capacity(self.len));
+        for own in &self.own[j] {
+            let fine = spread(&series[own.first..own.first + own.windows], own.per);
+            let changed: Vec<f64> = fine.into_iter().map(&change).collect();
+            for (out, seen) in out.iter_mut().zip(own.band.seen(0, &changed, own.period)) {
+                out.extend(average(&seen, own.per));
+            }
+        }
+        out
+    }
+
+    /// Difference quotient of the rigid torque when joint `j` really moves by `scale` times these
+    /// (position, velocity, acceleration over the windows) more: the torques per unit of `scale`,
+    /// all joints.
+    pub fn moved(&self, j: usize, by: &[Vec<f64>; 3], scale: f64) -> Vec<Vec<f64>> {
+        let span = j * self.len..(j + 1) * self.len;
+        let mut rows = self.rigid_with(|states| {
+            for (x, by) in [&mut states.q, &mut states.dq, &mut states.ddq].into_iter().zip(by) {
+                x[span.clone()].iter_mut().zip(by).for_each(|(x, by)| *x += scale * by);
+            }
+        });
+        for (row, rigid) in rows.iter_mut().zip(&self.rigid) {
+            row.iter_mut().zip(rigid).for_each(|(a, b)| *a = (*a - b) / scale);
+        }
+        rows
+    }
+
+    /// How the rigid torques change with joint `j`'s motion.
+    pub fn slopes(&self, j: usize) -> Arc<Slopes> {
+        let made = self.slopes[j].get_or_init(|| {
+            let span = j * self.len..(j + 1) * self.len;
+            let by = |step: f64, what: fn(&mut States) -> &mut Vec<f64>| {
+                let mut rows = self.rigid_with(|states| what(states)[span.clone()].iter_mut().for_each(|x| *x += step));
+                for (row, rigid) in rows.iter_mut().zip(&self.rigid) {
+                    row.iter_mut().zip(rigid).for_each(|(a, b)| *a = (*a - b) / step);
+                }
+                rows
+            };
+            Arc::new(Slopes {
+                position: by(1e-3, |s| &mut s.q),
+                velocity: by(1e-2, |s| &mut s.dq),
+                acceleration: by(1.0, |s| &mut s.ddq),
+            })
+        });
+        made.clone()
+    }
+
+    /// Time derivative of a series over the windows, by central differences within each run.
+    pub fn rate_of(&self, series: &[f64]) -> Vec<f64> {
+        let mut out = Vec::with_capacity(series.len());
+        for run in &self.runs {
+            out.extend(central(&series[run.clone()], self.step));
+        }
+        out
+    }
+
+    /// Difference quotient of the rigid torque when joint `j` really stands at `q + scale * shift`
+    /// (`shift` a series over the windows): the torques per unit of `scale`, all joints.
+    pub fn shifted(&self, j: usize, shift: &[f64], scale: f64) -> Vec<Vec<f64>> {
+        let rate = self.rate_of(shift);
+        let second = self.rate_of(&rate);
+        self.moved(j, &[shift.to_vec(), rate, second], scale)
+    }
+}
+
+/// Means of consecutive groups.
+fn average(x: &[f64], per: usize) -> Vec<f64> {
+    x.chunks_exact(per).map(|w| w.iter().sum::<f64>() / per as f64).collect()
+}
+
+/// From windows back to samples, on lines between the windows' middles.
+fn spread(x: &[f64], per: usize) -> Vec<f64> {
+    let last = x.len().saturating_sub(1) as f64;
+    (0..x.len() * per)
+        .map(|k| {
+            let at = ((k as f64 - 0.5 * (per - 1) as f64) / per as f64).clamp(0.0, last);
+            let (i, f) = (at.floor() as usize, at.fract());
+            x[i] + f * (x[(i + 1).min(x.len() - 1)] - x[i])
+        })
+        .collect()
+}
+
+/// `x` at `span`, each sample taken `by` samples earlier: cubic through four neighbours.
+fn earlier(x: &[f64], span: std::ops::Range<usize>, by: f64) -> Vec<f64> {
+    if by == 0.0 {
+        return x[span].to_vec();
+    }
+    let last = x.len().saturating_sub(1) as f64;
+    span.map(|k| {
+        let at = (k as f64 - by).clamp(0.0, last);
+        let i = (at.floor() as usize).min(x.len().saturating_sub(2));
+        let f = at - i as f64;
+        let get = |o: isize| x[(i as isize + o).clamp(0, x.len() as isize - 1) as usize];
+        let (a, b, c, d) = (get(-1), get(0), get(1), get(2));
+        -f * (f - 1.0) * (f - 2.0) / 6.0 * a + (f * f - 1.0) * (f - 2.0) / 2.0 * b - f * (f + 1.0) * (f - 2.0) / 2.0 * c
+            + f * (f * f - 1.0) / 6.0 * d
+    })
+    .collect()
+}
+
+/// Rotor inertia of each joint in the file, kg m^2.
+fn rotors(plant: &dyn PerturbableArm) -> Vec<f64> {
+    let of = |row: &usize| {
+        let rotor = StandardParameter::Drive(*row, DriveTerm::IA);
+        plant.standard_parameters().iter().position(|p| *p == rotor).map_or(0.0, |at| plant.given_drive(at))
+    };
+    plant.rows().iter().map(of).collect()
+}
+
+/// Longest spacing of the samples, s.
+fn longest_period(recordings: &[Recording]) -> f64 {
+    recordings.iter().flat_map(|r| &r.stretches).map(|s| s.period).fold(0.0, f64::max).max(1e-9)
+}
+
+/// The most that each joint gives, N m.
+fn rated(plant: &dyn PerturbableArm, recordings: &[Recording]) -> Vec<f64> {
+    let stretches = || recordings.iter().flat_map(|r| &r.stretches);
+    let seen = |j: usize| stretches().flat_map(|s| s.of(&s.tau, j)).fold(0.0_f64, |m, t| m.max(t.abs()));
+    let limits = plant.torque_limits();
+    (0..plant.dof()).map(|j| limits[j].unwrap_or(0.0).max(1.5 * seen(j))).collect()
+}
+
+/// Speed below which each joint's sign is noise, rad/s, and whether it stands (is inside for most
+/// of the time).
+pub(in crate::diagnose) fn dead_zones(recordings: &[Recording], dof: usize) -> Vec<(f64, bool)> {
+    let stretches = || recordings.iter().flat_map(|r| &r.stretches);
+    (0..dof)
+        .map(|j| {
+            let noise = stretches().map(|s| s.velocity_noise[j]).fold(0.0, f64::max);
+            let fastest = stretches().flat_map(|s| s.of(&s.states.dq, j)).fold(0.0_f64, |m, v| m.max(v.abs()));
+            let zone = (3.0 * noise).max(0.01 * fastest).max(1e-4);
+            let (mut inside, mut all) = (0, 0);
+            for v in stretches().flat_map(|s| s.of(&s.states.dq, j)) {
+                inside += usize::from(v.abs() <= zone);
+                all += 1;
+            }
+            (zone, 2 * inside > all)
+        })
+        .collect()
+}
