@@ -1,6 +1,6 @@
 //! Plain friction, which is always among the unknowns, on a par with the other causes.
 
-use super::candidate::{Candidate, candidates, logs, rivals};
+use super::candidate::{Candidate, candidates, logs, rivals, unknowns};
 use super::judge::{Accepted, Judge, adopt, chosen_of};
 use super::{SearchSettings, makes_sense};
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
@@ -53,7 +53,13 @@ pub fn reconsider(
         let plain = raw - free.len() as f64 * total.max(2.0).ln();
         let memory = fitted.memory[j];
         let mut replaced = false;
-        if let Some(best) = ranked.first().filter(|c| c.score > plain + 4.0 * memory) {
+        // What needs as many unknowns as plain friction and explains hardly more is no better a name.
+        let richer = |c: &Candidate| unknowns(c.cause, &c.shape, c.gain.x.len()) >= free.len() as f64;
+        let margin = |c: &Candidate| match richer(c) && !free.is_empty() {
+            true => (10.0 * memory).max(0.015 * c.score),
+            false => 4.0 * memory,
+        };
+        if let Some(best) = ranked.first().filter(|c| c.score > plain + margin(c)) {
             let mut trial = without.clone();
             trial.push(best.chosen());
             let next = bench.fit(&mut trial);

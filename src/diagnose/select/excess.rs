@@ -119,6 +119,13 @@ impl Case<'_> {
         let worse = pairs.filter(|((own, refit), _)| worse(own, refit, self.scale, self.noise));
         worse.map(|(_, log)| log.name.clone()).collect()
     }
+
+    /// Whether a model errs more than another (its errors by log) on every validating log, over all
+    /// joints.
+    pub(super) fn worse_as_a_whole(&self, model: &Settled<'_>, other: &[Vec<f64>]) -> bool {
+        let own = by_log(self.plant, self.validate, &model.bench, &model.fitted, &chosen_of(&model.accepted));
+        own.iter().zip(other).all(|(own, other)| taken_of(own, other, self.scale) > WORSE)
+    }
 }
 
 /// Whether errors `own` are more than those of a refit, N m per joint.
