@@ -53,13 +53,7 @@ pub fn reconsider(
         let plain = raw - free.len() as f64 * total.max(2.0).ln();
         let memory = fitted.memory[j];
         let mut replaced = false;
-        // What needs as many unknowns as plain friction and explains hardly more is no better a name.
-        let richer = |c: &Candidate| unknowns(c.cause, &c.shape, c.gain.x.len()) >= free.len() as f64;
-        let margin = |c: &Candidate| match richer(c) && !free.is_empty() {
-            true => (10.0 * memory).max(0.015 * c.score),
-            false => 4.0 * memory,
-        };
-        if let Some(best) = ranked.first().filter(|c| c.score > plain + margin(c)) {
+        if let Some(best) = ranked.first().filter(|c| is_better(c, plain, free.len(), memory)) {
             let mut trial = without.clone();
             trial.push(best.chosen());
             let next = bench.fit(&mut trial);
@@ -93,4 +87,15 @@ pub fn reconsider(
     fitted = bench.fit(&mut chosen);
     adopt(accepted, &chosen);
     (fitted, all)
+}
+
+/// Whether a candidate says more than plain friction with this score and number of terms. What
+/// needs as many unknowns and explains hardly more is no better a name.
+fn is_better(candidate: &Candidate, plain: f64, terms: usize, memory: f64) -> bool {
+    let unknowns = unknowns(candidate.cause, &candidate.shape, candidate.gain.x.len());
+    let margin = match terms > 0 && unknowns >= terms as f64 {
+        true => (10.0 * memory).max(0.015 * candidate.score),
+        false => 4.0 * memory,
+    };
+    candidate.score > plain + margin
 }
