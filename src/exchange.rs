@@ -11,6 +11,7 @@ mod export;
 pub mod import;
 pub mod mjcf;
 mod onto;
+mod tip;
 mod to_dh;
 pub mod tree;
 pub mod urdf;

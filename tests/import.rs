@@ -193,11 +193,12 @@ fn every_refusal_says_what_where_and_how_to_go_on() {
         let said = import(&text, &gripping("flange")).unwrap_err().in_file("arm.urdf");
         words.iter().for_each(|w| assert!(said.contains(w), "no `{w}` in {said}"));
     }
-    // Eight joints lead to the finger, the only such leaf; a second finger makes two.
+    // Eight joints lead to the finger, the only such leaf; a second finger makes two, and the link
+    // that carries both may be the arm's end.
     assert_eq!(import(ARM, &ImportOptions::default()).unwrap().tip, "finger");
     let two = ARM.replacen("</robot>", "<link name=\"thumb\"/><joint name=\"oppose\" type=\"revolute\"><parent link=\"l7\"/><child link=\"thumb\"/></joint></robot>", 1);
     let two = import(&two, &ImportOptions::default()).unwrap_err().to_string();
-    assert!(two.contains("2 links end a chain of 8 moving joints: finger, thumb") && two.contains("--tip"), "{two}");
+    assert!(two.contains("moving joints: l7 (7), finger (8), thumb (8)") && two.contains("--tip"), "{two}");
     let free = import(ARM, &ImportOptions { at: vec![], ..gripping("flange") }).unwrap_err().to_string();
     assert!(free.contains("--at grip=0.01") && free.contains("--at zero"), "{free}");
     let follows = ARM.replacen(grip, &format!("{grip}<mimic joint=\"slide\"/>"), 1);
@@ -206,6 +207,29 @@ fn every_refusal_says_what_where_and_how_to_go_on() {
     assert!(follows.contains("`grip`") && follows.contains("`slide`"), "{follows}");
     let unknown = import(ARM, &gripping("flang")).unwrap_err().to_string();
     assert!(unknown.contains("no link `flang`") && unknown.contains("flange"), "{unknown}");
+}
+
+/// A second finger, which slides beside the first or follows it: the arm ends before both.
+#[test]
+fn the_fingers_of_a_gripper_end_no_arm() {
+    let finger = |more: &str| {
+        let joint = format!(
+            "<link name=\"thumb\"/><joint name=\"oppose\" type=\"prismatic\"><parent link=\"l7\"/><child link=\"thumb\"/>\
+             <axis xyz=\"0 1 0\"/><limit lower=\"0.01\" upper=\"0.04\"/>{more}</joint></robot>"
+        );
+        // Without the flange, nothing but fingers stands behind the last link.
+        let arm = ARM.replacen("<link name=\"flange\"/>", "", 1);
+        let from = arm.find("<joint name=\"flange joint\"").unwrap_or_else(|| panic!("{arm}"));
+        let to = from + arm[from..].find("</joint>").unwrap() + "</joint>".len();
+        (arm[..from].to_string() + &arm[to..]).replacen("</robot>", &joint, 1)
+    };
+    let mimic = finger("<mimic joint=\"grip\" multiplier=\"-1\"/>");
+    let asked = import(&mimic, &ImportOptions::default()).unwrap_err().to_string();
+    assert!(asked.contains("which ends at `l7`") && asked.contains("--at grip=0.01"), "{asked}");
+    let held = ImportOptions { at: vec![("grip".into(), 0.03)], ..ImportOptions::default() };
+    let made = import(&mimic, &held).unwrap();
+    assert_eq!((made.tip.as_str(), made.robot.dof()), ("l7", 7));
+    assert!(made.notes.iter().any(|n| n.contains("`grip` and `oppose` move the fingers")), "{:?}", made.notes);
 }
 
 #[test]
@@ -296,7 +320,7 @@ fn outcome(text: &str) -> String {
             }
             Err(error) => {
                 let said = error.to_string();
-                let list = said.split_once(" moving joints: ").and_then(|(_, rest)| rest.split([',', ';']).next());
+                let list = said.split_once(" moving joints: ").and_then(|(_, rest)| rest.split([',', ';', '(']).next());
                 match list {
                     Some(first) => (options.tip, chosen) = (Some(first.trim().to_string()), " (of several)"),
                     None => {

@@ -29,7 +29,8 @@ pub(super) struct Import {
     /// Link (body) that is the world of the robot file; default: the root.
     #[arg(long, value_name = "LINK")]
     base: Option<String>,
-    /// Link (body) that is the tool frame; default: the only leaf behind the most moving joints.
+    /// Link (body) that is the tool frame; default: the only leaf behind the most moving joints,
+    /// or the link that carries the fingers of a gripper there.
     #[arg(long, value_name = "LINK")]
     tip: Option<String>,
     /// Position of a joint beside the arm, rad or m, `30deg` too; `zero`: all others at zero, or at

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::ImportError;
 use super::import::ImportOptions;
+use super::tip::{Tip, candidates, default_tip};
 use super::tree::{Tie, Tree, TreeJointKind};
 
 /// The serial arm in a tree.
@@ -13,6 +14,8 @@ pub(super) struct Chain {
     pub(super) base: usize,
     /// Index of the tip body.
     pub(super) tip: usize,
+    /// Joints of a gripper's fingers before which the arm was taken to end.
+    pub(super) fingers: Vec<usize>,
     /// Joints from base to tip that move, in order.
     pub(super) moving: Vec<usize>,
     /// Of each body: how many of the moving joints stand before it; `None`: not below the base.
@@ -27,7 +30,7 @@ impl Chain {
     /// Picks the chain and a posture of everything beside it.
     pub(super) fn new(tree: &Tree, options: &ImportOptions) -> Result<Self, ImportError> {
         let base = base(tree, options.base.as_deref())?;
-        let tip = tip(tree, base, options.tip.as_deref())?;
+        let Tip { body: tip, fingers } = tip(tree, base, options.tip.as_deref())?;
         let Some(path) = tree.path(base, tip) else {
             let (base, tip) = (&tree.bodies[base].name, &tree.bodies[tip].name);
             return Err(ImportError::arm(
@@ -39,14 +42,16 @@ impl Chain {
         let moving: Vec<usize> = path.iter().copied().filter(|&j| tree.joints[j].moves()).collect();
         if moving.is_empty() {
             let (base, tip) = (&tree.bodies[base].name, &tree.bodies[tip].name);
+            let ends = candidates(tree, base_root(tree));
+            let ends: Vec<&str> = ends.iter().map(|&(body, _)| tree.bodies[body].name.as_str()).collect();
             return Err(ImportError::arm(
                 format!("no joint moves between `{base}` and `{tip}`"),
-                format!("links with most moving joints above them: {}", candidates(tree, base_root(tree)).join(", ")),
+                format!("links with most moving joints above them: {}", ends.join(", ")),
             ));
         }
         let carried_by = carriers(tree, base, &moving);
         loops(tree, &path, &carried_by)?;
-        let mut chain = Self { base, tip, moving, carried_by, held: Vec::new(), positions: Vec::new() };
+        let mut chain = Self { base, tip, fingers, moving, carried_by, held: Vec::new(), positions: Vec::new() };
         chain.hold(tree, options)?;
         Ok(chain)
     }
@@ -79,9 +84,9 @@ impl Chain {
             given.insert(joint, *q);
         }
         let missing: Vec<usize> =
-            self.beside(tree).into_iter().filter(|j| !given.contains_key(&self.master(tree, *j))).collect();
+            self.beside(tree).into_iter().filter(|j| !given.contains_key(&tree.master(*j))).collect();
         self.ask(tree, &missing, options.at_zero)?;
-        for joint in missing.iter().map(|&j| self.master(tree, j)) {
+        for joint in missing.iter().map(|&j| tree.master(j)) {
             given.entry(joint).or_insert(nearest_to_zero(tree.joints[joint].position));
         }
         for &joint in &self.moving {
@@ -103,17 +108,6 @@ impl Chain {
         (0..tree.joints.len()).filter(|&j| matters(j)).collect()
     }
 
-    /// The joint that a joint follows in the end.
-    fn master(&self, tree: &Tree, mut joint: usize) -> usize {
-        for _ in 0..tree.joints.len() {
-            match &tree.joints[joint].mimic {
-                Some(mimic) => joint = mimic.joint,
-                None => break,
-            }
-        }
-        joint
-    }
-
     /// Refuses what has no posture.
     fn ask(&self, tree: &Tree, missing: &[usize], zero: bool) -> Result<(), ImportError> {
         for &joint in missing {
@@ -124,7 +118,7 @@ impl Chain {
                     "take it out of the file, or choose a --tip before it",
                 ));
             }
-            let master = self.master(tree, joint);
+            let master = tree.master(joint);
             if self.moving.contains(&master) {
                 return Err(ImportError::arm(
                     format!(
@@ -138,14 +132,15 @@ impl Chain {
         if zero || missing.is_empty() {
             return Ok(());
         }
-        let mut masters: Vec<usize> = missing.iter().map(|&j| self.master(tree, j)).collect();
+        let mut masters: Vec<usize> = missing.iter().map(|&j| tree.master(j)).collect();
         masters.sort_unstable();
         masters.dedup();
         let names: Vec<&str> = masters.iter().map(|&j| tree.joints[j].name.as_str()).collect();
         let option = |&j: &usize| format!("--at {}={}", tree.joints[j].name, nearest_to_zero(tree.joints[j].position));
         let list: Vec<String> = masters.iter().map(option).collect();
+        let tip = &tree.bodies[self.tip].name;
         Err(ImportError::arm(
-            format!("joints beside the arm move bodies that it carries: {}", names.join(", ")),
+            format!("joints beside the arm, which ends at `{tip}`, move bodies that it carries: {}", names.join(", ")),
             format!("say where they stand, as in `{}`, or all at once with `--at zero`", list.join(" ")),
         ))
     }
@@ -267,40 +262,10 @@ fn base(tree: &Tree, name: Option<&str>) -> Result<usize, ImportError> {
     }
 }
 
-fn tip(tree: &Tree, base: usize, name: Option<&str>) -> Result<usize, ImportError> {
-    if let Some(name) = name {
-        return tree.body(name).ok_or_else(|| unknown(tree, "--tip", name));
-    }
-    let leaves = leaves(tree, base);
-    let most = leaves.iter().map(|(_, n)| *n).max().unwrap_or(0);
-    let best: Vec<usize> = leaves.iter().filter(|(_, n)| *n == most).map(|(b, _)| *b).collect();
-    match best[..] {
-        [tip] if most > 0 => Ok(tip),
-        _ if most == 0 => {
-            let base = &tree.bodies[base].name;
-            Err(ImportError::arm(format!("no joint moves below `{base}`"), "choose another --base, or another file"))
-        }
-        _ => Err(ImportError::arm(
-            format!("{} links end a chain of {most} moving joints: {}", best.len(), candidates(tree, base).join(", ")),
-            "choose one with --tip, or any link on the way to it",
-        )),
-    }
-}
-
-/// Names of the leaves with most moving joints.
-fn candidates(tree: &Tree, base: usize) -> Vec<String> {
-    let leaves = leaves(tree, base);
-    let most = leaves.iter().map(|(_, n)| *n).max().unwrap_or(0);
-    leaves.iter().filter(|(_, n)| *n == most).map(|(b, _)| tree.bodies[*b].name.clone()).collect()
-}
-
-/// Bodies below `base` that carry no joint, with the number of moving joints before them.
-fn leaves(tree: &Tree, base: usize) -> Vec<(usize, usize)> {
-    let ends =
-        |&b: &usize| !tree.bodies[b].site && tree.joints_below(b).all(|j| tree.bodies[tree.joints[j].child].site);
-    let all = (0..tree.bodies.len()).filter(ends);
-    let count = |b: usize| Some((b, tree.path(base, b)?.iter().filter(|&&j| tree.joints[j].moves()).count()));
-    all.filter_map(count).collect()
+fn tip(tree: &Tree, base: usize, name: Option<&str>) -> Result<Tip, ImportError> {
+    let Some(name) = name else { return default_tip(tree, base) };
+    let body = tree.body(name).ok_or_else(|| unknown(tree, "--tip", name))?;
+    Ok(Tip { body, fingers: Vec::new() })
 }
 
 fn unknown(tree: &Tree, option: &str, name: &str) -> ImportError {

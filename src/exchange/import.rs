@@ -111,10 +111,22 @@ pub fn import(text: &str, options: &ImportOptions) -> Result<Imported, ImportErr
         snap,
         unknown: found.unknown,
         impossible: found.impossible,
-        notes: tree.notes.iter().cloned().chain(found.notes).collect(),
+        notes: tree.notes.iter().cloned().chain(fingers(&tree, &chain)).chain(found.notes).collect(),
         robot,
         error,
     })
+}
+
+/// Fingers before which the arm was taken to end, as a note.
+fn fingers(tree: &Tree, chain: &Chain) -> Option<String> {
+    let names: Vec<String> = chain.fingers.iter().map(|&j| format!("`{}`", tree.joints[j].name)).collect();
+    let tip = &tree.bodies[chain.tip].name;
+    let said = |all: String| {
+        format!(
+            "{all} move the fingers of a gripper, so the arm ends at `{tip}`, which carries them; --tip names another end"
+        )
+    };
+    (!names.is_empty()).then(|| said(names.join(" and ")))
 }
 
 /// Report beside the robot.

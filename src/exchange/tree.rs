@@ -174,6 +174,17 @@ impl Tree {
         (0..self.joints.len()).filter(move |&j| self.joints[j].parent == body)
     }
 
+    /// The joint that a joint follows in the end: itself where it follows none.
+    pub fn master(&self, mut joint: usize) -> usize {
+        for _ in 0..self.joints.len() {
+            match &self.joints[joint].mimic {
+                Some(mimic) => joint = mimic.joint,
+                None => break,
+            }
+        }
+        joint
+    }
+
     /// Joints from `base` to `body`, in order; `None` where `base` is no ancestor.
     pub fn path(&self, base: usize, body: usize) -> Option<Vec<usize>> {
         let mut joints = Vec::new();
