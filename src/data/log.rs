@@ -26,6 +26,7 @@ pub(crate) mod ros;
 mod rounded;
 mod table;
 mod unit;
+mod utf16;
 mod whole;
 
 pub use acceptance::Acceptance;

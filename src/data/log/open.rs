@@ -14,12 +14,15 @@ use super::npz::NpzTable;
 use super::parquet::ParquetTable;
 use super::ros::{McapMessages, Recording};
 use super::table::MappedTable;
+use super::utf16::Utf16;
 
 /// Format of a log's bytes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
     /// Text.
     Csv,
+    /// Text of two bytes a letter.
+    CsvUtf16,
     /// Gzipped text.
     CsvGz,
     /// Parquet.
@@ -41,6 +44,7 @@ impl Format {
     pub fn of(magic: &[u8]) -> Self {
         match magic {
             [0x1f, 0x8b, ..] => Self::CsvGz,
+            [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => Self::CsvUtf16,
             [b'P', b'A', b'R', b'1', ..] => Self::Parquet,
             [0x89, b'M', b'C', b'A', b'P', ..] => Self::Mcap,
             [b'P', b'K', 3, 4, ..] => Self::Npz,
@@ -61,9 +65,28 @@ impl Format {
             _ if magic.starts_with(b"ULog") => {
                 Self::Foreign("this is a ULog, which is not read; turn it into CSV with `ulog2csv`")
             }
+            _ if is_matlab_4(magic) => Self::Foreign(
+                "this is a file of MATLAB 4, which is not read; save it with `save('x.mat', '-v7')`, or as CSV",
+            ),
             _ => Self::Csv,
         }
     }
+}
+
+/// Has it the header of a matrix of MATLAB 4? It begins with four numbers of four bytes: type, rows,
+/// columns, and whether there are imaginary parts.
+fn is_matlab_4(magic: &[u8]) -> bool {
+    let numbers = |read: fn([u8; 4]) -> u32| -> Option<[u32; 4]> {
+        let mut all = magic.chunks_exact(4).filter_map(|b| Some(read(b.try_into().ok()?)));
+        Some([all.next()?, all.next()?, all.next()?, all.next()?])
+    };
+    // Thousands of the type: byte order; tens: type of number; ones: numbers, text or sparse.
+    let header = |[kind, rows, columns, imaginary]: [u32; 4], order: u32| {
+        let size = 1..100_000_000;
+        let known = kind / 1000 == order && (kind % 1000) / 10 <= 5 && kind % 10 <= 2;
+        known && size.contains(&rows) && size.contains(&columns) && imaginary <= 1
+    };
+    numbers(u32::from_le_bytes).is_some_and(|n| header(n, 0)) || numbers(u32::from_be_bytes).is_some_and(|n| header(n, 1))
 }
 
 /// What to do with an SQLite recording.
@@ -114,6 +137,7 @@ pub fn open_table<'a, R: Read + 'a>(
         Format::Sqlite => return Err(LogError::Foreign { file: file.into(), what: SQLITE.into() }),
         Format::Foreign(what) => return Err(LogError::Foreign { file: file.into(), what: what.into() }),
         Format::Csv => Box::new(CsvTable::new(file, whole)?),
+        Format::CsvUtf16 => Box::new(CsvTable::new(file, Utf16::new(whole))?),
         Format::CsvGz => Box::new(CsvTable::new(file, flate2::read::MultiGzDecoder::new(whole))?),
         Format::Mcap => {
             let arrival = reading.mapping.as_ref().is_some_and(|m| m.arrival);

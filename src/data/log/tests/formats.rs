@@ -30,6 +30,31 @@ fn three_formats_agree() {
     assert_eq!(all_of(&again).unwrap(), log);
 }
 
+/// Windows programs save text with two bytes a letter; letters beyond 16 bits have two units.
+#[test]
+fn text_of_two_bytes_a_letter_is_read() {
+    let plain = text(&good());
+    let marked = format!("\u{feff}# Gelenk \u{1f916}\n{plain}");
+    let little: Vec<u8> = marked.encode_utf16().flat_map(u16::to_le_bytes).collect();
+    let big: Vec<u8> = marked.encode_utf16().flat_map(u16::to_be_bytes).collect();
+    let log = all_of(plain.as_bytes()).unwrap();
+    for bytes in [&little, &big] {
+        assert_eq!(all_of(bytes).unwrap().columns, log.columns);
+    }
+    let cut = all_of(&little[..little.len() - 1]).unwrap_err().to_string();
+    assert!(cut.contains("UTF-16"), "{cut}");
+}
+
+/// The first matrix of a file that `save('x.mat', '-v4')` writes, on both kinds of machine.
+#[test]
+fn a_file_of_matlab_4_is_named() {
+    let header = |order: fn(u32) -> [u8; 4], kind: u32| [kind, 3, 2, 0, 2].map(order).concat();
+    for bytes in [header(u32::to_le_bytes, 0), header(u32::to_be_bytes, 1000)] {
+        let said = all_of(&bytes).unwrap_err().to_string();
+        assert!(said.contains("MATLAB 4") && said.contains("-v7"), "{said}");
+    }
+}
+
 #[test]
 fn blocks_of_any_size_give_the_same_rows() {
     let plain = text(&good());
