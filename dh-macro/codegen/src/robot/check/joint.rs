@@ -10,11 +10,22 @@ const FASTEST: f64 = 60.0;
 /// Further than any joint turns, rad: degrees, most likely.
 const FURTHEST: f64 = 30.0;
 
+/// Most rows of a table. The symbolic work grows with a power of them: 50 rows take some seconds,
+/// 100 would take a minute and 400 MB for no robot that is known.
+const MOST_ROWS: usize = 50;
+
 /// All rows.
 pub(super) fn joints(top: &Fields<'_>, to: &mut Findings) -> Vec<Joint> {
     let Some((node, path)) = top.node("joints") else { return Vec::new() };
     if matches!(&node.kind, Kind::List(items) if items.is_empty()) {
         to.problem(node.mark, &path, "the list is empty", "write one entry per row of the DH table, base to tip");
+    }
+    if let Kind::List(rows) = &node.kind
+        && rows.len() > MOST_ROWS
+    {
+        let what = format!("{} rows, and the symbolic work is limited to {MOST_ROWS}", rows.len());
+        to.problem(node.mark, &path, what, "take out rows that do not move, or describe a part of the chain");
+        return (0..rows.len()).map(placeholder).collect();
     }
     let mut joints: Vec<Joint> = Vec::new();
     let mut names: Vec<(String, usize)> = Vec::new();
