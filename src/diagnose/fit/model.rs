@@ -156,6 +156,7 @@ pub struct ModelUnderTest<'a> {
     /// Equations in the rigid arm's unknowns and friction's alone, in pieces from everywhere and in
     /// stretches.
     ground: [OnceLock<Moments>; 2],
+    /// Columns of the rigid arm's unknowns, where it is fitted.
     base: Vec<Column>,
     friction: Vec<Column>,
     y: Vec<Vec<f64>>,
@@ -205,6 +206,8 @@ impl<'a> ModelUnderTest<'a> {
             .collect();
         self.base = match self.mode {
             Mode::Trusted => Vec::new(),
+            // A model that only predicts adds them up as it goes.
+            Mode::Refitted if self.all => Vec::new(),
             Mode::Refitted => {
                 let mut rows: Vec<Vec<Vec<f64>>> = Vec::new();
                 let wanted = inertial(plant);
@@ -251,10 +254,12 @@ impl<'a> ModelUnderTest<'a> {
 
     fn rigid_of(&self, beta: &[f64]) -> Vec<Vec<f64>> {
         let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
-        for (row, entries) in rows.iter_mut().zip(self.scene.base_rows()) {
-            for (b, series) in entries {
-                row.iter_mut().zip(&series).for_each(|(t, s)| *t += beta[b] * s);
-            }
+        for index in 0..self.scene.states.len() {
+            self.scene.base_parts(index, |_, &(row, b), first, part| {
+                if self.scene.seen[row] == index {
+                    rows[row][first..].iter_mut().zip(part).for_each(|(t, s)| *t += beta[b] * s);
+                }
+            });
         }
         rows
     }
@@ -294,7 +299,8 @@ impl<'a> ModelUnderTest<'a> {
     pub fn family(&self, cause: &'static dyn Cause, place: &[usize], shape: &[f64]) -> Arc<Vec<Term>> {
         let rests = cause.rests_on_model()
             && (self.mode == Mode::Refitted || cause.rests_on_friction() || cause.finite_difference());
-        if rests || self.all {
+        // The times of what acts in a part of a log differ from trial to trial.
+        if rests || self.all || cause.local() {
             return Arc::new(cause.terms(&self.scene, place, shape));
         }
         let key = (cause.name(), place.to_vec(), shape.iter().map(|s| s.to_bits()).collect());
@@ -548,7 +554,9 @@ impl<'a> ModelUnderTest<'a> {
     pub fn predict(&self, x: &nalgebra::DVector<f64>, chosen: &[Chosen]) -> Vec<Vec<f64>> {
         let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
         let terms: Vec<Arc<Vec<Term>>> = chosen.iter().map(|c| self.terms(c)).collect();
-        let mut at = 0;
+        let held = if self.all && self.mode == Mode::Refitted { inertial(self.plant) } else { Vec::new() };
+        self.scene.add_base(&held, x.as_slice(), &mut rows);
+        let mut at = held.len();
         let mut add = |column: &Column| {
             for (j, series) in &column.rows {
                 rows[*j].iter_mut().zip(series).for_each(|(r, s)| *r += x[at] * s);

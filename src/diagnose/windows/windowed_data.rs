@@ -38,6 +38,16 @@ pub const BLOCKS: usize = 8;
 /// Length of a piece, s: longer than the autocorrelation time of residuals.
 const PIECE: f64 = 1.0;
 
+/// Windows whose base regressor is computed at once: all of a long log at once would take as much
+/// memory as everything else.
+const PART: usize = 1024;
+
+/// States of some of the samples.
+fn part_of(states: &States, dof: usize, span: std::ops::Range<usize>) -> States {
+    let of = |x: &[f64]| -> Vec<f64> { (0..dof).flat_map(|j| &x[j * states.len..][span.clone()]).copied().collect() };
+    States { len: span.len(), q: of(&states.q), dq: of(&states.dq), ddq: of(&states.ddq) }
+}
+
 /// One joint during one stretch, at the rate of the log.
 #[derive(Debug, Clone)]
 pub struct JointSeries {
@@ -376,17 +386,70 @@ impl<'a> WindowedData<'a> {
     /// series)`.
     pub fn base_rows(&self) -> Vec<Vec<(usize, Vec<f64>)>> {
         let pattern = self.plant.base_pattern();
-        let mut rows = vec![Vec::new(); self.dof()];
-        for (index, states) in self.states.iter().enumerate() {
-            let mut out = vec![0.0; pattern.len() * self.len];
-            self.plant.base_regressor(states, &mut out);
-            for (entry, &(row, column)) in out.chunks_exact(self.len.max(1)).zip(pattern) {
+        let mut rows: Vec<Vec<(usize, Vec<f64>)>> = vec![Vec::new(); self.dof()];
+        // Place of each entry among its row's, where the row takes them from these states.
+        let mut places = vec![(0, 0); pattern.len()];
+        for index in 0..self.states.len() {
+            for (place, &(row, column)) in places.iter_mut().zip(pattern) {
                 if self.seen[row] == index {
-                    rows[row].push((column, entry.to_vec()));
+                    *place = (row, rows[row].len());
+                    rows[row].push((column, vec![0.0; self.len]));
                 }
             }
+            self.base_parts(index, |entry, &(row, _), first, part| {
+                if self.seen[row] == index {
+                    let (row, at) = places[entry];
+                    rows[row][at].1[first..first + part.len()].copy_from_slice(part);
+                }
+            });
         }
         rows
+    }
+
+    /// Entries of the base regressor over the states of a delay, a part of the windows at a time:
+    /// number and pattern of the entry, first window, values.
+    pub fn base_parts(&self, index: usize, mut take: impl FnMut(usize, &(usize, usize), usize, &[f64])) {
+        let pattern = self.plant.base_pattern();
+        let mut out = vec![0.0; pattern.len() * PART.min(self.len)];
+        for first in (0..self.len).step_by(PART) {
+            let states = part_of(&self.states[index], self.dof(), first..(first + PART).min(self.len));
+            let out = &mut out[..pattern.len() * states.len];
+            self.plant.base_regressor(&states, out);
+            for (entry, (part, at)) in out.chunks_exact(states.len).zip(pattern).enumerate() {
+                take(entry, at, first, part);
+            }
+        }
+    }
+
+    /// Adds to each joint's torque what these base parameters give, `x` beside their numbers; the
+    /// series themselves are not held.
+    pub fn add_base(&self, wanted: &[usize], x: &[f64], to: &mut [Vec<f64>]) {
+        for index in 0..self.states.len() {
+            let mut at_once: Vec<(usize, usize)> = Vec::new();
+            let pattern = self.plant.base_pattern();
+            for (place, b) in wanted.iter().enumerate() {
+                at_once.extend((0..pattern.len()).filter(|&e| pattern[e].1 == *b).map(|e| (place, e)));
+            }
+            let mut parts = vec![Vec::new(); pattern.len()];
+            let mut add = |first: usize, parts: &[Vec<f64>]| {
+                for &(place, entry) in &at_once {
+                    let row = pattern[entry].0;
+                    if self.seen[row] != index {
+                        continue;
+                    }
+                    let series = parts[entry].iter().zip(&self.live[row][first..]);
+                    for (t, (s, live)) in to[row][first..].iter_mut().zip(series) {
+                        *t += x[place] * if *live { *s } else { 0.0 };
+                    }
+                }
+            };
+            self.base_parts(index, |entry, _, first, part| {
+                parts[entry] = part.to_vec();
+                if entry + 1 == pattern.len() {
+                    add(first, &parts);
+                }
+            });
+        }
     }
 
     /// Torque of the rigid model where each window's motion is first changed by `change` (states,
