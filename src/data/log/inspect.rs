@@ -96,7 +96,7 @@ pub(super) fn summarise_rows<T: Table + ?Sized>(table: &mut T) -> Result<Vec<Cha
 
 fn is_time(name: &str) -> bool {
     let words = words(unit::split(name).0);
-    words.iter().any(|w| matches!(w.as_str(), "t" | "time" | "timestamp" | "stamp" | "secs" | "seconds"))
+    words.iter().any(|w| matches!(w.as_str(), "t" | "time" | "timestamp" | "stamp" | "secs" | "seconds" | "zeit"))
         && !words.iter().any(|w| w == "temp" || w == "delta")
 }
 
@@ -133,7 +133,9 @@ fn quantity(words: &[String]) -> Option<Quantity> {
     let motor = has(&["motor", "rotor"]);
     let speed = has(&["velocity", "velocities", "vel", "speed", "dq", "qd", "qdot"]);
     let acceleration = has(&["acceleration", "accelerations", "acc", "ddq", "qdd"]);
-    let position = has(&["position", "positions", "pos", "angle", "angles", "q"]);
+    // LeRobot calls the positions `observation.state`.
+    let observed = has(&["observation"]) && has(&["state"]);
+    let position = observed || has(&["position", "positions", "pos", "angle", "angles", "q"]);
     let found = if has(&["current", "currents", "curr", "amps", "i"]) {
         Quantity::Current
     } else if has(&["torque", "torques", "tau", "effort", "efforts", "trq", "moment"]) {
@@ -180,6 +182,8 @@ pub fn propose(channels: &[ChannelSummary], joints: &[SourceJoint]) -> Proposal 
     let mut proposal = Proposal::default();
     match channels.iter().find(|c| is_time(&c.name)) {
         Some(time) => propose_time(time, &mut proposal),
+        // Messages have stamps of their own; their channels begin with the topic.
+        None if channels.iter().all(|c| c.name.starts_with('/')) => {}
         None => proposal.missing.push("t (time)".into()),
     }
     let groups = groups(channels, joints);
@@ -343,6 +347,17 @@ mod tests {
         assert_eq!(named(&found, "t"), Some(("Time".into(), Some("ms".into()))));
         assert_eq!(named(&found, "q*"), Some(("Axis {number} Pos".into(), Some("deg".into()))));
         assert_eq!(named(&found, "i*").unwrap().1.as_deref(), Some("mA"));
+    }
+
+    #[test]
+    fn stamps_of_messages_are_the_time() {
+        let channels = ["/joint_states/position/a", "/joint_states/effort/a"].map(|name| channel(name, [0.0, 1.0]));
+        let joints = [SourceJoint { name: "a".into(), sign: 1.0, offset: 0.0 }];
+        assert!(propose(&channels, &joints).missing.is_empty());
+        let table = ["observation.state[0]", "observation.effort[0]"].map(|name| channel(name, [0.0, 1.0]));
+        let found = propose(&table, &[]);
+        assert_eq!(named(&found, "q*").unwrap().0, "observation.state[{index}]");
+        assert_eq!(found.missing, ["t (time)"]);
     }
 
     #[test]

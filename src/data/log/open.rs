@@ -86,7 +86,8 @@ fn is_matlab_4(magic: &[u8]) -> bool {
         let known = kind / 1000 == order && (kind % 1000) / 10 <= 5 && kind % 10 <= 2;
         known && size.contains(&rows) && size.contains(&columns) && imaginary <= 1
     };
-    numbers(u32::from_le_bytes).is_some_and(|n| header(n, 0)) || numbers(u32::from_be_bytes).is_some_and(|n| header(n, 1))
+    numbers(u32::from_le_bytes).is_some_and(|n| header(n, 0))
+        || numbers(u32::from_be_bytes).is_some_and(|n| header(n, 1))
 }
 
 /// What to do with an SQLite recording.
