@@ -1,13 +1,16 @@
 //! Where an arm ends: the leaf behind most joints, before the fingers of a gripper.
 
+use std::collections::BTreeSet;
+
 use super::ImportError;
+use super::displacement::Displacement;
 use super::tree::{Tree, TreeJointKind};
 
 /// Longest stroke of a gripper's finger, m; what slides further is taken for an axis.
 const STROKE: f64 = 0.2;
 
 /// More joints than a finger has.
-const FINGER: usize = 50;
+const FINGER: usize = 20;
 
 /// The end of an arm that is chosen where the user names none.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,9 +133,10 @@ fn moving_before(tree: &Tree, base: usize, body: usize) -> usize {
 
 /// Grippers: fingers that one actuator moves, or that slide along one direction, behind a joint.
 fn grippers(tree: &Tree, base: usize) -> Vec<Fork> {
-    let behind = (0..tree.joints.len()).filter(|&j| tree.joints[j].moves());
-    let parts = behind.map(|j| tree.joints[j].child).filter(|&part| tree.path(base, part).is_some());
-    parts
+    let all = below(tree, base, usize::MAX, |_| true);
+    let moving = all.into_iter().filter(|&j| tree.joints[j].moves());
+    moving
+        .map(|j| tree.joints[j].child)
         .flat_map(|part| {
             let branches = branches(tree, part);
             [followers(tree, &branches), sliders(tree, &branches)]
@@ -175,12 +179,13 @@ fn sliders(tree: &Tree, branches: &[usize]) -> Vec<usize> {
             && joint.position.is_some_and(|[low, high]| high - low <= STROKE)
     };
     let slides: Vec<usize> = branches.iter().filter(short).copied().collect();
-    let Some(&first) = slides.first() else { return slides };
+    let [first, _, ..] = slides[..] else { return Vec::new() };
     let Some(part) = rigid_root(tree, first) else { return Vec::new() };
-    let poses = tree.poses(part, &vec![0.0; tree.joints.len()]);
     let along = |j: usize| {
         let joint = &tree.joints[j];
-        poses[joint.parent].map(|pose| pose.then(&joint.origin).rotation * joint.axis)
+        let fixed = tree.path(part, joint.parent)?.into_iter().map(|f| tree.joints[f].displacement(0.0));
+        let pose = fixed.fold(Displacement::identity(), |pose, next| pose.then(&next));
+        Some(pose.then(&joint.origin).rotation * joint.axis)
     };
     let axes: Vec<_> = slides.iter().filter_map(|&j| along(j)).collect();
     let parallel = axes.len() == slides.len() && axes.iter().all(|axis| axis.cross(&axes[0]).norm() < 0.01);
@@ -217,14 +222,14 @@ fn moved_by(tree: &Tree, joint: usize) -> Vec<usize> {
 /// Joints below a body, as far as those lead that may be passed, until there are `most`.
 fn below(tree: &Tree, body: usize, most: usize, passed: impl Fn(TreeJointKind) -> bool) -> Vec<usize> {
     let mut found: Vec<usize> = Vec::new();
+    let mut seen = BTreeSet::from([body]);
     let mut waiting = vec![body];
     while let Some(body) = waiting.pop().filter(|_| found.len() < most) {
         for joint in tree.joints_below(body) {
-            if !found.contains(&joint) {
-                found.push(joint);
-                if passed(tree.joints[joint].kind) {
-                    waiting.push(tree.joints[joint].child);
-                }
+            found.push(joint);
+            let read = &tree.joints[joint];
+            if passed(read.kind) && seen.insert(read.child) {
+                waiting.push(read.child);
             }
         }
     }
