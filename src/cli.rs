@@ -28,6 +28,7 @@ mod diagnose;
 mod eval;
 mod excite;
 mod export;
+mod factor;
 mod files;
 mod force;
 mod generate;
@@ -89,6 +90,9 @@ enum Command {
     Excite(excite::Excite),
     /// Write a robot file as URDF or MJCF, for simulators that read those.
     Export(export::Export),
+    /// Write the factors of recordings, one row each, from which a fleet's models are found without
+    /// reading the recordings again.
+    Factor(Box<factor::Factor>),
     /// Estimate the wrench on the tool from joint torques, with 95 % bands.
     Force(Box<force::Force>),
     /// Make a robot file of a URDF or MJCF model.
@@ -142,6 +146,7 @@ impl Cli {
             Command::Eval(verb) => verb.run(provenance),
             Command::Excite(verb) => verb.run(provenance),
             Command::Export(verb) => verb.run(provenance),
+            Command::Factor(verb) => verb.run(provenance),
             Command::Force(verb) => verb.run(provenance),
             Command::Ik(verb) => verb.run(provenance),
             Command::Import(verb) => verb.run(provenance),

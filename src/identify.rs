@@ -40,6 +40,7 @@
 mod budget;
 mod consistent;
 mod known_effects;
+mod portable;
 pub(crate) mod regression;
 mod result;
 mod solve;
@@ -58,6 +59,7 @@ pub use consistent::{
     pseudo_inertia,
 };
 pub use known_effects::KnownEffects;
+pub use portable::{FactorError, KeyedFactors, RecordingFactor};
 pub use regression::accumulator::{AccumulatorSettings, Factors, JointFactor, QrAccumulator};
 pub use regression::essential::{Dropped, Essential};
 pub use regression::known_parameters::Known;

@@ -196,7 +196,7 @@ impl Identify {
     }
 
     /// Calls `then` with the arm of a robot file and how its logs are prepared.
-    fn with_setup<T>(
+    pub(super) fn with_setup<T>(
         &self,
         file: &files::RobotFile,
         then: impl FnOnce(&Setup<'_>) -> Result<T, Failure>,
@@ -589,16 +589,16 @@ impl Identify {
 }
 
 /// A robot file, ready to be identified.
-struct Setup<'a> {
-    robot: &'a Robot,
+pub(super) struct Setup<'a> {
+    pub(super) robot: &'a Robot,
     /// Without the couplings of the gears.
     bodies: &'a Interpreted,
-    arm: &'a Coupled<'a>,
+    pub(super) arm: &'a Coupled<'a>,
     /// Standard parameters of the file.
     prior: Option<Vec<f64>>,
-    prepare: Prepare,
+    pub(super) prepare: Prepare,
     effects: Option<&'a FileEffects>,
-    known: Option<&'a KnownEffects<'a>>,
+    pub(super) known: Option<&'a KnownEffects<'a>>,
 }
 
 /// An identified robot.

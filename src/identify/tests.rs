@@ -4,6 +4,7 @@
 mod fit;
 mod honesty;
 mod logs;
+mod portable;
 mod speed;
 mod unexcited;
 mod wrong;

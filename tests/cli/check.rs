@@ -54,7 +54,7 @@ fn json_goes_to_a_file_and_the_text_still_to_the_terminal() {
 fn every_verb_shows_an_example() {
     let all = denavit(&["--help"]);
     assert_eq!(all.status, Some(0));
-    for verb in ["check", "generate", "eval", "identify"] {
+    for verb in ["check", "generate", "eval", "factor", "identify"] {
         assert!(all.out.contains(verb));
         let help = denavit(&[verb, "--help"]);
         assert_eq!(help.status, Some(0));

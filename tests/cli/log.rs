@@ -56,7 +56,9 @@ fn a_folder_of_rosbag2_stands_for_its_recording() {
 
 #[test]
 fn help_of_every_verb_that_reads_logs_names_the_columns() {
-    for verb in [&["identify"][..], &["diagnose"], &["calibrate"], &["tool"], &["force"], &["log", "convert"]] {
+    for verb in
+        [&["identify"][..], &["factor"], &["diagnose"], &["calibrate"], &["tool"], &["force"], &["log", "convert"]]
+    {
         let run = denavit(&[verb, &["--help"]].concat());
         assert!(run.out.contains("tau1.. or i1..") && run.out.contains("seg "), "{verb:?}:\n{}", run.out);
     }

@@ -6,6 +6,7 @@ mod diagnose;
 mod errors;
 mod eval;
 mod excite;
+mod factor;
 mod force;
 mod generate;
 mod identify;

@@ -19,7 +19,7 @@ fn every_verb_has_its_manual_page() {
     let folder = folder("man").join("man1");
     let run = denavit(&["man", "--out", folder.to_str().unwrap()]);
     assert_eq!(run.status, Some(0), "{}", run.err);
-    for page in ["denavit", "denavit-identify", "denavit-paint-run", "denavit-log-inspect"] {
+    for page in ["denavit", "denavit-factor", "denavit-identify", "denavit-paint-run", "denavit-log-inspect"] {
         let text = std::fs::read_to_string(folder.join(format!("{page}.1"))).unwrap();
         assert!(text.contains(".SH NAME") && text.contains(&format!(".TH {page}")), "{page}: {text}");
     }

@@ -19,6 +19,14 @@ impl RFactor {
         Self { n, r: vec![0.0; n * n] }
     }
 
+    /// Of its upper triangle, column by column; entries that are missing are zero.
+    pub(in crate::identify) fn of_upper(n: usize, upper: &[f64]) -> Self {
+        let mut factor = Self::new(n);
+        let places = (0..n).flat_map(|k| (0..=k).map(move |i| i + k * n));
+        places.zip(upper).for_each(|(place, value)| factor.r[place] = *value);
+        factor
+    }
+
     /// Number of columns.
     pub fn columns(&self) -> usize {
         self.n

@@ -1,0 +1,5 @@
+//! Report of `denavit factor`.
+
+pub mod json;
+pub mod table;
+pub mod text;
