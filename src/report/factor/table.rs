@@ -30,7 +30,7 @@ const SCHEMA: &str = "message factors {
     OPTIONAL BINARY why (STRING);
 }";
 
-/// Rows of a row group: some 6 MB of factors of seven joints.
+/// Rows of a row group: some MB of factors.
 const GROUP: usize = 64;
 
 /// One recording.
