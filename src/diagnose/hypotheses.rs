@@ -189,10 +189,10 @@ pub enum Over {
 }
 
 /// A law of an effect, with the shapes to try.
-pub type Law = (&'static dyn Cause, Vec<Vec<f64>>);
+pub type Law = (&'static dyn Hypothesis, Vec<Vec<f64>>);
 
 /// A hypothesis of the vocabulary.
-pub trait Cause: Sync {
+pub trait Hypothesis: Sync {
     /// The effect that it looks for.
     fn effect(&self) -> EffectKind;
 
@@ -358,7 +358,7 @@ pub trait Cause: Sync {
         _place: &[usize],
         _terms: &[Term],
         _x: &[f64],
-    ) -> Option<&'static dyn Cause> {
+    ) -> Option<&'static dyn Hypothesis> {
         None
     }
 
@@ -376,7 +376,7 @@ pub trait Cause: Sync {
 }
 
 /// The hypothesis that looks for an effect.
-pub fn hypothesis(effect: EffectKind) -> &'static dyn Cause {
+pub fn hypothesis(effect: EffectKind) -> &'static dyn Hypothesis {
     match effect {
         EffectKind::ViscousFriction => &VISCOUS,
         EffectKind::CoulombFriction => &COULOMB,
@@ -407,7 +407,7 @@ pub fn hypothesis(effect: EffectKind) -> &'static dyn Cause {
 }
 
 /// A further law by which an effect may act: the same keys, other columns.
-fn further(effect: EffectKind) -> Option<&'static dyn Cause> {
+fn further(effect: EffectKind) -> Option<&'static dyn Hypothesis> {
     match effect {
         EffectKind::GearCoupling => Some(&gear_coupling::CarriedAxis),
         EffectKind::JointSpring => Some(&joint_spring::CableSpring),
@@ -417,24 +417,24 @@ fn further(effect: EffectKind) -> Option<&'static dyn Cause> {
 
 /// All hypotheses that add columns, in the order of the vocabulary: those of the baseline friction
 /// have theirs already.
-pub fn causes() -> impl Iterator<Item = &'static dyn Cause> {
+pub fn causes() -> impl Iterator<Item = &'static dyn Hypothesis> {
     let plain = [EffectKind::ViscousFriction, EffectKind::CoulombFriction, EffectKind::TorqueOffset];
     let wanted = EffectKind::ALL.iter().filter(move |effect| !plain.contains(effect));
     wanted.flat_map(|&effect| core::iter::once(hypothesis(effect)).chain(further(effect)))
 }
 
 /// The hypothesis of this name.
-pub fn by_name(name: &str) -> Option<&'static dyn Cause> {
+pub fn by_name(name: &str) -> Option<&'static dyn Hypothesis> {
     EffectKind::of(name).map(hypothesis)
 }
 
-/// To what the coefficient of a [`Cause::unit`] is known to be 1: filters and windows leave so much
+/// To what the coefficient of a [`Hypothesis::unit`] is known to be 1: filters and windows leave so much
 /// of a law open.
 pub(super) const UNIT: f64 = 0.05;
 
 /// Whether a number of a shape has run to the end of its search range: then it is no estimate, and
 /// another law is meant. 0 is a number that is not in use.
-pub(super) fn at_edge(cause: &dyn Cause, shape: &[f64]) -> bool {
+pub(super) fn at_edge(cause: &dyn Hypothesis, shape: &[f64]) -> bool {
     let preferred = |k: usize| cause.integer_prior_std().is_some() && cause.integer_shape() == Some(k);
     let numbers = cause.shape().iter().zip(shape).enumerate().filter(|(k, _)| !preferred(*k)).map(|(_, both)| both);
     numbers.filter(|(number, value)| number.step.is_some() && **value != 0.0).any(|(number, value)| {

@@ -11,7 +11,7 @@ use super::search::SearchSettings;
 use super::select::contenders::Refit;
 use super::select::excess::explained;
 use super::select::measure::{Meter, root_mean_square};
-use super::select::refine_and_select::{Case, Choice, Settled};
+use super::select::refine_and_select::{Choice, Session, Settled};
 use super::windows::motion_error::budget;
 use super::windows::recording::{Recording, unexplained};
 use super::windows::torque_noise::torque_noise;
@@ -203,18 +203,18 @@ fn once(
     let has_links = plant.given().is_some_and(|g| g.iter().any(|v| *v != 0.0));
     // The contribution of sensors, motion and clock to the error is no evidence.
     let budget = budget(if has_links { &start.scene } else { &refit.bench.scene }, &recorded, &noise);
-    let (noise, motion) = (budget.floor(), &budget.of_motion()[..]);
+    let (noise, motion) = (&budget.floor()[..], &budget.of_motion()[..]);
     let ground: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.max(0.004 * t)).collect::<Vec<f64>>();
     let file_out = start.file_left_out();
 
     // Unit of a gain: the noise, or a fiftieth of the torque where the noise is less.
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
-    let case = Case { plant, fit, validate, own_validation, noise: &noise, motion, ground, scale, settings, progress };
+    let case = Session { plant, fit, validate, own_validation, noise, motion, ground, scale, settings, progress };
     let (models, said) = case.models(has_links, &refit, &torque_rms)?;
     let Choice { offered, mut why, changed, file_holds, model: settled } = case.choose(models, &file_out, &refit)?;
     why.extend(said);
     let left = case.left(&settled, &torque_rms);
-    let (left, unplayed) = without_columns(&settled, left, &noise);
+    let (left, unplayed) = without_columns(&settled, left, noise);
     let mut causes = settled.causes.clone();
     if settled.bench.mode == Mode::Refitted && has_links {
         causes.extend(case.links(&settled));
@@ -229,7 +229,7 @@ fn once(
         (false, false) => Verdict::PartlyExplained,
     };
     let extended = Errors { fit: after_fit.rms, validate: after.rms.clone(), moving: after.steady.clone() };
-    unknown(&mut causes, &left, [&baseline, &extended], &noise, scale);
+    unknown(&mut causes, &left, [&baseline, &extended], noise, scale);
     let next_experiment =
         causes.iter().find(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown").map(|c| NextExperiment {
             between: std::iter::once(c.cause).chain(c.not_distinguished_from.iter().copied()).collect(),
@@ -241,7 +241,7 @@ fn once(
     Ok(Diagnosis {
         robot: plant.name().to_string(),
         verdict,
-        noise_floor: noise.clone(),
+        noise_floor: noise.to_vec(),
         budget: budget.of_errors(&extended.validate),
         torque_rms: torque_rms.clone(),
         baseline,

@@ -16,7 +16,7 @@ mod simplest_laws;
 mod stepwise_exchange;
 
 use super::fit::model::{Chosen, Fitted, Mode, ModelUnderTest};
-use super::hypotheses::Cause;
+use super::hypotheses::Hypothesis;
 use candidate::{Candidate, candidates, rivals, sparest_first};
 use judge::{Accepted, Judge, adopt};
 use merge_bodies::merge_bodies;
@@ -69,10 +69,10 @@ pub fn search(
     let mut fitted = bench.fit(&mut []);
     while accepted.len() < settings.most {
         progress(&format!("{} found, looking for more", accepted.len()));
-        let free = |cause: &'static dyn Cause, place: &[usize]| {
+        let free = |cause: &'static dyn Hypothesis, place: &[usize]| {
             chosen.iter().filter(|c| c.cause.name() == cause.name() && c.place == place).count() < cause.most()
         };
-        let wanted = |cause: &'static dyn Cause, place: &[usize]| free(cause, place) && makes_sense(bench, cause);
+        let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| free(cause, place) && makes_sense(bench, cause);
         let mut ranked = candidates(bench, &fitted, &wanted);
         sparest_first(&mut ranked, bench, &chosen, &fitted);
         let tried = ranked.len().max(1);
@@ -185,7 +185,7 @@ fn together(
         let mut alone = with(chosen, &first.chosen());
         let one = bench.fit(&mut alone);
         let first = alone.last()?.clone();
-        let wanted = |cause: &'static dyn Cause, place: &[usize]| {
+        let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| {
             place.iter().any(|j| first.place.contains(j))
                 && (cause.name() != first.cause.name() || place != first.place)
                 && chosen.iter().all(|c| c.cause.name() != cause.name() || c.place != place)
@@ -229,6 +229,6 @@ pub(super) fn equivalent_robot_cause(
 }
 
 /// Wrong links can't be seen where all base parameters are unknown.
-pub(super) fn makes_sense(bench: &ModelUnderTest<'_>, cause: &dyn Cause) -> bool {
+pub(super) fn makes_sense(bench: &ModelUnderTest<'_>, cause: &dyn Hypothesis) -> bool {
     bench.mode == Mode::Trusted || !cause.within_links()
 }

@@ -10,8 +10,8 @@ use super::structure::Structure;
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
-use crate::diagnose::hypotheses::{COULOMB, Cause as _, Named, OFFSET, VISCOUS};
-use crate::diagnose::search::baseline_friction::Plain;
+use crate::diagnose::hypotheses::{COULOMB, Hypothesis as _, Named, OFFSET, VISCOUS};
+use crate::diagnose::search::baseline_friction::BaselineFriction;
 use crate::diagnose::search::judge::Accepted;
 use crate::diagnose::select::measure::{Measured, share, taken_of};
 use dh_codegen::robot::effects;
@@ -23,7 +23,7 @@ pub(in crate::diagnose) struct Attribution<'a> {
     pub(in crate::diagnose) uncertainty: &'a Uncertainty,
     pub(in crate::diagnose) accepted: &'a [Accepted],
     /// Alternatives to plain friction.
-    pub(in crate::diagnose) rivals: &'a [Plain],
+    pub(in crate::diagnose) rivals: &'a [BaselineFriction],
     pub(in crate::diagnose) noise: &'a [f64],
     /// Whether the validating data are logs of their own.
     pub(in crate::diagnose) own_validation: bool,
@@ -175,7 +175,7 @@ pub(in crate::diagnose) fn plain_support(fitted: &Fitted, covariance: &nalgebra:
 pub(in crate::diagnose) fn near<'a>(
     item: &Item,
     accepted: Option<&'a Accepted>,
-    plain: &'a [Plain],
+    plain: &'a [BaselineFriction],
 ) -> &'a [(&'static str, Vec<usize>, f64)] {
     match accepted {
         Some(accepted) => accepted.rivals.as_slice(),
@@ -188,7 +188,7 @@ pub(in crate::diagnose) fn confusable(
     bench: &ModelUnderTest<'_>,
     item: &Item,
     accepted: Option<&Accepted>,
-    plain: &[Plain],
+    plain: &[BaselineFriction],
 ) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = near(item, accepted, plain).iter().map(|r| r.0).collect();
     names.extend(item.hypothesis.indistinguishable(&bench.scene, &item.place));

@@ -2,7 +2,7 @@
 
 use super::result::Evidence;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
-use crate::diagnose::hypotheses::{Cause, Named, Over, Term};
+use crate::diagnose::hypotheses::{Hypothesis, Named, Over, Term};
 use crate::diagnose::windows::windowed_data::JointSeries;
 use crate::model::StandardParameter;
 
@@ -26,7 +26,7 @@ pub(in crate::diagnose) fn short(value: f64) -> String {
 
 /// Parts of a sentence.
 pub(in crate::diagnose) struct Shown<'a> {
-    pub cause: &'a dyn Cause,
+    pub cause: &'a dyn Hypothesis,
     /// Joints, from 0.
     pub place: &'a [usize],
     pub parameters: &'a [Named],

@@ -12,7 +12,7 @@ use crate::diagnose::search::judge::chosen_of;
 use crate::diagnose::search::merge_bodies::single_bodies;
 use crate::diagnose::select::measure::{Measured, Meter, bootstrap, matters, root_mean_square, share, taken_of};
 use crate::diagnose::select::model_choice::LeftOut;
-use crate::diagnose::select::refine_and_select::{Case, Settled};
+use crate::diagnose::select::refine_and_select::{Session, Settled};
 use crate::model::{DriveTerm, StandardParameter};
 use dh_codegen::robot::effects;
 
@@ -29,7 +29,7 @@ struct Body {
     share: f64,
 }
 
-impl Case<'_> {
+impl Session<'_> {
     /// The causes, where base parameters differ from the file's, and the file's beside everything
     /// else that was found are worse.
     pub(in crate::diagnose) fn links(&self, model: &Settled<'_>) -> Vec<Cause> {

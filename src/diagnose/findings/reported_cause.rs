@@ -3,7 +3,7 @@
 
 use super::result::Cause;
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest, given_friction};
-use crate::diagnose::hypotheses::{AsymmetricFriction, COULOMB, Cause as Hypothesis, Kind, Named, OFFSET, VISCOUS};
+use crate::diagnose::hypotheses::{AsymmetricFriction, COULOMB, Hypothesis, Kind, Named, OFFSET, VISCOUS};
 use crate::diagnose::search::judge::Accepted;
 
 /// A cause on its way into the result.

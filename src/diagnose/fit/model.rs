@@ -12,7 +12,7 @@ use crate::model::{DriveTerm, PerturbableArm, StandardParameter};
 use super::moments::{Moments, Solution};
 use super::regulariser::{Regulariser, STRENGTHS, prior};
 use super::uncertainty::derivative;
-use crate::diagnose::hypotheses::{COULOMB, Cause, OFFSET, Term, UNIT, VISCOUS};
+use crate::diagnose::hypotheses::{COULOMB, Hypothesis, OFFSET, Term, UNIT, VISCOUS};
 use crate::diagnose::select::model_choice::LeftOut;
 use crate::diagnose::windows::recording::Recording;
 use crate::diagnose::windows::torque_noise::autocorrelation_time;
@@ -35,7 +35,7 @@ pub enum Mode {
 #[derive(Clone)]
 pub struct Chosen {
     /// The cause.
-    pub cause: &'static dyn Cause,
+    pub cause: &'static dyn Hypothesis,
     /// The place: joints, from 0.
     pub place: Vec<usize>,
     /// The numbers in which it is not linear.
@@ -119,7 +119,7 @@ pub fn local(chosen: &[Chosen], fitted: &Fitted) -> Vec<usize> {
     of.flat_map(|((_, first), terms)| *first..first + terms.len()).collect()
 }
 
-/// Unknowns of causes whose size is in their shape ([`Cause::unit`]).
+/// Unknowns of causes whose size is in their shape ([`Hypothesis::unit`]).
 pub(in crate::diagnose) fn units(chosen: &[Chosen], fitted: &Fitted) -> Vec<usize> {
     let of = chosen.iter().zip(&fitted.first).zip(&fitted.terms).filter(|((c, _), _)| c.cause.unit());
     of.flat_map(|((_, first), terms)| *first..first + terms.len()).collect()
@@ -296,7 +296,7 @@ impl<'a> ModelUnderTest<'a> {
     }
 
     /// Terms of a cause; made once where they depend on the motion alone.
-    pub fn family(&self, cause: &'static dyn Cause, place: &[usize], shape: &[f64]) -> Arc<Vec<Term>> {
+    pub fn family(&self, cause: &'static dyn Hypothesis, place: &[usize], shape: &[f64]) -> Arc<Vec<Term>> {
         let rests = cause.rests_on_model()
             && (self.mode == Mode::Refitted || cause.rests_on_friction() || cause.finite_difference());
         // The times of what acts in a part of a log differ from trial to trial.
@@ -357,7 +357,7 @@ impl<'a> ModelUnderTest<'a> {
         unreachable!("the loop returns")
     }
 
-    /// Sizes that stand in the shape of a law ([`Cause::unit`]), by Gauss's and Newton's steps with
+    /// Sizes that stand in the shape of a law ([`Hypothesis::unit`]), by Gauss's and Newton's steps with
     /// everything else refitted.
     pub fn polish(&mut self, chosen: &mut [Chosen]) -> Fitted {
         let mut fitted = self.fit(chosen);

@@ -3,7 +3,7 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
+use super::Hypothesis;
 use super::Kind;
 use super::Sign;
 use super::Term;
@@ -13,7 +13,7 @@ use crate::diagnose::windows::windowed_data::WindowedData;
 /// `FVA |v|`, beside the offset that is always among the unknowns.
 pub struct AsymmetricFriction;
 
-impl Cause for AsymmetricFriction {
+impl Hypothesis for AsymmetricFriction {
     fn effect(&self) -> EffectKind {
         EffectKind::AsymmetricFriction
     }

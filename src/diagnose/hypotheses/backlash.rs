@@ -9,8 +9,8 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
 use super::Estimate;
+use super::Hypothesis;
 use super::Kind;
 use super::Named;
 use super::Over;
@@ -55,7 +55,7 @@ fn slow(scene: &WindowedData<'_>, load: &[f64], cutoff: f64) -> Vec<f64> {
     load
 }
 
-impl Cause for Backlash {
+impl Hypothesis for Backlash {
     fn effect(&self) -> EffectKind {
         EffectKind::Backlash
     }

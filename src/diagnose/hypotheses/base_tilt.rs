@@ -4,7 +4,7 @@ use dh_codegen::robot::EffectKind;
 
 use crate::model::Change;
 
-use super::Cause;
+use super::Hypothesis;
 use super::Kind;
 use super::Scope;
 use super::Sign;
@@ -14,7 +14,7 @@ use crate::diagnose::windows::windowed_data::WindowedData;
 /// Base turned by `RotY(pitch) RotX(roll)`.
 pub struct BaseTilt;
 
-impl Cause for BaseTilt {
+impl Hypothesis for BaseTilt {
     fn effect(&self) -> EffectKind {
         EffectKind::BaseTilt
     }

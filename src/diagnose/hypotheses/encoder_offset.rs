@@ -3,7 +3,7 @@
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
 
-use super::Cause;
+use super::Hypothesis;
 use super::Kind;
 use super::Shape;
 use super::Sign;
@@ -14,7 +14,7 @@ use crate::diagnose::windows::windowed_data::WindowedData;
 /// True angle `q + QO`.
 pub struct EncoderOffset;
 
-impl Cause for EncoderOffset {
+impl Hypothesis for EncoderOffset {
     fn effect(&self) -> EffectKind {
         EffectKind::EncoderOffset
     }

@@ -3,8 +3,8 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
 use super::Estimate;
+use super::Hypothesis;
 use super::Kind;
 use super::Named;
 use super::Over;
@@ -24,7 +24,7 @@ const SHORT: f64 = 1.0;
 
 const SYMBOLS: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
 
-impl Cause for ExternalContact {
+impl Hypothesis for ExternalContact {
     fn effect(&self) -> EffectKind {
         EffectKind::ExternalContact
     }

@@ -3,8 +3,8 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
 use super::Estimate;
+use super::Hypothesis;
 use super::Kind;
 use super::Named;
 use super::Over;
@@ -37,7 +37,7 @@ impl FrictionDrift {
     }
 }
 
-impl Cause for FrictionDrift {
+impl Hypothesis for FrictionDrift {
     fn effect(&self) -> EffectKind {
         EffectKind::FrictionDrift
     }

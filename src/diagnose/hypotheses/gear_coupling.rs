@@ -3,7 +3,7 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
+use super::Hypothesis;
 use super::Kind;
 use super::Law;
 use super::Scope;
@@ -20,7 +20,7 @@ const MOST_TURNS: f64 = 3.0;
 /// Motor `m` turns with `dq_m + KC dq_k`: see the table of effects. `place` is `[m, k]`.
 pub struct GearCoupling;
 
-impl Cause for GearCoupling {
+impl Hypothesis for GearCoupling {
     fn effect(&self) -> EffectKind {
         EffectKind::GearCoupling
     }
@@ -50,7 +50,7 @@ impl Cause for GearCoupling {
         let parts = shape[1] as u32;
         let with = |count: u32| {
             let fewer = (1..parts).filter(|p| p & parts == *p && p.count_ones() == count);
-            (&Self as &'static dyn Cause, fewer.map(|p| vec![shape[0], f64::from(p)]).collect())
+            (&Self as &'static dyn Hypothesis, fewer.map(|p| vec![shape[0], f64::from(p)]).collect())
         };
         (1..parts.count_ones()).map(with).collect()
     }
@@ -105,7 +105,7 @@ impl Cause for GearCoupling {
 /// bears `CQ` times its torque. `place` is `[m, k]`.
 pub struct CarriedAxis;
 
-impl Cause for CarriedAxis {
+impl Hypothesis for CarriedAxis {
     fn effect(&self) -> EffectKind {
         EffectKind::GearCoupling
     }

@@ -4,7 +4,7 @@ use dh_codegen::robot::EffectKind;
 
 use crate::model::Change;
 
-use super::Cause;
+use super::Hypothesis;
 use super::Kind;
 use super::Shape;
 use super::Sign;
@@ -20,7 +20,7 @@ const WHICH: [(&str, &str, f64); 3] = [("DALPHA", "rad", 1e-4), ("DD", "m", 1e-4
 const LENGTH: f64 = 0.15;
 const TWIST: f64 = 0.35;
 
-impl Cause for GeometricError {
+impl Hypothesis for GeometricError {
     fn effect(&self) -> EffectKind {
         EffectKind::GeometricError
     }

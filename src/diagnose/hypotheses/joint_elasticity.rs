@@ -8,8 +8,8 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
 use super::Estimate;
+use super::Hypothesis;
 use super::Kind;
 use super::Named;
 use super::Over;
@@ -147,7 +147,7 @@ impl<'s, 'a> Link<'s, 'a> {
     }
 }
 
-impl Cause for JointElasticity {
+impl Hypothesis for JointElasticity {
     fn effect(&self) -> EffectKind {
         EffectKind::JointElasticity
     }

@@ -2,8 +2,8 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
 use super::Estimate;
+use super::Hypothesis;
 use super::Kind;
 use super::Law;
 use super::Named;
@@ -17,7 +17,7 @@ use crate::diagnose::windows::windowed_data::WindowedData;
 /// `KS (q - QS)`; the constant part is among the unknowns anyway.
 pub struct JointSpring;
 
-impl Cause for JointSpring {
+impl Hypothesis for JointSpring {
     fn effect(&self) -> EffectKind {
         EffectKind::JointSpring
     }
@@ -78,7 +78,7 @@ impl CableSpring {
     }
 }
 
-impl Cause for CableSpring {
+impl Hypothesis for CableSpring {
     fn effect(&self) -> EffectKind {
         EffectKind::JointSpring
     }

@@ -3,7 +3,7 @@
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
 
-use super::Cause;
+use super::Hypothesis;
 use super::Kind;
 use super::Term;
 use super::payload::{Payload, body_terms};
@@ -14,7 +14,7 @@ use crate::model::{Inertial, StandardParameter};
 /// The ten parameters of the joint's link.
 pub struct LinkInertiaError;
 
-impl Cause for LinkInertiaError {
+impl Hypothesis for LinkInertiaError {
     fn effect(&self) -> EffectKind {
         EffectKind::LinkInertiaError
     }
@@ -48,10 +48,10 @@ impl Cause for LinkInertiaError {
         place: &[usize],
         terms: &[Term],
         x: &[f64],
-    ) -> Option<&'static dyn Cause> {
+    ) -> Option<&'static dyn Hypothesis> {
         let last = place.first().is_some_and(|j| j + 1 == scene.dof());
         let mass = terms.iter().zip(x).find(|(t, _)| t.symbol == Inertial::M.name()).map_or(0.0, |(_, x)| *x);
-        (last && mass > 0.0).then_some(&Payload as &dyn Cause)
+        (last && mass > 0.0).then_some(&Payload as &dyn Hypothesis)
     }
 
     fn beliefs(&self, scene: &WindowedData<'_>, place: &[usize], terms: &[Term]) -> Option<Vec<f64>> {

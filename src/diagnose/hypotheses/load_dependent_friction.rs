@@ -2,7 +2,7 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
+use super::Hypothesis;
 use super::Kind;
 use super::Law;
 use super::Over;
@@ -15,7 +15,7 @@ use crate::diagnose::windows::windowed_data::WindowedData;
 /// `FL |tau_load| sign(v)`; where the load drives the motor, `FLB` may take the place of `FL`.
 pub struct LoadDependentFriction;
 
-impl Cause for LoadDependentFriction {
+impl Hypothesis for LoadDependentFriction {
     fn effect(&self) -> EffectKind {
         EffectKind::LoadDependentFriction
     }

@@ -2,8 +2,8 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
 use super::Estimate;
+use super::Hypothesis;
 use super::Kind;
 use super::Named;
 use super::Shape;
@@ -21,7 +21,7 @@ pub struct NonlinearViscousFriction;
 /// whose sign changes smoothly.
 const SLOWEST: f64 = 0.05;
 
-impl Cause for NonlinearViscousFriction {
+impl Hypothesis for NonlinearViscousFriction {
     fn effect(&self) -> EffectKind {
         EffectKind::NonlinearViscousFriction
     }

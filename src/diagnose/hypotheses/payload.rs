@@ -3,7 +3,7 @@
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
 
-use super::Cause;
+use super::Hypothesis;
 use super::Kind;
 use super::Scope;
 use super::Sign;
@@ -42,7 +42,7 @@ pub(super) fn body_terms(scene: &WindowedData<'_>, row: usize) -> Vec<Term> {
         .collect()
 }
 
-impl Cause for Payload {
+impl Hypothesis for Payload {
     fn effect(&self) -> EffectKind {
         EffectKind::Payload
     }

@@ -4,7 +4,7 @@
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
 
-use super::Cause;
+use super::Hypothesis;
 use super::Kind;
 use super::Sign;
 use super::Term;
@@ -42,7 +42,7 @@ pub static OFFSET: Plain = Plain {
     shown_by: "the joint at rest in positions where gravity does not load it",
 };
 
-impl Cause for Plain {
+impl Hypothesis for Plain {
     fn effect(&self) -> EffectKind {
         self.effect
     }

@@ -2,7 +2,7 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
+use super::Hypothesis;
 use super::Kind;
 use super::Over;
 use super::Shape;
@@ -15,7 +15,7 @@ use crate::diagnose::windows::windowed_data::WindowedData;
 /// `sign(v) (PC cos(PN q) + PS sin(PN q))`.
 pub struct PositionDependentFriction;
 
-impl Cause for PositionDependentFriction {
+impl Hypothesis for PositionDependentFriction {
     fn effect(&self) -> EffectKind {
         EffectKind::PositionDependentFriction
     }

@@ -2,7 +2,7 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
+use super::Hypothesis;
 use super::Kind;
 use super::Shape;
 use super::Sign;
@@ -35,7 +35,7 @@ pub fn bristle(own: &JointSeries, distance: f64) -> Vec<f64> {
         .collect()
 }
 
-impl Cause for PreslidingHysteresis {
+impl Hypothesis for PreslidingHysteresis {
     fn effect(&self) -> EffectKind {
         EffectKind::PreslidingHysteresis
     }

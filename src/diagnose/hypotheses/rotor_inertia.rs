@@ -2,8 +2,8 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
 use super::Estimate;
+use super::Hypothesis;
 use super::Kind;
 use super::Named;
 use super::Over;
@@ -15,7 +15,7 @@ use crate::diagnose::windows::windowed_data::WindowedData;
 /// `IA ddq`.
 pub struct RotorInertia;
 
-impl Cause for RotorInertia {
+impl Hypothesis for RotorInertia {
     fn effect(&self) -> EffectKind {
         EffectKind::RotorInertia
     }

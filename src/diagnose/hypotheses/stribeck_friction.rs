@@ -3,8 +3,8 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
 use super::Estimate;
+use super::Hypothesis;
 use super::Kind;
 use super::Named;
 use super::Shape;
@@ -18,7 +18,7 @@ use crate::diagnose::windows::windowed_data::WindowedData;
 /// `(FS - FC) exp(-|v / VS|^DS) sign(v)`.
 pub struct StribeckFriction;
 
-impl Cause for StribeckFriction {
+impl Hypothesis for StribeckFriction {
     fn effect(&self) -> EffectKind {
         EffectKind::StribeckFriction
     }

@@ -2,8 +2,8 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
 use super::Estimate;
+use super::Hypothesis;
 use super::Kind;
 use super::Named;
 use super::Over;
@@ -16,7 +16,7 @@ use crate::diagnose::windows::windowed_data::{MOST_DELAY, WindowedData};
 /// `tau(t)` belongs to the motion at `t - TD`: of one joint, or of all.
 pub struct TimeDelay;
 
-impl Cause for TimeDelay {
+impl Hypothesis for TimeDelay {
     fn effect(&self) -> EffectKind {
         EffectKind::TimeDelay
     }

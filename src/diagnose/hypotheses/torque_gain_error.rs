@@ -2,8 +2,8 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
 use super::Estimate;
+use super::Hypothesis;
 use super::Kind;
 use super::Named;
 use super::Over;
@@ -14,7 +14,7 @@ use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 /// `(GT - 1) tau`.
 pub struct TorqueGainError;
 
-impl Cause for TorqueGainError {
+impl Hypothesis for TorqueGainError {
     fn effect(&self) -> EffectKind {
         EffectKind::TorqueGainError
     }

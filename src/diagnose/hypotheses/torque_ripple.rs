@@ -2,7 +2,7 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
+use super::Hypothesis;
 use super::Kind;
 use super::Shape;
 use super::Sign;
@@ -83,7 +83,7 @@ fn peaks(scene: &WindowedData<'_>, j: usize, residual: &[f64]) -> Vec<f64> {
     order.into_iter().take(4).map(|i| first + i as f64 * step).collect()
 }
 
-impl Cause for TorqueRipple {
+impl Hypothesis for TorqueRipple {
     fn effect(&self) -> EffectKind {
         EffectKind::TorqueRipple
     }

@@ -2,8 +2,8 @@
 
 use dh_codegen::robot::EffectKind;
 
-use super::Cause;
 use super::Estimate;
+use super::Hypothesis;
 use super::Kind;
 use super::Named;
 use super::Over;
@@ -15,7 +15,7 @@ use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 /// `clip(tau, +-TM) - tau`, with a coefficient near 1.
 pub struct TorqueSaturation;
 
-impl Cause for TorqueSaturation {
+impl Hypothesis for TorqueSaturation {
     fn effect(&self) -> EffectKind {
         EffectKind::TorqueSaturation
     }

@@ -4,7 +4,7 @@ use super::candidate::{Candidate, candidates, logs, rivals, unknowns};
 use super::judge::{Accepted, Judge, adopt, chosen_of};
 use super::{SearchSettings, makes_sense};
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
-use crate::diagnose::hypotheses::Cause;
+use crate::diagnose::hypotheses::Hypothesis;
 use dh_codegen::robot::effects;
 
 /// Causes of plain friction, and which of a joint's three columns each has.
@@ -12,7 +12,7 @@ const PLAIN: [(&str, usize); 3] =
     [(effects::ViscousFriction::NAME, 0), (effects::CoulombFriction::NAME, 1), (effects::TorqueOffset::NAME, 2)];
 
 /// Alternatives to the plain friction of a joint.
-pub struct Plain {
+pub struct BaselineFriction {
     /// Joint, from 0.
     pub joint: usize,
     /// Near alternatives in its place: cause, place, difference of support.
@@ -29,7 +29,7 @@ pub fn reconsider(
     mut fitted: Fitted,
     noise: &[f64],
     settings: &SearchSettings,
-) -> (Fitted, Vec<Plain>) {
+) -> (Fitted, Vec<BaselineFriction>) {
     let mut all = Vec::new();
     for j in 0..bench.scene.dof() {
         let free: Vec<usize> = (3 * j..3 * j + 3).filter(|k| !bench.frozen[*k]).collect();
@@ -44,8 +44,7 @@ pub fn reconsider(
         free.iter().for_each(|&k| bench.frozen[k] = true);
         let mut without = chosen.clone();
         let reduced = bench.fit(&mut without);
-        let wanted =
-            |cause: &'static dyn Cause, place: &[usize]| place.len() == 1 && place[0] == j && makes_sense(bench, cause);
+        let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| place == [j] && makes_sense(bench, cause);
         let ranked = candidates(bench, &reduced, &wanted);
         let total: f64 = reduced.solution.counts.iter().sum();
         let raw: f64 =
@@ -81,7 +80,7 @@ pub fn reconsider(
         let near = |c: &&Candidate| plain - c.score < (10.0 * memory).max(0.015 * plain);
         let rivals = ranked.iter().filter(near).take(4);
         let rivals = rivals.map(|c| (c.cause.name(), c.place.clone(), ((plain - c.score) / memory).max(0.0))).collect();
-        all.push(Plain { joint: j, rivals });
+        all.push(BaselineFriction { joint: j, rivals });
     }
     let mut chosen = chosen_of(accepted);
     fitted = bench.fit(&mut chosen);

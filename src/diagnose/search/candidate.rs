@@ -6,13 +6,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use super::judge::SURE;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::fit::moments::Gain;
-use crate::diagnose::hypotheses::{Cause, Sign, UNIT, at_edge, causes};
+use crate::diagnose::hypotheses::{Hypothesis, Sign, UNIT, at_edge, causes};
 
 /// A cause in a place with its best shape.
 #[derive(Clone)]
 pub struct Candidate {
     /// The cause.
-    pub cause: &'static dyn Cause,
+    pub cause: &'static dyn Hypothesis,
     /// The place.
     pub place: Vec<usize>,
     /// Its shape.
@@ -31,7 +31,7 @@ impl Candidate {
     }
 }
 
-pub(in crate::diagnose) fn unknowns(cause: &dyn Cause, shape: &[f64], terms: usize) -> f64 {
+pub(in crate::diagnose) fn unknowns(cause: &dyn Hypothesis, shape: &[f64], terms: usize) -> f64 {
     (terms + cause.free(shape)) as f64
 }
 
@@ -39,7 +39,7 @@ pub(in crate::diagnose) fn unknowns(cause: &dyn Cause, shape: &[f64], terms: usi
 pub(in crate::diagnose) fn evaluate(
     bench: &ModelUnderTest<'_>,
     fitted: &Fitted,
-    cause: &'static dyn Cause,
+    cause: &'static dyn Hypothesis,
     place: &[usize],
     shape: &[f64],
 ) -> Option<Candidate> {
@@ -74,9 +74,9 @@ pub(in crate::diagnose) fn logs<'a>(before: &'a [f64], after: &'a [f64]) -> impl
 pub fn candidates(
     bench: &ModelUnderTest<'_>,
     fitted: &Fitted,
-    wanted: &(dyn Fn(&'static dyn Cause, &[usize]) -> bool + Sync),
+    wanted: &(dyn Fn(&'static dyn Hypothesis, &[usize]) -> bool + Sync),
 ) -> Vec<Candidate> {
-    let mut tasks: Vec<(&'static dyn Cause, Vec<usize>)> = Vec::new();
+    let mut tasks: Vec<(&'static dyn Hypothesis, Vec<usize>)> = Vec::new();
     for cause in causes() {
         tasks.extend(cause.places(&bench.scene).into_iter().filter(|p| wanted(cause, p)).map(|p| (cause, p)));
     }

@@ -4,7 +4,7 @@ use super::candidate::{candidates, evaluate, refine, rivals, sparest_first};
 use super::judge::{Accepted, Judge, adopt, chosen_of};
 use super::{SearchSettings, makes_sense};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
-use crate::diagnose::hypotheses::Cause;
+use crate::diagnose::hypotheses::Hypothesis;
 use crate::diagnose::windows::torque_noise::autocorrelation_time;
 
 /// Takes each cause out in turn: goes without it where it is not missed, and puts another in its
@@ -31,7 +31,7 @@ pub(in crate::diagnose) fn stepwise_exchange(
         let reduced = bench.fit(&mut without);
         let others: Vec<Accepted> =
             accepted.iter().enumerate().filter(|(i, _)| *i != index).map(|(_, a)| a.clone()).collect();
-        let wanted = |cause: &'static dyn Cause, place: &[usize]| {
+        let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| {
             (place == removed.place.as_slice() || place.is_empty())
                 && !cause.moves_time()
                 && makes_sense(bench, cause)

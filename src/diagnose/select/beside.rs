@@ -7,7 +7,7 @@
 
 use super::excess::{CHANGED, EXCESS};
 use super::measure::{Measured, Meter, bootstrap, here, leave_out, share};
-use super::refine_and_select::Case;
+use super::refine_and_select::Session;
 use crate::diagnose::findings::reported_cause::Item;
 use crate::diagnose::fit::model::{Chosen, ModelUnderTest};
 
@@ -41,7 +41,7 @@ impl Without {
 
 /// Measures a model beside the same without one of its causes.
 pub(in crate::diagnose) struct Beside<'c, 'a> {
-    pub(in crate::diagnose) case: &'c Case<'a>,
+    pub(in crate::diagnose) case: &'c Session<'a>,
     pub(in crate::diagnose) far: Meter<'a>,
     pub(in crate::diagnose) near: Meter<'a>,
     pub(in crate::diagnose) after: &'c Measured,
@@ -67,7 +67,7 @@ impl<'a> Beside<'_, 'a> {
     }
 
     fn on(&mut self, near: bool, bench: &mut ModelUnderTest<'a>, chosen: &[Chosen], item: &Item) -> Without {
-        let Case { plant, fit, noise, own_validation, .. } = *self.case;
+        let Session { plant, fit, noise, own_validation, .. } = *self.case;
         let (meter, with) = if near { (&mut self.near, self.after_fit) } else { (&mut self.far, self.after) };
         let measured = leave_out(plant, fit, meter, bench, chosen, item, !near);
         let apart = |j: usize| {

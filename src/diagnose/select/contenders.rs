@@ -4,7 +4,7 @@
 use super::excess::{by_log, excess, with_excess};
 use super::measure::Meter;
 use super::model_choice::LeftOut;
-use super::refine_and_select::{Case, Settled};
+use super::refine_and_select::{Session, Settled};
 use crate::diagnose::findings::result::Errors;
 use crate::diagnose::findings::structure::{Structure, structure};
 use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
@@ -59,7 +59,7 @@ fn plainly(refit: &mut ModelUnderTest<'_>) -> Result<(Fitted, LeftOut), Diagnose
     })
 }
 
-impl<'a> Case<'a> {
+impl<'a> Session<'a> {
     /// Part of a model's residual that is not noise. `torque`: root mean square of each joint's, N
     /// m.
     pub(in crate::diagnose) fn left(&self, model: &Settled<'_>, torque: &[f64]) -> Vec<Structure> {

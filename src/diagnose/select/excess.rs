@@ -2,7 +2,7 @@
 //! have not.
 
 use super::measure::{Measured, Meter, root_mean_square, taken_of};
-use super::refine_and_select::{Case, Settled};
+use super::refine_and_select::{Session, Settled};
 use crate::diagnose::findings::evidence::short;
 use crate::diagnose::findings::result::Cause;
 use crate::diagnose::findings::structure::Structure;
@@ -90,7 +90,7 @@ pub(in crate::diagnose) fn by_log(
     logs.iter().map(of).collect()
 }
 
-impl Case<'_> {
+impl Session<'_> {
     /// Joints, from 0, that differ between fitted and validating logs. They are missed far more on
     /// the latter than on any left-out stretch of the former, also by one model that is fitted to
     /// both. Without that second test a joint that the fitted logs hardly show would count.

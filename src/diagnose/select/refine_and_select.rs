@@ -13,7 +13,7 @@ use crate::diagnose::findings::result::{Cause, Offered};
 use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
 use crate::diagnose::fit::uncertainty::Uncertainty;
 use crate::diagnose::run::Settings;
-use crate::diagnose::search::baseline_friction::{Plain, reconsider};
+use crate::diagnose::search::baseline_friction::{BaselineFriction, reconsider};
 use crate::diagnose::search::judge::{Accepted, adopt, chosen_of};
 use crate::diagnose::search::search;
 use crate::diagnose::windows::recording::Recording;
@@ -22,7 +22,7 @@ use crate::model::PerturbableArm;
 
 /// Data of a diagnosis and what is measured by.
 #[derive(Clone, Copy)]
-pub(in crate::diagnose) struct Case<'a> {
+pub(in crate::diagnose) struct Session<'a> {
     pub(in crate::diagnose) plant: &'a dyn PerturbableArm,
     pub(in crate::diagnose) fit: &'a [Recording],
     pub(in crate::diagnose) validate: &'a [Recording],
@@ -83,7 +83,7 @@ pub(in crate::diagnose) struct Settled<'a> {
     pub(in crate::diagnose) why: Vec<String>,
 }
 
-impl<'a> Case<'a> {
+impl<'a> Session<'a> {
     fn bench(&self, mode: Mode) -> ModelUnderTest<'a> {
         let mut bench =
             ModelUnderTest::new(self.plant, self.fit, self.settings.rate, mode, &self.plant.delays(), false);
@@ -142,7 +142,7 @@ impl<'a> Case<'a> {
         mut bench: ModelUnderTest<'a>,
         mut accepted: Vec<Accepted>,
         mut fitted: Fitted,
-        rivals: &[Plain],
+        rivals: &[BaselineFriction],
         why: Vec<String>,
     ) -> Result<Settled<'a>, ConsistentError> {
         for round in 0.. {
