@@ -42,7 +42,8 @@ def imported(binary, file, folder):
             return json.loads(made.stdout), out
         if " moving joints: " not in made.stderr:
             return made.stderr.strip().splitlines()[0], None
-        tip = made.stderr.split(" moving joints: ")[1].split(";")[0].split(",")[0].strip()
+        # Each with its number of joints: `wrist (6), thumb (8); choose ...`.
+        tip = made.stderr.split(" moving joints: ")[1].split(";")[0].split(",")[0].rsplit(" (", 1)[0].strip()
         options += ["--tip", tip]
     return made.stderr.strip().splitlines()[0], None
 
