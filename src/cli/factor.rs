@@ -86,7 +86,7 @@ impl Factor {
         })
     }
 
-    /// Writes a row for each recording as it is read.
+    /// Writes one row per recording, before the next is read.
     fn write(&self, setup: &Setup<'_>, robot: [u8; 32], provenance: &Provenance) -> Result<Totals, Failure> {
         let mut totals = Totals::default();
         let mut output = Output::create(&self.out)?;

@@ -1,7 +1,7 @@
 //! Whether the position columns of a log stand in another order.
 //!
 //! Unlike another order of the torques this changes the regressor, so that some of the samples are
-//! kept and evaluated anew for each order that is tried.
+//! kept and evaluated again for each order that is tried.
 
 use super::{Reading, Reference, TorqueColumns, absorb};
 use crate::data::signal::MotionBlock;
