@@ -4,19 +4,17 @@
 //! `cargo run --example contact_force`
 
 use std::error::Error;
-use std::fs::read_to_string;
 
 use denavit::control::estimate::{Known, Linear, NoisePass, NoiseSource, Run, Settings, Uncertainty};
 use denavit::data::log::Replay;
 use denavit::data::signal::{Prepare, each_motion};
 use denavit::model::interpreted::Interpreted;
+use denavit::robot::Robot;
 use denavit::simulate::{Control, Mode, Request, Sensors, SimulationFile, Simulator, Trajectory};
 use dh_codegen::arm::param::standard_values;
-use dh_codegen::robot::Robot;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let text = read_to_string(format!("{}/robots/kuka-lwr4.yaml", env!("CARGO_MANIFEST_DIR")))?;
-    let robot = Robot::from_yaml(&text, &|name| Err(format!("no file {name}")))?.robot;
+    let robot = Robot::open(concat!(env!("CARGO_MANIFEST_DIR"), "/robots/kuka-lwr4.yaml"))?;
     let push = "effects: { external_contact: { start: 2, end: 3, fx: 15, fy: 0, fz: -10 } }";
     let push = SimulationFile::from_yaml(push, &robot)?;
 

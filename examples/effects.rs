@@ -6,9 +6,9 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use denavit::robot::effects::ExternalContact;
+use denavit::robot::{EffectKind, JointKind, Robot};
 use denavit::simulate::{Control, Effect, Effects, Mode, Recording, Request, Sensors, Simulator, Trajectory};
-use dh_codegen::robot::effects::ExternalContact;
-use dh_codegen::robot::{EffectKind, JointKind, Robot};
 
 type Problem = Box<dyn std::error::Error>;
 
@@ -17,8 +17,7 @@ const J: usize = 3;
 
 fn main() -> Result<(), Problem> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let text = std::fs::read_to_string(root.join("robots/kuka-lwr4.yaml"))?;
-    let robot = Robot::from_yaml(&text, &|name| Err(format!("no file {name}")))?.robot;
+    let robot = Robot::open(root.join("robots/kuka-lwr4.yaml"))?;
     let folder = root.join("docs/effects");
     std::fs::create_dir_all(&folder)?;
     let motion = motion(robot.dof(), 1.0, 12.0)?;

@@ -3,19 +3,18 @@
 //! `cargo run --release --example identify_iiwa`
 
 use std::error::Error;
-use std::fs::{File, read_to_string};
+use std::fs::File;
 
 use denavit::data::log;
 use denavit::data::signal::{Prepare, each_motion};
 use denavit::identify::{AccumulatorSettings, Factors, IdentifySettings, QrAccumulator, solve};
 use denavit::model::Arm;
 use denavit::model::interpreted::Interpreted;
-use dh_codegen::robot::Robot;
+use denavit::robot::Robot;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let root = env!("CARGO_MANIFEST_DIR");
-    let text = read_to_string(format!("{root}/robots/kuka-iiwa14.yaml"))?;
-    let robot = Robot::from_yaml(&text, &|name| Err(format!("no file {name}")))?.robot;
+    let robot = Robot::open(format!("{root}/robots/kuka-iiwa14.yaml"))?;
     let arm = Interpreted::new(&robot, &[]);
 
     // Order 5, 10 Hz, forward and backward; the torque of these recordings is 40 ms late.

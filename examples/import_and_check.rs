@@ -8,7 +8,7 @@ use std::fs::read_to_string;
 use denavit::exchange::{ImportOptions, ModelFormat, export, import};
 use denavit::model::Arm;
 use denavit::model::interpreted::Interpreted;
-use dh_codegen::robot::Robot;
+use denavit::robot::Robot;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let text = read_to_string(format!("{}/robots/puma560.yaml", env!("CARGO_MANIFEST_DIR")))?;

@@ -6,13 +6,13 @@
 //! ```
 
 use std::error::Error;
-use std::fs::{File, read_to_string};
+use std::fs::File;
 
 use denavit::identify::{FactorError, IdentifySettings, KeyedFactors, RecordingFactor, solve};
 use denavit::model::coupled::Coupled;
 use denavit::model::interpreted::Interpreted;
 use denavit::model::robot_edit;
-use dh_codegen::robot::Robot;
+use denavit::robot::Robot;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
 
@@ -33,9 +33,9 @@ fn factors(path: &str) -> Result<KeyedFactors, Box<dyn Error>> {
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     let [robot, table] = arguments.as_slice() else { return Err("give a robot file and a table of factors".into()) };
-    let robot = Robot::from_yaml(&read_to_string(robot)?, &|name| Err(name.to_string())).map_err(|e| e.to_string())?;
-    let bodies = Interpreted::new(&robot.robot, &[]);
-    let couplings = robot_edit::couplings(&robot.robot).into_iter().map(|(coupling, _)| coupling).collect();
+    let robot = Robot::open(robot)?;
+    let bodies = Interpreted::new(&robot, &[]);
+    let couplings = robot_edit::couplings(&robot).into_iter().map(|(coupling, _)| coupling).collect();
     let arm = Coupled::new(&bodies, couplings);
     let merged: Result<Option<RecordingFactor>, FactorError> = factors(table)?.fold(table);
     let merged = merged?.ok_or("the table has no factor")?;

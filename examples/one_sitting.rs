@@ -4,7 +4,6 @@
 //! `cargo run --release --example one_sitting`
 
 use std::error::Error;
-use std::fs::read_to_string;
 use std::sync::atomic::AtomicBool;
 
 use denavit::data::log::Replay;
@@ -16,12 +15,11 @@ use denavit::model::Arm;
 use denavit::model::differentiated::Differentiated;
 use denavit::model::interpreted::Interpreted;
 use denavit::model::perturbable_robot::PerturbableRobot;
+use denavit::robot::Robot;
 use denavit::simulate::{Request, Sensors, SimulationFile, Simulator, Trajectory};
-use dh_codegen::robot::Robot;
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let text = read_to_string(format!("{}/robots/kuka-lwr4.yaml", env!("CARGO_MANIFEST_DIR")))?;
-    let robot = Robot::from_yaml(&text, &|name| Err(format!("no file {name}")))?.robot;
+    let robot = Robot::open(concat!(env!("CARGO_MANIFEST_DIR"), "/robots/kuka-lwr4.yaml"))?;
     let hidden = "joints: { 4: { torque_ripple: { RN: 20, RC: 0.4, RS: 0.3 } } }";
     let hidden = SimulationFile::from_yaml(hidden, &robot).map_err(|p| p.in_file("effects").to_string())?;
 

@@ -7,12 +7,12 @@ use std::error::Error;
 use denavit::apps::painting::{Roller, Surface, Task, plan};
 use denavit::model::interpreted::Interpreted;
 use denavit::model::inverse_kinematics::Kinematics;
-use dh_codegen::robot::{Robot, Tool};
+use denavit::robot::{Robot, Tool};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let root = env!("CARGO_MANIFEST_DIR");
     let read = |path: &str| std::fs::read_to_string(format!("{root}/robots/{path}"));
-    let mut robot = Robot::from_yaml(&read("ur10e.yaml")?, &|name| Err(format!("no file {name}")))?.robot;
+    let mut robot = Robot::open(format!("{root}/robots/ur10e.yaml"))?;
     robot.tool = Some(Tool::from_yaml(&read("tools/small-roller.yaml")?, "small-roller")?.0);
     let size = robot.tool.as_ref().and_then(|tool| tool.geometry).ok_or("the roller has a size")?;
     let roller = Roller { length: size.length, width: size.width, turned: false };

@@ -5,7 +5,7 @@
 //! ```
 //! use denavit::model::{Arm, States};
 //! use denavit::model::interpreted::Interpreted;
-//! use dh_codegen::robot::Robot;
+//! use denavit::robot::Robot;
 //!
 //! let text = "
 //! name: pendulum
@@ -24,7 +24,7 @@
 //! let mut tau = [0.0];
 //! arm.inverse_dynamics(&level, &[2.0, 1.0, 0.0, 0.0, 0.0, 0.5, 0.5, 0.0, 0.0, 0.0], &mut tau);
 //! assert!((tau[0] - 9.81).abs() < 1e-12);
-//! # Ok::<(), dh_codegen::robot::Problems>(())
+//! # Ok::<(), denavit::robot::Problems>(())
 //! ```
 
 pub mod apps;
@@ -40,3 +40,7 @@ pub mod model;
 pub mod numerics;
 pub mod report;
 pub mod simulate;
+
+/// Robot files and symbolic robots: [`Robot::open`](robot::Robot::open). Re-exported, so that a user
+/// names one dependency.
+pub use dh_codegen::robot;
