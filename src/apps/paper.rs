@@ -7,6 +7,7 @@
 
 pub mod chain;
 pub mod diagnosis;
+mod error;
 pub mod excitation;
 pub mod fig10;
 pub mod fig6;
@@ -27,54 +28,13 @@ mod verdict;
 #[cfg(test)]
 mod tests;
 
+pub use error::{DesignObstacle, ReproduceError};
 pub use excitation::{Excitation, ExcitationSettings, excitation};
 pub use force::{Force, ForceSettings, force};
 pub use identification::{Experiment, Settings, identification};
 pub use painting::{Painting, PaintingSettings, painting};
 pub use share::Share;
 pub use verdict::Verdict;
-
-use crate::apps::painting::run::RunError;
-use crate::data::signal::PrepareError;
-use crate::diagnose::DiagnoseError;
-use crate::identify::IdentifyError;
-use crate::identify::tool::ToolError;
-use crate::simulate::SimulateError;
-
-/// Why an experiment could not be run.
-#[derive(Debug, thiserror::Error)]
-#[non_exhaustive]
-pub enum ReproduceError {
-    /// The built-in robot or its effects.
-    #[error("the built-in robot can't be used: {0}")]
-    Robot(String),
-    /// The exciting motion.
-    #[error("{what}: {why}")]
-    Design {
-        /// The motion.
-        what: String,
-        /// The obstacle.
-        why: String,
-    },
-    /// The simulation.
-    #[error(transparent)]
-    Simulate(#[from] SimulateError),
-    /// The log.
-    #[error(transparent)]
-    Prepare(#[from] PrepareError),
-    /// The fit.
-    #[error(transparent)]
-    Identify(#[from] IdentifyError),
-    /// The diagnosis.
-    #[error(transparent)]
-    Diagnose(#[from] DiagnoseError),
-    /// The fit of what is carried.
-    #[error(transparent)]
-    Tool(#[from] ToolError),
-    /// The run against the wall.
-    #[error(transparent)]
-    Paint(#[from] RunError),
-}
 
 /// Called now and then, from any thread, with the present step and the share that is done of all, 0
 /// to 1.

@@ -15,7 +15,9 @@ mod finding;
 mod fingerprint;
 mod inspect;
 mod limits;
+mod malformed;
 mod mapping;
+mod mapping_error;
 mod matlab;
 mod npz;
 mod open;
@@ -37,13 +39,19 @@ pub use finding::{Clock, Explanation, Finding, Kind, Severity, Unexplained};
 pub use fingerprint::{Common, Fingerprint, Fingerprinted};
 pub use inspect::{ChannelSummary, Proposal, propose};
 pub use limits::{Limits, beyond_limits, torque_unit};
+pub use malformed::{Malformed, TooManyNumbers};
 pub use mapping::{Channel, Mapping, Reading, SourceJoint};
+pub use mapping_error::MappingError;
+pub use matlab::MatError;
+pub use npz::NpzError;
 #[cfg(feature = "rosbag2")]
 pub use open::open_sqlite;
 pub use open::{Format, open, open_parquet, open_table, open_with, source};
 pub use quality_check::{QualityCheck, Reached, Verdict};
 pub use replay::Replay;
+pub use ros::{CdrError, McapError};
 pub use table::Table;
+pub use unit::UnitError;
 pub use whole::{Log, Passed, each_block};
 
 #[cfg(test)]

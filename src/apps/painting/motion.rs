@@ -25,6 +25,22 @@ pub struct Motion {
     pub ddq: Vec<Vec<f64>>,
 }
 
+/// Why a branch is not smooth enough to be written down.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub(super) enum RoughBranch {
+    /// No posture near the last one.
+    #[error("the posture is lost at {0:?} of the wall")]
+    Lost([f64; 3]),
+    /// A joint's path is no short series.
+    #[error("a joint's path is not smooth: {tail:.1e} rad are left out at order {ORDER} on {pieces} pieces")]
+    Path {
+        /// Truncation error, rad or m.
+        tail: f64,
+        /// Pieces of the leg.
+        pieces: usize,
+    },
+}
+
 impl Motion {
     /// Number of joints.
     pub fn dof(&self) -> usize {
@@ -68,7 +84,7 @@ impl Motion {
     ///
     /// # Errors
     /// Where the branch is not smooth enough to be written down.
-    pub(super) fn new(task: &Task<'_>, scored: &Scored) -> Result<Self, String> {
+    pub(super) fn new(task: &Task<'_>, scored: &Scored) -> Result<Self, RoughBranch> {
         let n = task.dof();
         let mut motion = Self::default();
         let mut begin = 0.0;
@@ -126,7 +142,7 @@ const TAIL: f64 = 2e-12;
 const BETWEEN: f64 = 1e-11;
 
 impl Smooth {
-    fn new(task: &Task<'_>, scored: &Scored, line: &Line, start: &[f64]) -> Result<Self, String> {
+    fn new(task: &Task<'_>, scored: &Scored, line: &Line, start: &[f64]) -> Result<Self, RoughBranch> {
         let chebyshev = Chebyshev::new(ORDER);
         let mut count = 1;
         loop {
@@ -136,9 +152,7 @@ impl Smooth {
             for p in 0..count {
                 let points: Vec<f64> = chebyshev.points.iter().map(|s| (p as f64 + s) / count as f64).collect();
                 let all = task.postures(&scored.roller, line, &points);
-                let q = task
-                    .follow(&all, &here)
-                    .map_err(|k| format!("the posture is lost at {:?} of the wall", line.place(points[k])))?;
+                let q = task.follow(&all, &here).map_err(|k| RoughBranch::Lost(line.place(points[k])))?;
                 here = q.row(ORDER).iter().copied().collect();
                 for j in 0..q.ncols() {
                     tail = tail.max(chebyshev.tail(|k| q[(k, j)]));
@@ -147,9 +161,7 @@ impl Smooth {
             }
             if tail <= TAIL || count >= 64 {
                 if tail > 1e3 * TAIL {
-                    return Err(format!(
-                        "a joint's path is not smooth: {tail:.1e} rad are left out at order {ORDER} on {count} pieces"
-                    ));
+                    return Err(RoughBranch::Path { tail, pieces: count });
                 }
                 return Ok(Self { chebyshev, panels });
             }

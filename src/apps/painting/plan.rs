@@ -118,6 +118,8 @@ impl std::fmt::Display for Infeasible {
     }
 }
 
+impl std::error::Error for Infeasible {}
+
 /// Solves equation (12).
 ///
 /// # Errors
@@ -148,7 +150,7 @@ pub fn plan(task: &Task<'_>, progress: Progress<'_>) -> Result<Plan, Infeasible>
         return Err(search.infeasible(&best));
     }
     progress("knots", 0.0);
-    let motion = Motion::new(task, &best).map_err(|e| Infeasible { reasons: vec![e], too_weak: false })?;
+    let motion = Motion::new(task, &best).map_err(|e| Infeasible { reasons: vec![e.to_string()], too_weak: false })?;
     let mut begin = 0.0;
     let spans = best
         .legs

@@ -85,7 +85,7 @@ pub fn battery(settings: &Settings, watch: Watch<'_>) -> Result<Battery, Reprodu
     };
     let threads: Vec<Result<Vec<Outcome>, ReproduceError>> = std::thread::scope(|scope| {
         let handles: Vec<_> = (0..2).map(|_| scope.spawn(work)).collect();
-        let lost = || Err(ReproduceError::Robot("a case could not be run to its end".into()));
+        let lost = || Err(ReproduceError::CaseLost);
         handles.into_iter().map(|h| h.join().unwrap_or_else(|_| lost())).collect()
     });
     let mut outcomes = Vec::with_capacity(settings.cases);

@@ -132,7 +132,7 @@ pub fn excitation(settings: &ExcitationSettings, watch: Watch<'_>) -> Result<Exc
     let mut others = Vec::new();
     for (name, text, published) in OTHERS {
         let read = Robot::from_yaml(text, &|file| Err(format!("no file {file}")));
-        let robot = read.map_err(|p| ReproduceError::Robot(p.in_file(name).to_string()))?.robot;
+        let robot = read.map_err(ReproduceError::in_file(name))?.robot;
         let arm = Differentiated::new(&robot);
         let task = self::task(&arm, &robot)?;
         let tell = |_: usize, p: &Progress| {
@@ -147,11 +147,8 @@ pub fn excitation(settings: &ExcitationSettings, watch: Watch<'_>) -> Result<Exc
 }
 
 fn task<'a>(arm: &'a Differentiated, robot: &Robot) -> Result<Task<'a>, ReproduceError> {
-    let failed = |why: &dyn std::fmt::Display| ReproduceError::Design {
-        what: format!("a motion for {}", robot.name),
-        why: why.to_string(),
-    };
-    let mut task = Task::new(arm, robot, CHOSEN, ACCELERATION_TIME).map_err(|e| failed(&e))?;
+    let what = format!("a motion for {}", robot.name);
+    let mut task = Task::new(arm, robot, CHOSEN, ACCELERATION_TIME).map_err(ReproduceError::design(&what))?;
     task.links_only();
     Ok(task)
 }

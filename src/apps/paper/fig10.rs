@@ -55,6 +55,6 @@ pub fn fig10(
         tracer.absorb(motion)
     })?;
     let errors = carried.logs.iter().find(|l| l.loaded).cloned();
-    let errors = errors.ok_or_else(|| ReproduceError::Robot("the loaded log is lost".into()))?;
+    let errors = errors.ok_or(ReproduceError::Missing("log with the roller in the hand"))?;
     Ok(Fig10 { trace: tracer.finish(), errors, mass: [carried.values[0], tool.inertia.map_or(f64::NAN, |i| i.m)] })
 }

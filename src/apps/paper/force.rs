@@ -245,8 +245,7 @@ impl Stage {
         estimation: &Estimation,
     ) -> Result<Series, ReproduceError> {
         let beta = found.values();
-        let standard = recover_standard(&self.arm, &beta, Some(&self.lwr.standard));
-        let standard = standard.map_err(|e| ReproduceError::Robot(e.to_string()))?;
+        let standard = recover_standard(&self.arm, &beta, Some(&self.lwr.standard))?;
         self.estimate_with(&beta, &standard, Some(Uncertainty::of(found)), seed, stride, estimation)
     }
 
@@ -274,8 +273,7 @@ impl Stage {
         let known =
             Known { arm: &self.arm, standard, torques: &torques, uncertainty: &uncertainty, torque_limits: &[] };
         let mut tool = self.arm.bodies(standard);
-        let mut run =
-            Run::new("test", known, &mut tool, estimation.clone()).map_err(|e| ReproduceError::Robot(e.to_string()))?;
+        let mut run = Run::new("test", known, &mut tool, estimation.clone())?;
         each_motion(&mut Replay::new(&log), n, &prepare, |motion| run.absorb(motion))?;
         Ok(run.finish())
     }
@@ -385,7 +383,7 @@ const ALONE: [(&str, &str, f64); 2] = [
 pub fn alone(seed: u64) -> Result<Vec<Stage>, ReproduceError> {
     let stage = |(name, text, noise): (&str, &str, f64)| {
         let read = Robot::from_yaml(text, &|name| Err(format!("no file {name}")));
-        let mut robot = read.map_err(|p| ReproduceError::Robot(p.in_file(name).to_string()))?.robot;
+        let mut robot = read.map_err(ReproduceError::in_file(name))?.robot;
         robot.tool = None;
         let sensors = Sensors { rate: 100.0, wrench: true, torque_noise: vec![noise], ..Sensors::default() };
         Stage::of(Lwr::of(robot)?, sensors, seed, 4, 12, [0.7, 0.0], [&[]; 2])

@@ -106,7 +106,7 @@ fn case(
     for (motion, recording) in motions.iter().zip(&recordings) {
         all.push(factors(motion.name, &lwr.arm, &recording.log, 1)?);
     }
-    let validate = all.pop().ok_or_else(|| ReproduceError::Robot("there is no motion".into()))?;
+    let validate = all.pop().ok_or(ReproduceError::Missing("motion"))?;
     let found = all.iter().map(|f| fit(lwr, f, &validate)).collect::<Result<_, _>>()?;
     Ok(Case { recordings, found, validate })
 }

@@ -31,7 +31,7 @@ pub fn carry(
     seed: u64,
 ) -> Result<(Tool, Recording), ReproduceError> {
     let tool = catalogue().into_iter().find(|t| t.name == name);
-    let tool = tool.ok_or_else(|| ReproduceError::Robot(format!("there is no tool `{name}`")))?;
+    let tool = tool.ok_or_else(|| ReproduceError::NoTool(name.into()))?;
     let mut robot = lwr.robot.clone();
     robot.tool = Some(tool.clone());
     let simulator = Simulator::new(&robot, &lwr.effects(which)?)?;

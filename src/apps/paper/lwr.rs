@@ -83,7 +83,7 @@ impl Lwr {
     /// Reads the built-in file.
     pub fn new() -> Result<Self, ReproduceError> {
         let read = Robot::from_yaml(FILE, &|name| Err(format!("no file {name}")));
-        let mut robot = read.map_err(|p| ReproduceError::Robot(p.in_file("kuka-lwr4.yaml").to_string()))?.robot;
+        let mut robot = read.map_err(ReproduceError::in_file("kuka-lwr4.yaml"))?.robot;
         robot.tool = None;
         Self::of(robot)
     }
@@ -101,7 +101,7 @@ impl Lwr {
     /// Of another robot file.
     pub fn of(robot: Robot) -> Result<Self, ReproduceError> {
         let standard = param::standard_values(&robot);
-        let standard = standard.ok_or_else(|| ReproduceError::Robot("its links are not all known".into()))?;
+        let standard = standard.ok_or(ReproduceError::UnknownLinks)?;
         let arm = Interpreted::new(&robot, &[Function::PayloadRegressor]);
         let truth =
             arm.base_parameters().iter().map(|b| b.coefficients.iter().map(|&(i, k)| k * standard[i]).sum()).collect();
@@ -120,7 +120,7 @@ impl Lwr {
             text += &format!("  {}: {{ {} }}\n", joint + 1, laws.join(", "));
         }
         let file = SimulationFile::from_yaml(&text, &self.robot);
-        Ok(file.map_err(|p| ReproduceError::Robot(p.in_file("effects").to_string()))?.effects)
+        Ok(file.map_err(ReproduceError::in_file("effects"))?.effects)
     }
 
     /// Encoders as in [`Sensors`]; torques with the white noise that gives base parameters the

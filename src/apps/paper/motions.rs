@@ -3,9 +3,9 @@
 
 use std::sync::atomic::AtomicBool;
 
-use super::ReproduceError;
 use super::Watch;
 use super::lwr::Lwr;
+use super::{DesignObstacle, ReproduceError};
 use crate::apps::paper::tool::PAPER_TORQUE_NOISE;
 use crate::excite::{self, Criterion, Effort, Task, design};
 use crate::model::differentiated::Differentiated;
@@ -70,11 +70,8 @@ pub(super) fn designed(
     effort: Effort,
     tell: &(dyn Fn(f64) + Sync),
 ) -> Result<Motion, ReproduceError> {
-    let failed = |why: &dyn std::fmt::Display| ReproduceError::Design {
-        what: format!("the motion `{name}`"),
-        why: why.to_string(),
-    };
-    let mut task = Task::new(arm, &lwr.robot, seconds, ACCELERATION_TIME).map_err(|e| failed(&e))?;
+    let what = format!("the motion `{name}`");
+    let mut task = Task::new(arm, &lwr.robot, seconds, ACCELERATION_TIME).map_err(ReproduceError::design(&what))?;
     task.criterion = criterion;
     if name == LINKS {
         task.links_only();
@@ -86,9 +83,9 @@ pub(super) fn designed(
     }
     let progress = |p: &excite::Progress| tell(p.done as f64 / p.total.max(1) as f64);
     let watch = excite::Watch { stop: &AtomicBool::new(false), progress: &progress };
-    let found = design(&task, &effort, &watch).map_err(|e| failed(&e))?;
+    let found = design(&task, &effort, &watch).map_err(ReproduceError::design(&what))?;
     if !found.feasible {
-        return Err(failed(&"no motion inside all limits was found"));
+        return Err(ReproduceError::design(&what)(DesignObstacle::OutsideLimits));
     }
     let (t, states) = found.trajectory.sampled(100.0);
     let largest = |j: usize| {

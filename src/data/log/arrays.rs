@@ -1,6 +1,6 @@
 //! Named arrays in memory as a table: what NumPy and MATLAB save.
 
-use super::{Block, LogError, Table};
+use super::{Block, LogError, Malformed, Table};
 
 /// Numbers that are taken into memory at most: 64 MB.
 pub(super) const MOST_NUMBERS: usize = 8_000_000;
@@ -45,8 +45,7 @@ impl ArrayTable {
             }
         }
         if names.is_empty() {
-            let what = "it has no array of numbers".into();
-            return Err(LogError::Format { file: file.into(), format, what });
+            return Err(LogError::malformed(file, format, Malformed::NoArray));
         }
         Ok(Self { names, columns, selected: Vec::new(), row: 0 })
     }

@@ -1,6 +1,6 @@
 //! Why a log can't be used: what, where, how to mend it.
 
-use super::Finding;
+use super::{Finding, Malformed, MappingError, UnitError};
 
 /// A log that can't be used.
 #[derive(Debug, thiserror::Error)]
@@ -71,22 +71,22 @@ pub enum LogError {
         joints: Vec<usize>,
     },
     /// A column's unit does not fit what it holds.
-    #[error("{file}, line 1, column `{column}`: {what}")]
+    #[error("{file}, line 1, column `{column}`: {source}")]
     Unit {
         /// File.
         file: String,
         /// The column.
         column: String,
         /// The unit, and which ones there are.
-        what: String,
+        source: Box<UnitError>,
     },
     /// The channels of a file can't be given the roles of columns.
-    #[error("{file}: {what}")]
+    #[error("{file}: {source}")]
     Mapping {
         /// File.
         file: String,
         /// Missing or ambiguous entry.
-        what: String,
+        source: Box<MappingError>,
     },
     /// A format that is known and not read.
     #[error("{file}: {what}")]
@@ -97,14 +97,14 @@ pub enum LogError {
         what: String,
     },
     /// A file of another kind can't be read.
-    #[error("{file}: the {format} file can't be read: {what}")]
+    #[error("{file}: the {format} file can't be read: {source}")]
     Format {
         /// File.
         file: String,
         /// Kind of file.
         format: &'static str,
-        /// Description of the mistake.
-        what: String,
+        /// Where the bytes are not those of the format.
+        source: Box<Malformed>,
     },
     /// Two columns have one name.
     #[error("{file}, line 1: the column `{column}` stands there twice; rename or remove one")]
@@ -142,6 +142,18 @@ pub enum LogError {
         /// All findings, also those that would not have stopped it.
         findings: Vec<Finding>,
     },
+}
+
+impl LogError {
+    /// Of a file whose bytes are not those of its format.
+    pub(super) fn malformed(file: &str, format: &'static str, source: impl Into<Malformed>) -> Self {
+        Self::Format { file: file.into(), format, source: Box::new(source.into()) }
+    }
+
+    /// Of a file whose channels are no columns.
+    pub(super) fn mapping(file: &str, source: MappingError) -> Self {
+        Self::Mapping { file: file.into(), source: Box::new(source) }
+    }
 }
 
 fn rename(lookalike: &Option<String>) -> String {

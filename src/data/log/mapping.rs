@@ -2,7 +2,7 @@
 
 pub use dh_codegen::robot::{LogChannel as Channel, LogMapping as Mapping};
 
-use super::{Layout, LogError, Role, unit};
+use super::{Layout, LogError, MappingError, Role, unit};
 
 /// A joint as the file that a robot came from has it: `q = sign * q_source + offset`.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,9 +43,7 @@ impl Reading {
             .map(|n| n.as_ref().trim_matches(|c: char| c.is_whitespace() || c == '"' || c == '\u{feff}'))
             .collect();
         let mut used = match &self.mapping {
-            Some(mapping) => {
-                self.mapped(mapping, &names).map_err(|what| LogError::Mapping { file: file.into(), what })?
-            }
+            Some(mapping) => self.mapped(mapping, &names).map_err(|e| LogError::mapping(file, e))?,
             None => self.named(file, &names)?,
         };
         used.sort_by_key(|u| u.position);
@@ -66,18 +64,17 @@ impl Reading {
             let by_number = element(plain, given).or_else(|| Role::of(plain)).map(|role| (role, [1.0, 0.0]));
             let Some((role, conversion)) = by_number.or_else(|| self.by_joint(plain)) else { continue };
             let factor = match given.filter(|_| element(plain, given).is_none()) {
-                Some(text) => unit::scale(text, role).map_err(|what| LogError::Unit {
+                Some(text) => unit::scale(text, role).map_err(|e| LogError::Unit {
                     file: file.into(),
                     column: (*name).into(),
-                    what,
+                    source: Box::new(e),
                 })?,
                 None => 1.0,
             };
             used.push(Used { role, position, conversion: [conversion[0] * factor, conversion[1]] });
         }
         if !used.iter().any(|u| matches!(u.role, Role::Joint(super::Quantity::Q, _))) {
-            let channels = super::ros::columns(names, &self.joints)
-                .map_err(|what| LogError::Mapping { file: file.into(), what })?;
+            let channels = super::ros::columns(names, &self.joints).map_err(|e| LogError::mapping(file, e))?;
             for (role, position) in channels {
                 used.push(Used { role, position, conversion: self.source_conversion(role) });
             }
@@ -107,7 +104,7 @@ impl Reading {
     }
 
     /// Columns by a mapping. Channels that are named by joint are in the source's coordinates.
-    fn mapped(&self, mapping: &Mapping, names: &[&str]) -> Result<Vec<Used>, String> {
+    fn mapped(&self, mapping: &Mapping, names: &[&str]) -> Result<Vec<Used>, MappingError> {
         let mut used: Vec<Used> = Vec::new();
         for (column, channel) in &mapping.columns {
             for (role, joint) in self.roles(column, channel, names)? {
@@ -115,7 +112,7 @@ impl Reading {
                 let position = names.iter().position(|n| *n == name).ok_or_else(|| absent(column, &name, names))?;
                 let conversion = self.conversion(channel, role, joint, column)?;
                 if used.iter().any(|u| u.role == role) {
-                    return Err(format!("the mapping gives `{}` twice", role.name()));
+                    return Err(MappingError::Twice(role.name()));
                 }
                 used.push(Used { role, position, conversion });
             }
@@ -129,22 +126,16 @@ impl Reading {
     }
 
     /// The roles of an entry: one, or one for each joint.
-    fn roles(&self, column: &str, channel: &Channel, names: &[&str]) -> Result<Vec<(Role, usize)>, String> {
+    fn roles(&self, column: &str, channel: &Channel, names: &[&str]) -> Result<Vec<(Role, usize)>, MappingError> {
         let Some(prefix) = column.strip_suffix('*') else {
-            let role = Role::of(column).ok_or_else(|| {
-                format!("`{column}` is no column; columns are t, seg, q1.., dq1.., tau1.., i1.., fx .. mz, or q* for all joints")
-            })?;
+            let role = Role::of(column).ok_or_else(|| MappingError::NoColumn(column.into()))?;
             let joint = if let Role::Joint(_, joint) = role { joint } else { 0 };
             return Ok(vec![(role, joint)]);
         };
         let quantity = super::Quantity::ALL
             .iter()
             .find(|(_, p)| *p == prefix)
-            .ok_or_else(|| {
-                format!(
-                    "`{column}` is no column of the joints; they are q*, dq*, ddq*, qm*, qd*, tau*, taum*, i*, temp*"
-                )
-            })?
+            .ok_or_else(|| MappingError::NoJointColumn(column.into()))?
             .0;
         let joints = if self.joints.is_empty() {
             let there = |joint: &usize| self.name_of(channel, *joint).is_ok_and(|name| names.contains(&name.as_str()));
@@ -153,29 +144,28 @@ impl Reading {
             self.joints.len()
         };
         if !["{joint}", "{number}", "{index}"].iter().any(|p| channel.name.contains(p)) && joints > 1 {
-            return Err(format!(
-                "`{column}` is for all joints: its channel needs {{joint}}, {{number}} or {{index}} in its name"
-            ));
+            return Err(MappingError::OneChannel(column.into()));
         }
         Ok((0..joints).map(|joint| (Role::Joint(quantity, joint), joint)).collect())
     }
 
     /// The channel's name for a joint.
-    fn name_of(&self, channel: &Channel, joint: usize) -> Result<String, String> {
+    fn name_of(&self, channel: &Channel, joint: usize) -> Result<String, MappingError> {
         let mut name = channel.name.clone();
         if name.contains("{joint}") {
-            let source = self.joints.get(joint).ok_or("{joint} needs the robot file: give --robot ROBOT")?;
+            let source = self.joints.get(joint).ok_or(MappingError::NoRobot)?;
             name = name.replace("{joint}", &source.name);
         }
         Ok(name.replace("{number}", &(joint + 1).to_string()).replace("{index}", &joint.to_string()))
     }
 
-    fn conversion(&self, channel: &Channel, role: Role, joint: usize, column: &str) -> Result<[f64; 2], String> {
-        let of = |values: &[f64], default: f64, what: &str| match values {
+    fn conversion(&self, channel: &Channel, role: Role, joint: usize, column: &str) -> Result<[f64; 2], MappingError> {
+        let of = |values: &[f64], default: f64, what: &'static str| match values {
             [] => Ok(default),
             [one] => Ok(*one),
             many => many.get(joint).copied().ok_or_else(|| {
-                format!("`{column}` has {} values of `{what}`: give one, or one for each joint", many.len())
+                let column = column.to_string();
+                MappingError::Values { column, count: many.len(), what }
             }),
         };
         let factor = channel.unit.as_deref().map_or(Ok(1.0), |unit| unit::scale(unit, role))?;
@@ -193,18 +183,15 @@ fn element(name: &str, index: Option<&str>) -> Option<Role> {
 }
 
 /// A channel that is not there, with the nearest ones that are.
-fn absent(column: &str, name: &str, names: &[&str]) -> String {
+fn absent(column: &str, name: &str, names: &[&str]) -> MappingError {
     let near = |n: &&&str| {
         let (a, b) = (n.to_lowercase(), name.to_lowercase());
         a.contains(&b) || b.contains(&a)
     };
-    let mut shown: Vec<&str> = names.iter().filter(near).take(5).copied().collect();
+    let mut shown: Vec<String> = names.iter().filter(near).take(5).map(ToString::to_string).collect();
     if shown.is_empty() {
-        shown = names.iter().take(8).copied().collect();
+        shown = names.iter().take(8).map(ToString::to_string).collect();
     }
-    let more = if shown.len() < names.len() { ", ..." } else { "" };
-    format!(
-        "the mapping takes `{column}` from `{name}`, which the log does not have; it has {}{more}",
-        shown.join(", ")
-    )
+    let more = shown.len() < names.len();
+    MappingError::Absent { column: column.into(), channel: name.into(), near: shown, more }
 }

@@ -3,10 +3,32 @@
 use std::io::Read;
 
 use super::arrays::{Array, ArrayTable, MOST_NUMBERS};
+use super::malformed::TooManyNumbers;
 use super::{Block, LogError, Table};
 
 /// Structures within structures at most.
 const DEEPEST: usize = 8;
+
+/// Where a file is no MATLAB file of level 5.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum MatError {
+    /// The file was cut.
+    #[error("it ends in the middle of a variable")]
+    Short,
+    /// A compressed variable is damaged.
+    #[error("a variable can't be unpacked: {0}")]
+    Unpack(#[source] std::io::Error),
+    /// The flags of a variable are empty.
+    #[error("a variable has no class")]
+    NoClass,
+    /// A variable has fewer numbers than its sides say.
+    #[error("the variable `{0}` ends before its last number")]
+    ShortVariable(String),
+    /// Too large for the memory.
+    #[error(transparent)]
+    TooLarge(#[from] TooManyNumbers),
+}
 
 /// Columns of a `.mat` file.
 pub struct MatTable(ArrayTable);
@@ -17,9 +39,8 @@ impl MatTable {
     /// # Errors
     /// Where the file is damaged or too large for the memory.
     pub fn new(file: &str, bytes: &[u8]) -> Result<Self, LogError> {
-        let failed = |what: String| LogError::Format { file: file.into(), format: "mat", what };
         let mut reader = MatReader { big: bytes.get(126..128) == Some(b"MI"), arrays: Vec::new(), left: MOST_NUMBERS };
-        reader.elements(bytes.get(128..).unwrap_or(&[])).map_err(failed)?;
+        reader.elements(bytes.get(128..).unwrap_or(&[])).map_err(|e| LogError::malformed(file, "mat", e))?;
         Ok(Self(ArrayTable::new(file, "mat", reader.arrays)?))
     }
 }
@@ -54,23 +75,22 @@ impl MatReader {
         Some(if self.big { u32::from_be_bytes(four) } else { u32::from_le_bytes(four) })
     }
 
-    fn element<'a>(&self, bytes: &'a [u8]) -> Result<Element<'a>, String> {
-        let short = || "it ends in the middle of a variable".to_string();
-        let kind = self.u32(bytes).ok_or_else(short)?;
+    fn element<'a>(&self, bytes: &'a [u8]) -> Result<Element<'a>, MatError> {
+        let kind = self.u32(bytes).ok_or(MatError::Short)?;
         // Up to four bytes stand in the tag itself.
         let (small, small_kind) = ((kind >> 16) as usize, kind & 0xffff);
         if small != 0 {
             let (data, rest) = (bytes.get(4..4 + small), bytes.get(8..));
-            return Ok((small_kind, data.filter(|_| small <= 4).ok_or_else(short)?, rest.ok_or_else(short)?));
+            return Ok((small_kind, data.filter(|_| small <= 4).ok_or(MatError::Short)?, rest.ok_or(MatError::Short)?));
         }
-        let size = self.u32(bytes.get(4..).unwrap_or(&[])).ok_or_else(short)? as usize;
-        let data = bytes.get(8..8 + size).ok_or_else(short)?;
+        let size = self.u32(bytes.get(4..).unwrap_or(&[])).ok_or(MatError::Short)? as usize;
+        let data = bytes.get(8..8 + size).ok_or(MatError::Short)?;
         // Compressed elements are not padded, the others to eight bytes.
         let padded = if kind == 15 { size } else { size.next_multiple_of(8) };
         Ok((kind, data, bytes.get(8 + padded..).unwrap_or(&[])))
     }
 
-    fn elements(&mut self, mut bytes: &[u8]) -> Result<(), String> {
+    fn elements(&mut self, mut bytes: &[u8]) -> Result<(), MatError> {
         while !bytes.is_empty() {
             let (kind, data, rest) = self.element(bytes)?;
             match kind {
@@ -81,9 +101,9 @@ impl MatReader {
                     flate2::read::ZlibDecoder::new(data)
                         .take(most)
                         .read_to_end(&mut plain)
-                        .map_err(|e| format!("a variable can't be unpacked: {e}"))?;
+                        .map_err(MatError::Unpack)?;
                     if plain.len() as u64 == most {
-                        return Err(TOO_LARGE.into());
+                        return Err(TooManyNumbers.into());
                     }
                     let (kind, data, _) = self.element(&plain)?;
                     if kind == 14 {
@@ -98,12 +118,12 @@ impl MatReader {
     }
 
     /// A variable: numbers are kept, structures opened, everything else passed over.
-    fn matrix(&mut self, data: &[u8], prefix: &str, depth: usize) -> Result<(), String> {
+    fn matrix(&mut self, data: &[u8], prefix: &str, depth: usize) -> Result<(), MatError> {
         if data.is_empty() || depth > DEEPEST {
             return Ok(());
         }
         let (_, flags, rest) = self.element(data)?;
-        let class = self.u32(flags).ok_or("a variable has no class")? & 0xff;
+        let class = self.u32(flags).ok_or(MatError::NoClass)? & 0xff;
         let (_, sides, rest) = self.element(rest)?;
         let sides: Vec<usize> = sides.chunks_exact(4).filter_map(|c| self.u32(c)).map(|n| n as usize).collect();
         let (_, name, rest) = self.element(rest)?;
@@ -117,7 +137,7 @@ impl MatReader {
         }
     }
 
-    fn structure(&mut self, data: &[u8], name: &str, depth: usize) -> Result<(), String> {
+    fn structure(&mut self, data: &[u8], name: &str, depth: usize) -> Result<(), MatError> {
         let (_, length, rest) = self.element(data)?;
         let length = self.u32(length).unwrap_or(0) as usize;
         let (_, names, mut rest) = self.element(rest)?;
@@ -135,7 +155,7 @@ impl MatReader {
         Ok(())
     }
 
-    fn numbers(&mut self, data: &[u8], name: String, shape: [usize; 2]) -> Result<(), String> {
+    fn numbers(&mut self, data: &[u8], name: String, shape: [usize; 2]) -> Result<(), MatError> {
         let (kind, data, _) = self.element(data)?;
         let size = match kind {
             1 | 2 => 1,
@@ -144,9 +164,9 @@ impl MatReader {
             9 | 12 | 13 => 8,
             _ => return Ok(()),
         };
-        let count = shape[0].checked_mul(shape[1]).filter(|n| *n <= self.left).ok_or(TOO_LARGE)?;
+        let count = shape[0].checked_mul(shape[1]).filter(|n| *n <= self.left).ok_or(TooManyNumbers)?;
         if data.len() < count.saturating_mul(size) {
-            return Err(format!("the variable `{name}` ends before its last number"));
+            return Err(MatError::ShortVariable(name));
         }
         self.left -= count;
         let plain: Vec<f64> = data.chunks_exact(size).take(count).map(|c| self.number(kind, c)).collect();
@@ -173,6 +193,3 @@ impl MatReader {
         }
     }
 }
-
-const TOO_LARGE: &str =
-    "there are more numbers than are taken into memory (8 million in all); write Parquet in place of it";

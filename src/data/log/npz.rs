@@ -2,11 +2,44 @@
 
 use std::io::{Cursor, Read};
 
+use zip::result::ZipError;
+
 use super::arrays::{Array, ArrayTable, MOST_NUMBERS};
-use super::{Block, LogError, Table};
+use super::malformed::TooManyNumbers;
+use super::{Block, LogError, Malformed, Table};
 
 /// Longest header of an array, bytes.
 const LONGEST_HEADER: usize = 1 << 16;
+
+/// Where the bytes are no NumPy array of numbers.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum NpzError {
+    /// It can't be unpacked, or ends within its header.
+    #[error(transparent)]
+    Read(#[from] std::io::Error),
+    /// Other bytes at the start.
+    #[error("it is no NumPy array")]
+    NoArray,
+    /// A header beyond any that NumPy writes.
+    #[error("its header is too long")]
+    LongHeader,
+    /// The header lacks a key.
+    #[error("its header has no `{0}`")]
+    NoKey(&'static str),
+    /// Objects are programs in disguise.
+    #[error("it holds Python objects (a pickle), which are not loaded; save plain numbers")]
+    Objects,
+    /// The sides are no numbers.
+    #[error("its shape `{0}` can't be read")]
+    Shape(String),
+    /// The array was cut.
+    #[error("it ends before its last number")]
+    Short,
+    /// Too large for the memory.
+    #[error(transparent)]
+    TooLarge(#[from] TooManyNumbers),
+}
 
 /// Columns of an `.npz` file.
 pub struct NpzTable(ArrayTable);
@@ -17,15 +50,16 @@ impl NpzTable {
     /// # Errors
     /// Where the file is damaged, holds objects, or is too large for the memory.
     pub fn new(file: &str, bytes: Vec<u8>) -> Result<Self, LogError> {
-        let failed = |what: String| LogError::Format { file: file.into(), format: "npz", what };
-        let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(|e| failed(e.to_string()))?;
+        let damaged = |e: ZipError| LogError::malformed(file, "npz", e);
+        let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
         let (mut arrays, mut numbers) = (Vec::new(), 0);
         for index in 0..archive.len() {
-            let entry = archive.by_index(index).map_err(|e| failed(e.to_string()))?;
-            let name = entry.name().map_err(|e| failed(e.to_string()))?.into_owned();
+            let entry = archive.by_index(index).map_err(damaged)?;
+            let name = entry.name().map_err(damaged)?.into_owned();
             let Some(name) = name.strip_suffix(".npy") else { continue };
-            let array =
-                read(entry, name, MOST_NUMBERS - numbers).map_err(|e| failed(format!("array `{name}`: {e}")))?;
+            let array = read(entry, name, MOST_NUMBERS - numbers);
+            let array = array
+                .map_err(|source| LogError::malformed(file, "npz", Malformed::Npz { array: name.into(), source }))?;
             if let Some(array) = array {
                 numbers += array.values.len();
                 arrays.push(array);
@@ -50,21 +84,21 @@ impl Table for NpzTable {
 }
 
 /// One array; `None` for text and for more than two dimensions.
-fn read(mut input: impl Read, name: &str, most: usize) -> Result<Option<Array>, String> {
+fn read(mut input: impl Read, name: &str, most: usize) -> Result<Option<Array>, NpzError> {
     let header = header(&mut input)?;
-    let descr = value(&header, "descr").ok_or("its header has no `descr`")?;
+    let descr = value(&header, "descr").ok_or(NpzError::NoKey("descr"))?;
     let descr = descr.trim_matches(['\'', '"']);
     if descr.contains('O') || descr.starts_with('[') {
-        return Err("it holds Python objects (a pickle), which are not loaded; save plain numbers".into());
+        return Err(NpzError::Objects);
     }
     let fortran = value(&header, "fortran_order").is_some_and(|v| v.starts_with("True"));
-    let shape = value(&header, "shape").ok_or("its header has no `shape`")?;
+    let shape = value(&header, "shape").ok_or(NpzError::NoKey("shape"))?;
     let sides: Vec<usize> = shape
         .trim_matches(['(', ')'])
         .split(',')
         .map(str::trim)
         .filter(|s| !s.is_empty())
-        .map(|s| s.trim_end_matches('L').parse().map_err(|_| format!("its shape `{shape}` can't be read")))
+        .map(|s| s.trim_end_matches('L').parse().map_err(|_| NpzError::Shape(shape.into())))
         .collect::<Result<_, _>>()?;
     let [rows, columns] = match sides.as_slice() {
         [] => [1, 1],
@@ -73,15 +107,12 @@ fn read(mut input: impl Read, name: &str, most: usize) -> Result<Option<Array>, 
         _ => return Ok(None),
     };
     let Some(number) = Number::of(descr) else { return Ok(None) };
-    let count = rows
-        .checked_mul(columns)
-        .filter(|n| *n <= most)
-        .ok_or("there are more numbers than are taken into memory (8 million in all); write Parquet in place of it")?;
+    let count = rows.checked_mul(columns).filter(|n| *n <= most).ok_or(TooManyNumbers)?;
     let mut input = std::io::BufReader::new(input);
     let (mut plain, mut bytes) = (Vec::new(), [0; 8]);
     for _ in 0..count {
         let bytes = &mut bytes[..number.size];
-        input.read_exact(bytes).map_err(|_| "it ends before its last number")?;
+        input.read_exact(bytes).map_err(|_| NpzError::Short)?;
         plain.push(number.read(bytes));
     }
     let values = if fortran && columns > 1 {
@@ -93,21 +124,21 @@ fn read(mut input: impl Read, name: &str, most: usize) -> Result<Option<Array>, 
 }
 
 /// The text of the header: a Python dictionary.
-fn header(input: &mut impl Read) -> Result<String, String> {
+fn header(input: &mut impl Read) -> Result<String, NpzError> {
     let mut start = [0; 8];
-    input.read_exact(&mut start).map_err(|e| e.to_string())?;
+    input.read_exact(&mut start)?;
     if !start.starts_with(b"\x93NUMPY") {
-        return Err("it is no NumPy array".into());
+        return Err(NpzError::NoArray);
     }
     let mut size = [0; 4];
     let width = if start[6] == 1 { 2 } else { 4 };
-    input.read_exact(&mut size[..width]).map_err(|e| e.to_string())?;
+    input.read_exact(&mut size[..width])?;
     let size = u32::from_le_bytes(size) as usize;
     if size > LONGEST_HEADER {
-        return Err("its header is too long".into());
+        return Err(NpzError::LongHeader);
     }
     let mut text = vec![0; size];
-    input.read_exact(&mut text).map_err(|e| e.to_string())?;
+    input.read_exact(&mut text)?;
     Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
@@ -199,9 +230,10 @@ mod tests {
 
     #[test]
     fn pickles_and_lies_are_refused() {
-        assert!(super::read(npy("|O", "False", "(1,)", &[]).as_slice(), "x", 10).is_err_and(|e| e.contains("pickle")));
+        let pickle = super::read(npy("|O", "False", "(1,)", &[]).as_slice(), "x", 10);
+        assert!(matches!(pickle, Err(NpzError::Objects)));
         let large = npy("<f8", "False", "(1099511627776,)", &[]);
-        assert!(super::read(large.as_slice(), "x", 1000).is_err_and(|e| e.contains("Parquet")));
+        assert!(super::read(large.as_slice(), "x", 1000).is_err_and(|e| e.to_string().contains("Parquet")));
         assert!(super::read(npy("<f8", "False", "(3,)", &[0; 8]).as_slice(), "x", 10).is_err());
         assert!(NpzTable::new("x.npz", b"PK\x03\x04nothing".to_vec()).is_err());
     }

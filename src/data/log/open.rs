@@ -165,10 +165,7 @@ pub fn open_sqlite(
     connection: rusqlite::Connection,
     reading: &Reading,
 ) -> Result<Box<dyn Table>, LogError> {
-    let failed = |e: rusqlite::Error| {
-        let what = format!("its tables are not those of rosbag2: {e}");
-        LogError::Format { file: file.into(), format: "SQLite", what }
-    };
+    let failed = |e| LogError::malformed(file, "SQLite", super::Malformed::OtherTables(e));
     let messages = super::ros::SqliteMessages::new(connection).map_err(failed)?;
     let arrival = reading.mapping.as_ref().is_some_and(|m| m.arrival);
     Ok(Box::new(Recording::new(file, "SQLite", messages, arrival)?))

@@ -10,6 +10,8 @@ mod recording;
 #[cfg(feature = "rosbag2")]
 mod sqlite;
 
+pub use cdr::CdrError;
+pub use mcap::McapError;
 pub(crate) use mcap::McapMessages;
 pub(crate) use names::columns;
 pub(crate) use recording::Recording;

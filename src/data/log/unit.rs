@@ -20,13 +20,37 @@ fn dimension(role: Role) -> Option<Dimension> {
     })
 }
 
-/// Value of one `unit` in the role's SI unit; `Err` lists the units there are.
-pub(crate) fn scale(unit: &str, role: Role) -> Result<f64, String> {
+/// A unit that does not fit what its column holds.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum UnitError {
+    /// The column's numbers have none.
+    #[error("`{column}` has no unit, `{unit}` was given")]
+    Unitless {
+        /// The column in the log format.
+        column: String,
+        /// The unit.
+        unit: String,
+    },
+    /// A unit of something else, or none at all.
+    #[error("`{unit}` is no unit for `{column}`; choose among {}", .known.join(", "))]
+    Unknown {
+        /// The column in the log format.
+        column: String,
+        /// The unit.
+        unit: String,
+        /// Units that the column may have.
+        known: Vec<&'static str>,
+    },
+}
+
+/// Value of one `unit` in the role's SI unit.
+pub(crate) fn scale(unit: &str, role: Role) -> Result<f64, UnitError> {
+    let (column, given) = (role.name(), unit.to_string());
     let Some(dimension) = dimension(role) else {
-        return Err(format!("`{}` has no unit, `{unit}` was given", role.name()));
+        return Err(UnitError::Unitless { column, unit: given });
     };
-    let known = || dimension.units().join(", ");
-    dimension.scale(unit).ok_or_else(|| format!("`{unit}` is no unit for `{}`; choose among {}", role.name(), known()))
+    dimension.scale(unit).ok_or_else(|| UnitError::Unknown { column, unit: given, known: dimension.units() })
 }
 
 /// A column's name without the unit that stands behind it in brackets, and that unit:
@@ -55,8 +79,8 @@ mod tests {
         assert_eq!(scale("°", q), Ok(std::f64::consts::PI / 180.0));
         assert_eq!(scale("ms", Role::Time), Ok(1e-3));
         assert_eq!(scale("Nmm", Role::Joint(Quantity::Tau, 2)), Ok(1e-3));
-        assert!(scale("deg", Role::Time).unwrap_err().contains("ms"));
-        assert!(scale("s", Role::Segment).unwrap_err().contains("no unit"));
+        assert!(scale("deg", Role::Time).unwrap_err().to_string().contains("ms"));
+        assert!(scale("s", Role::Segment).unwrap_err().to_string().contains("no unit"));
     }
 
     #[test]

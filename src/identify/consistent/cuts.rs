@@ -9,14 +9,25 @@
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::SupportedConeT::{NonnegativeConeT, SecondOrderConeT, ZeroConeT};
-use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus};
+use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverError, SolverStatus};
 use nalgebra::Vector4;
 
 use super::newton::Problem;
 use crate::model::pseudo_inertia::basis;
 
+/// Why no optimum was found.
+#[derive(Debug)]
+pub(super) enum Halted {
+    /// The solver refuses the problem.
+    Refused(SolverError),
+    /// It ends without a solution in this round.
+    Unsolved { status: SolverStatus, round: usize },
+    /// Largest violation of each round.
+    StillViolated { trace: Vec<f64> },
+}
+
 /// Coordinates at the optimum of `1/2 |J v - z|^2` under the constraints, and rounds.
-pub(super) fn by_cuts(problem: &Problem, tolerance: f64, rounds: usize) -> Result<(Vec<f64>, usize), String> {
+pub(super) fn by_cuts(problem: &Problem, tolerance: f64, rounds: usize) -> Result<(Vec<f64>, usize), Halted> {
     let n = problem.j.ncols();
     let axis = |i: usize| Vector4::from_fn(|k, _| f64::from(u8::from(k == i)));
     let mut pairs: Vec<(usize, Vector4<f64>, Vector4<f64>)> = Vec::new();
@@ -85,14 +96,14 @@ pub(super) fn by_cuts(problem: &Problem, tolerance: f64, rounds: usize) -> Resul
             max_iter: 300,
             ..DefaultSettings::default()
         };
-        let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones, settings).map_err(|e| format!("{e:?}"))?;
+        let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones, settings).map_err(Halted::Refused)?;
         solver.solve();
         let solution = &solver.solution;
         if !matches!(
             solution.status,
             SolverStatus::Solved | SolverStatus::AlmostSolved | SolverStatus::InsufficientProgress
         ) {
-            return Err(format!("clarabel: {:?} in round {round}", solution.status));
+            return Err(Halted::Unsolved { status: solution.status, round });
         }
         let v = solution.x[..n].to_vec();
         let mut worst: f64 = 0.0;
@@ -112,5 +123,5 @@ pub(super) fn by_cuts(problem: &Problem, tolerance: f64, rounds: usize) -> Resul
             return Ok((v, round + 1));
         }
     }
-    Err(format!("still violated after {rounds} rounds: {trace:?}"))
+    Err(Halted::StillViolated { trace })
 }

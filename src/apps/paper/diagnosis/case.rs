@@ -135,7 +135,7 @@ impl Plants {
     fn of(&self, robot: &Robot) -> Result<(Robot, Arc<PerturbableRobot>), ReproduceError> {
         let text = robot.to_yaml();
         let read = Robot::from_yaml(&text, &|name| Err(format!("no file {name}")));
-        let robot = read.map_err(|p| ReproduceError::Robot(p.in_file("written robot").to_string()))?.robot;
+        let robot = read.map_err(ReproduceError::in_file("written robot"))?.robot;
         let lock = || self.plants.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = lock().get(&text) {
             return Ok((robot, known.clone()));
@@ -162,7 +162,7 @@ impl Plants {
 fn arm(number: usize) -> Result<(&'static str, Robot), ReproduceError> {
     let (name, text) = ARMS[number];
     let read = Robot::from_yaml(text, &|name| Err(format!("no file {name}")));
-    let mut robot = read.map_err(|p| ReproduceError::Robot(p.in_file(name).to_string()))?.robot;
+    let mut robot = read.map_err(ReproduceError::in_file(name))?.robot;
     robot.tool = None;
     for (j, row) in robot.moving().into_iter().enumerate() {
         let joint = &mut robot.joints[row];
@@ -355,7 +355,7 @@ pub(super) fn case(settings: &Settings, seed: u64, plants: &Plants) -> Result<Ou
             return Ok(found);
         }
     }
-    Err(ReproduceError::Robot(format!("no arm can show what seed {seed} hides")))
+    Err(ReproduceError::NothingToShow { seed })
 }
 
 fn attempt(
@@ -445,7 +445,7 @@ fn attempt(
                 }
             }
             let mut bytes = Vec::new();
-            csv::write(&log, &mut bytes).map_err(|e| ReproduceError::Robot(e.to_string()))?;
+            csv::write(&log, &mut bytes).map_err(ReproduceError::Write)?;
             record(name, &bytes, dof)
         };
     let fit = log("fit", &simulator, &first, seed.wrapping_mul(2))?;
@@ -463,7 +463,7 @@ fn attempt(
         &mut |_| {},
     )?;
     let mut bytes = Vec::new();
-    csv::write(&clean.log, &mut bytes).map_err(|e| ReproduceError::Robot(e.to_string()))?;
+    csv::write(&clean.log, &mut bytes).map_err(ReproduceError::Write)?;
     let attainable = diagnose::misses(&*plant, &[record("clean", &bytes, dof)?], &diagnose::Settings::default());
 
     let (_, seen) = if let Task::NoLinks(_) = task {

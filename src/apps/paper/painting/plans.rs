@@ -2,9 +2,9 @@
 
 use dh_codegen::robot::Robot;
 
-use super::super::ReproduceError;
 use super::super::Watch;
 use super::super::motions::ACCELERATION_TIME;
+use super::super::{DesignObstacle, ReproduceError};
 use super::rig::{CENTER, NORMAL};
 use crate::apps::painting::run::SETTLE;
 use crate::apps::painting::{Cover, Plan, Roller, Surface, Swivel, Task, plan};
@@ -48,23 +48,21 @@ pub fn planned(
     extent: &Extent,
     seconds: f64,
     tell: Watch<'_>,
-) -> Result<Plan, ReproduceError> {
-    let failed = |why: &dyn std::fmt::Display| ReproduceError::Design { what: "the plan".into(), why: why.to_string() };
-    let geometry = robot.tool.as_ref().and_then(|t| t.geometry).ok_or_else(|| failed(&"the tool has no size"))?;
+) -> Result<Plan, DesignObstacle> {
+    let geometry = robot.tool.as_ref().and_then(|t| t.geometry).ok_or(DesignObstacle::ToolSize)?;
     let arm = Interpreted::new(robot, &Interpreted::PLACED);
-    let inverse = Kinematics::new(robot, arm.model()).ok_or_else(|| failed(&"too many joints"))?;
+    let inverse = Kinematics::new(robot, arm.model()).ok_or(DesignObstacle::TooManyJoints)?;
     let center = [0, 1, 2].map(|k| CENTER[k] - ROOM * NORMAL[k]);
-    let surface =
-        Surface::new(center, NORMAL, [0.0, 0.0, 1.0], extent.size[0], extent.size[1]).map_err(|e| failed(&e))?;
+    let surface = Surface::new(center, NORMAL, [0.0, 0.0, 1.0], extent.size[0], extent.size[1])?;
     let roller = Roller { length: geometry.length, width: geometry.width, turned: false };
-    let mut task = Task::new(&arm, &inverse, robot, surface, roller, ACCELERATION_TIME).map_err(|e| failed(&e))?;
+    let mut task = Task::new(&arm, &inverse, robot, surface, roller, ACCELERATION_TIME)?;
     task.standard = Some(standard.to_vec());
     task.duration = Some(seconds);
     if extent.plain {
         (task.cover, task.swivel) = (Cover::Whole, Swivel::Constant);
     }
     task.force = force;
-    plan(&task, &|what, share| tell(what, share)).map_err(|why| failed(&why))
+    Ok(plan(&task, &|what, share| tell(what, share))?)
 }
 
 /// A motion `off` (m) before the wall.
@@ -78,10 +76,9 @@ pub fn in_the_air(lent: &mut RobotModel<'_>, motion: &Trajectory, off: f64) -> R
         let at = span.start + (span.end - span.start) * k as f64 / count as f64;
         motion.at(at, &mut hint, &mut points);
         let q: [f64; N] = std::array::from_fn(|j| points[j][0]);
-        let moved = lent.displaced(&q, &by, &near.unwrap_or(q)).ok_or_else(|| ReproduceError::Design {
-            what: "the dry run".into(),
-            why: "a place before the wall is out of reach".into(),
-        })?;
+        let moved = lent
+            .displaced(&q, &by, &near.unwrap_or(q))
+            .ok_or_else(|| ReproduceError::design("the dry run")(DesignObstacle::OutOfReach))?;
         near = Some(moved);
         t.push(at);
         rows.push(moved.to_vec());

@@ -144,7 +144,7 @@ fn tools() -> Result<Vec<Tool>, ReproduceError> {
         .iter()
         .map(|(name, _)| {
             let found = catalogue().into_iter().find(|t| t.name == *name);
-            found.ok_or_else(|| ReproduceError::Robot(format!("there is no tool `{name}`")))
+            found.ok_or_else(|| ReproduceError::NoTool((*name).into()))
         })
         .collect()
 }
@@ -183,7 +183,7 @@ impl Stand {
             many(2 + tools.len(), &one, &|what, share| tell(&format!("recording: {what}"), 0.4 * share))?;
         let carried = recorded.split_off(2);
         let [excited, validate] =
-            <[Log; 2]>::try_from(recorded).map_err(|_| ReproduceError::Robot("no logs".into()))?;
+            <[Log; 2]>::try_from(recorded).map_err(|_| ReproduceError::Missing("logs to fit and to validate"))?;
         tell("identifying", 0.4);
         let (standard, rms) =
             bodies(lwr, factors("logdet", &lwr.arm, &excited, 1)?, factors("validate", &lwr.arm, &validate, 1)?)?;
@@ -235,8 +235,7 @@ impl Stand {
         };
         let logs = self.logs.iter().map(|(name, log)| recording(name, log)).collect::<Result<Vec<_>, _>>()?;
         let validate = [recording("validate", &self.validate)?];
-        let found = diagnose::diagnose(&plant, &logs, &validate, &diagnose::Settings::default(), progress)
-            .map_err(|why| ReproduceError::Robot(why.to_string()))?;
+        let found = diagnose::diagnose(&plant, &logs, &validate, &diagnose::Settings::default(), progress)?;
         let robot = diagnose::extended(self.identified.clone(), &found);
         let rms = &found.extended.validate;
         let plans: Vec<Plan> = self.rollers.iter().map(|r| r.plan.clone()).collect();
@@ -263,7 +262,6 @@ impl Stand {
 /// possible bodies have the very base parameters of the fit it is these, else those that explain
 /// the log best. Nothing is known beforehand but the geometry.
 fn bodies(lwr: &Lwr, fitted: Factors, held_out: Factors) -> Result<(Vec<f64>, Vec<f64>), ReproduceError> {
-    let failed = |why: &dyn std::fmt::Display| ReproduceError::Robot(why.to_string());
     let found = fit(lwr, &fitted, &held_out)?;
     let prior = prior_bodies(&[], &geometric_bodies(&lwr.arm.ends()));
     let drives = vec![0.0; lwr.arm.standard_names().len()];
@@ -275,8 +273,7 @@ fn bodies(lwr: &Lwr, fitted: Factors, held_out: Factors) -> Result<(Vec<f64>, Ve
     {
         return Ok((same.standard, rms(&found.validation)));
     }
-    let possible = consistent(&lwr.arm, &[fitted], &[held_out], &found, &prior, &drives, &settings);
-    let possible = possible.map_err(|why| failed(&why))?;
+    let possible = consistent(&lwr.arm, &[fitted], &[held_out], &found, &prior, &drives, &settings)?;
     let errors = rms(&possible.cost.validation);
     Ok((possible.standard, errors))
 }
@@ -286,7 +283,7 @@ fn holding(known: &Robot, tool: &Tool, weighed: &[f64; 10]) -> Result<(Robot, Ve
     let mut robot = known.clone();
     robot.tool = None;
     let standard = param::standard_values(&robot);
-    let mut standard = standard.ok_or_else(|| ReproduceError::Robot("its links are not all known".into()))?;
+    let mut standard = standard.ok_or(ReproduceError::UnknownLinks)?;
     // The ten of the last link stand ten by ten, links first.
     let last = 10 * (robot.joints.len() - 1);
     weighed.iter().enumerate().for_each(|(k, w)| standard[last + k] += w);
@@ -305,7 +302,7 @@ fn plan_all(
         let ((tool, weighed), seconds) = jobs[k];
         let (robot, standard) = holding(known, tool, weighed)?;
         let tell = |what: &str, share: f64| tell(&format!("planning: {what}"), 0.7 + 0.2 * share);
-        planned(&robot, &standard, FORCE, extent, *seconds, &tell)
+        planned(&robot, &standard, FORCE, extent, *seconds, &tell).map_err(ReproduceError::design("the plan"))
     };
     many(jobs.len(), &one, &|_, _| {})
 }

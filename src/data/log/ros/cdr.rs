@@ -12,21 +12,15 @@ pub(super) struct Cdr<'a> {
 }
 
 /// The bytes of a message are not what its type says.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum CdrError {
+#[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum CdrError {
     /// They end too early.
+    #[error("the message ends before its last field")]
     Short,
     /// A representation that is not read here: parameter lists, delimited types.
+    #[error("representation {0:#04x} is not read; plain CDR and XCDR2 are")]
     Representation(u8),
-}
-
-impl std::fmt::Display for CdrError {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Short => write!(f, "the message ends before its last field"),
-            Self::Representation(id) => write!(f, "representation {id:#04x} is not read; plain CDR and XCDR2 are"),
-        }
-    }
 }
 
 impl<'a> Cdr<'a> {

@@ -2,6 +2,20 @@
 
 use std::collections::HashMap;
 
+/// Why the type of a message is not known.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub(super) enum DefinitionError {
+    /// A message within itself.
+    #[error("the type {0} contains itself")]
+    Endless(String),
+    /// No text defines it.
+    #[error("the type {0} is not defined")]
+    Undefined(String),
+    /// Brackets without a number.
+    #[error("the type `{0}` can't be read")]
+    Unreadable(String),
+}
+
 /// A primitive of a message.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Primitive {
@@ -102,7 +116,7 @@ impl Definition {
     ///
     /// # Errors
     /// What can't be read in it.
-    pub(super) fn new(type_name: &str, text: &str) -> Result<Self, String> {
+    pub(super) fn new(type_name: &str, text: &str) -> Result<Self, DefinitionError> {
         let mut texts: HashMap<String, &str> = KNOWN.iter().map(|(name, text)| ((*name).into(), *text)).collect();
         for (i, part) in sections(text).into_iter().enumerate() {
             match (i, part.0) {
@@ -144,14 +158,14 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     /// Index of a structure.
-    fn read(&mut self, name: &str, depth: usize) -> Result<usize, String> {
+    fn read(&mut self, name: &str, depth: usize) -> Result<usize, DefinitionError> {
         if let Some(&index) = self.done.get(name) {
             return Ok(index);
         }
         if depth > 16 {
-            return Err(format!("the type {name} contains itself"));
+            return Err(DefinitionError::Endless(name.into()));
         }
-        let text = *self.texts.get(name).ok_or_else(|| format!("the type {name} is not defined"))?;
+        let text = *self.texts.get(name).ok_or_else(|| DefinitionError::Undefined(name.into()))?;
         let package = name.split('/').next().unwrap_or("").to_string();
         let index = self.structs.len();
         self.structs.push(Vec::new());
@@ -171,13 +185,14 @@ impl Reader<'_> {
         Ok(index)
     }
 
-    fn kind(&mut self, text: &str, package: &str, depth: usize) -> Result<Type, String> {
+    fn kind(&mut self, text: &str, package: &str, depth: usize) -> Result<Type, DefinitionError> {
         if let Some(inner) = text.strip_suffix(']') {
-            let (element, size) = inner.rsplit_once('[').ok_or_else(|| format!("the type `{text}` can't be read"))?;
+            let unreadable = || DefinitionError::Unreadable(text.into());
+            let (element, size) = inner.rsplit_once('[').ok_or_else(unreadable)?;
             let size = match size {
                 "" => None,
                 bound if bound.starts_with("<=") => None,
-                number => Some(number.parse().map_err(|_| format!("the type `{text}` can't be read"))?),
+                number => Some(number.parse().map_err(|_| unreadable())?),
             };
             return Ok(Type::Array(Box::new(self.kind(element, package, depth)?), size));
         }
@@ -215,10 +230,11 @@ mod tests {
 
     #[test]
     fn what_is_not_defined_or_endless_is_an_error() {
-        assert!(Definition::new("a/B", "C c").unwrap_err().contains("a/C"));
-        assert!(Definition::new("a/B", "").unwrap_err().contains("a/B"));
-        assert!(Definition::new("a/B", "B b").unwrap_err().contains("itself"));
-        assert!(Definition::new("a/B", "float64[x] b").is_err());
+        let refused = |text: &str| Definition::new("a/B", text).unwrap_err();
+        assert_eq!(refused("C c"), DefinitionError::Undefined("a/C".into()));
+        assert_eq!(refused(""), DefinitionError::Undefined("a/B".into()));
+        assert_eq!(refused("B b"), DefinitionError::Endless("a/B".into()));
+        assert_eq!(refused("float64[x] b"), DefinitionError::Unreadable("float64[x]".into()));
         assert!(Definition::new("sensor_msgs/msg/JointState", "").is_ok());
     }
 }

@@ -9,6 +9,7 @@ use std::collections::{HashMap, VecDeque};
 use std::io::Read;
 
 use super::recording::{Message, Messages};
+use crate::data::log::Malformed;
 
 /// Longest record (a compressed chunk, or a message), bytes.
 const LONGEST_RECORD: u64 = 48 << 20;
@@ -24,6 +25,52 @@ const CHANNEL: u8 = 0x04;
 const MESSAGE: u8 = 0x05;
 const CHUNK: u8 = 0x06;
 const DATA_END: u8 = 0x0f;
+
+/// Where a file is no MCAP file.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum McapError {
+    /// The system can't read it.
+    #[error(transparent)]
+    Read(#[from] std::io::Error),
+    /// Other bytes at the start.
+    #[error("it does not begin as an MCAP file of version 0 does")]
+    Start,
+    /// A record was cut.
+    #[error("a record ends before its last field")]
+    Short,
+    /// A record longer than any that is read, bytes.
+    #[error("a record of {0} bytes; {LONGEST_RECORD} are read at most")]
+    LongRecord(u64),
+    /// A chunk longer than any that is read, bytes.
+    #[error("a chunk of {0} bytes; {LONGEST_CHUNK} are read at most")]
+    LongChunk(u64),
+    /// A length that no memory has.
+    #[error(transparent)]
+    Length(#[from] std::num::TryFromIntError),
+    /// A chunk in a compression that is not read.
+    #[error("a chunk is packed with `{0}`; zstd, lz4 and none are read")]
+    Compression(String),
+    /// A chunk that is not what its compression says.
+    #[error("a chunk can't be unpacked ({compression}): {source}")]
+    Unpack {
+        /// Its compression.
+        compression: &'static str,
+        /// Message of the decoder.
+        source: std::io::Error,
+    },
+    /// A chunk of another length than its header says, bytes.
+    #[error("a chunk has {found} bytes where its header says {stated}")]
+    ChunkLength {
+        /// Unpacked.
+        found: usize,
+        /// By the header.
+        stated: u64,
+    },
+    /// A chunk with other bytes than were written.
+    #[error("a chunk is damaged: its checksum is not that of its bytes; try `mcap recover`")]
+    Checksum,
+}
 
 /// A topic: its type, and whether its messages can be decoded.
 struct Channel {
@@ -50,34 +97,34 @@ pub(crate) struct McapMessages<R> {
 struct Fields<'a>(&'a [u8]);
 
 impl<'a> Fields<'a> {
-    fn bytes(&mut self, n: usize) -> Result<&'a [u8], String> {
-        let (part, rest) = self.0.split_at_checked(n).ok_or("a record ends before its last field")?;
+    fn bytes(&mut self, n: usize) -> Result<&'a [u8], McapError> {
+        let (part, rest) = self.0.split_at_checked(n).ok_or(McapError::Short)?;
         self.0 = rest;
         Ok(part)
     }
 
-    fn number<const N: usize>(&mut self) -> Result<[u8; N], String> {
-        self.bytes(N)?.try_into().map_err(|_| "a record ends before its last field".into())
+    fn number<const N: usize>(&mut self) -> Result<[u8; N], McapError> {
+        self.bytes(N)?.try_into().map_err(|_| McapError::Short)
     }
 
-    fn u16(&mut self) -> Result<u16, String> {
+    fn u16(&mut self) -> Result<u16, McapError> {
         self.number().map(u16::from_le_bytes)
     }
 
-    fn u32(&mut self) -> Result<u32, String> {
+    fn u32(&mut self) -> Result<u32, McapError> {
         self.number().map(u32::from_le_bytes)
     }
 
-    fn u64(&mut self) -> Result<u64, String> {
+    fn u64(&mut self) -> Result<u64, McapError> {
         self.number().map(u64::from_le_bytes)
     }
 
-    fn prefixed(&mut self) -> Result<&'a [u8], String> {
+    fn prefixed(&mut self) -> Result<&'a [u8], McapError> {
         let n = self.u32()? as usize;
         self.bytes(n)
     }
 
-    fn text(&mut self) -> Result<String, String> {
+    fn text(&mut self) -> Result<String, McapError> {
         Ok(String::from_utf8_lossy(self.prefixed()?).into_owned())
     }
 }
@@ -99,17 +146,17 @@ impl<R: Read> McapMessages<R> {
     }
 
     /// Reads one record of the file. A file that ends in the middle of one ends before it.
-    fn step(&mut self) -> Result<(), String> {
+    fn step(&mut self) -> Result<(), McapError> {
         if !std::mem::replace(&mut self.started, true) {
             let magic = self.take(8)?;
             if magic.as_deref() != Some(MAGIC) {
-                return Err("it does not begin as an MCAP file of version 0 does".into());
+                return Err(McapError::Start);
             }
         }
         let Some(head) = self.take(9)? else { return self.cut() };
         let length = Fields(&head[1..]).u64()?;
         if length > LONGEST_RECORD {
-            return Err(format!("a record of {length} bytes; {LONGEST_RECORD} are read at most"));
+            return Err(McapError::LongRecord(length));
         }
         let Some(data) = self.take(length)? else { return self.cut() };
         match head[0] {
@@ -121,51 +168,51 @@ impl<R: Read> McapMessages<R> {
     }
 
     /// So many bytes; `None`: the file ends before.
-    fn take(&mut self, n: u64) -> Result<Option<Vec<u8>>, String> {
+    fn take(&mut self, n: u64) -> Result<Option<Vec<u8>>, McapError> {
         let mut bytes = Vec::new();
-        self.input.by_ref().take(n).read_to_end(&mut bytes).map_err(|e| e.to_string())?;
+        self.input.by_ref().take(n).read_to_end(&mut bytes)?;
         Ok((bytes.len() as u64 == n).then_some(bytes))
     }
 
-    fn cut(&mut self) -> Result<(), String> {
+    fn cut(&mut self) -> Result<(), McapError> {
         self.done = true;
         self.note("the file has no end: the part before it is read".into());
         Ok(())
     }
 
     /// Unpacks a chunk.
-    fn chunk(&mut self, data: &[u8]) -> Result<(), String> {
+    fn chunk(&mut self, data: &[u8]) -> Result<(), McapError> {
         let mut fields = Fields(data);
         fields.bytes(16)?; // first and last time
         let size = fields.u64()?;
         let checksum = fields.u32()?;
         let compression = fields.text()?;
-        let length = usize::try_from(fields.u64()?).map_err(|e| e.to_string())?;
+        let length = usize::try_from(fields.u64()?)?;
         if size > LONGEST_CHUNK {
-            return Err(format!("a chunk of {size} bytes; {LONGEST_CHUNK} are read at most"));
+            return Err(McapError::LongChunk(size));
         }
         self.chunk = unpack(&compression, fields.bytes(length)?, size)?;
         self.at = 0;
         // A writer that has none says 0.
         if checksum != 0 && crc32(&self.chunk) != checksum {
-            return Err("a chunk is damaged: its checksum is not that of its bytes; try `mcap recover`".into());
+            return Err(McapError::Checksum);
         }
         Ok(())
     }
 
     /// Takes the next record of the chunk.
-    fn step_in_chunk(&mut self) -> Result<(), String> {
+    fn step_in_chunk(&mut self) -> Result<(), McapError> {
         let chunk = std::mem::take(&mut self.chunk);
         let mut rest = Fields(chunk.get(self.at..).unwrap_or(&[]));
         let opcode = rest.bytes(1)?[0];
-        let length = usize::try_from(rest.u64()?).map_err(|e| e.to_string())?;
+        let length = usize::try_from(rest.u64()?)?;
         self.record(opcode, rest.bytes(length)?)?;
         self.at = chunk.len() - rest.0.len();
         self.chunk = chunk;
         Ok(())
     }
 
-    fn record(&mut self, opcode: u8, data: &[u8]) -> Result<(), String> {
+    fn record(&mut self, opcode: u8, data: &[u8]) -> Result<(), McapError> {
         let mut fields = Fields(data);
         match opcode {
             SCHEMA => {
@@ -207,7 +254,7 @@ impl<R: Read> McapMessages<R> {
 }
 
 impl<R: Read> Messages for McapMessages<R> {
-    fn next(&mut self) -> Result<Option<Message>, String> {
+    fn next(&mut self) -> Result<Option<Message>, Malformed> {
         loop {
             if let Some(message) = self.queue.pop_front() {
                 return Ok(Some(message));
@@ -242,7 +289,7 @@ fn crc32(bytes: &[u8]) -> u32 {
 }
 
 /// The records of a chunk.
-fn unpack(compression: &str, data: &[u8], size: u64) -> Result<Vec<u8>, String> {
+fn unpack(compression: &str, data: &[u8], size: u64) -> Result<Vec<u8>, McapError> {
     let mut out = Vec::new();
     // One byte more than promised shows a chunk that is longer than it says.
     let most = size + 1;
@@ -250,24 +297,23 @@ fn unpack(compression: &str, data: &[u8], size: u64) -> Result<Vec<u8>, String> 
         "" => out.extend_from_slice(data),
         "lz4" => {
             let decoder = lz4_flex::frame::FrameDecoder::new(data);
-            decoder.take(most).read_to_end(&mut out).map_err(|e| format!("a chunk can't be unpacked (lz4): {e}"))?;
+            let failed = |source| McapError::Unpack { compression: "lz4", source };
+            decoder.take(most).read_to_end(&mut out).map_err(failed)?;
         }
         "zstd" => {
+            let failed = |source| McapError::Unpack { compression: "zstd", source };
             let mut rest = data;
             while !rest.is_empty() && (out.len() as u64) < most {
-                let decoder = ruzstd::decoding::StreamingDecoder::new(&mut rest)
-                    .map_err(|e| format!("a chunk can't be unpacked (zstd): {e}"))?;
+                let decoder =
+                    ruzstd::decoding::StreamingDecoder::new(&mut rest).map_err(|e| failed(std::io::Error::other(e)))?;
                 let left = most - out.len() as u64;
-                decoder
-                    .take(left)
-                    .read_to_end(&mut out)
-                    .map_err(|e| format!("a chunk can't be unpacked (zstd): {e}"))?;
+                decoder.take(left).read_to_end(&mut out).map_err(failed)?;
             }
         }
-        other => return Err(format!("a chunk is packed with `{other}`; zstd, lz4 and none are read")),
+        other => return Err(McapError::Compression(other.into())),
     }
     if out.len() as u64 != size {
-        return Err(format!("a chunk has {} bytes where its header says {size}", out.len()));
+        return Err(McapError::ChunkLength { found: out.len(), stated: size });
     }
     Ok(out)
 }

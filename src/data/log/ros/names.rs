@@ -1,6 +1,6 @@
 //! Channels of a recording by the names of the joints: `/joint_states/position/elbow`.
 
-use crate::data::log::{Quantity, Role, SourceJoint};
+use crate::data::log::{MappingError, Quantity, Role, SourceJoint};
 
 /// Roles of the last parts of a channel's name.
 fn quantity(part: &str) -> Option<Quantity> {
@@ -47,16 +47,13 @@ fn joint_channel(name: &str, position: usize) -> Option<JointChannel<'_>> {
 ///
 /// # Errors
 /// Where positions are on several topics, or joints are not found.
-pub(crate) fn columns(names: &[&str], joints: &[SourceJoint]) -> Result<Vec<(Role, usize)>, String> {
+pub(crate) fn columns(names: &[&str], joints: &[SourceJoint]) -> Result<Vec<(Role, usize)>, MappingError> {
     let channels: Vec<JointChannel<'_>> = names.iter().enumerate().filter_map(|(i, n)| joint_channel(n, i)).collect();
     if channels.is_empty() {
         return Ok(Vec::new());
     }
     if joints.is_empty() {
-        return Err(format!(
-            "the recording names its joints ({}); the robot file says which is which: give --robot ROBOT",
-            found(&channels).join(", ")
-        ));
+        return Err(MappingError::NamedJoints(found(&channels)));
     }
     // Positions of all joints on one topic.
     let complete = |group: &str, quantity: Quantity| -> Option<Vec<(Role, usize)>> {
@@ -79,15 +76,12 @@ pub(crate) fn columns(names: &[&str], joints: &[SourceJoint]) -> Result<Vec<(Rol
         groups.iter().filter(|g| complete(g, quantity).is_some()).copied().collect()
     };
     let of_positions = match with(Quantity::Q).as_slice() {
-        [] => return Err(unknown_joints(&channels, joints)),
-        [one] => *one,
-        several => {
-            return Err(format!(
-                "positions of all joints are on {}; choose one in a mapping (--map), for example `q*: {{ channel: \"{}/position/{{joint}}\" }}`",
-                several.join(" and "),
-                several[0]
-            ));
+        [] => {
+            let expected = joints.iter().map(|j| j.name.clone()).collect();
+            return Err(MappingError::OtherJoints { recorded: found(&channels), expected });
         }
+        [one] => *one,
+        several => return Err(MappingError::SeveralTopics(several.iter().map(ToString::to_string).collect())),
     };
     let mut columns = Vec::new();
     if let Some(position) = names.iter().position(|n| *n == "t") {
@@ -112,19 +106,6 @@ fn found(channels: &[JointChannel<'_>]) -> Vec<String> {
         }
     }
     names
-}
-
-fn unknown_joints(channels: &[JointChannel<'_>], joints: &[SourceJoint]) -> String {
-    let there = found(channels);
-    let missing: Vec<&str> =
-        joints.iter().map(|j| j.name.as_str()).filter(|name| !there.iter().any(|t| t == name)).collect();
-    format!(
-        "no topic has the positions of all joints: the recording has {}, the robot file {}; {} Give the joints of the robot file these names, or a mapping \
-         (--map; `denavit log inspect` proposes one)",
-        there.join(", "),
-        joints.iter().map(|j| j.name.as_str()).collect::<Vec<_>>().join(", "),
-        if missing.is_empty() { String::new() } else { format!("{} are not in the recording.", missing.join(", ")) },
-    )
 }
 
 #[cfg(test)]
@@ -155,8 +136,9 @@ mod tests {
     #[test]
     fn two_topics_with_positions_are_a_question() {
         let names = ["/a/position/j", "/b/position/j"];
-        assert!(columns(&names, &joints(&["j"])).unwrap_err().contains("/a and /b"));
-        assert!(columns(&names, &joints(&["k"])).unwrap_err().contains("k are not in the recording"));
-        assert!(columns(&names, &[]).unwrap_err().contains("--robot"));
+        let refused = |known: &[&str]| columns(&names, &joints(known)).unwrap_err().to_string();
+        assert!(refused(&["j"]).contains("/a and /b"));
+        assert!(refused(&["k"]).contains("k are not in the recording"));
+        assert!(refused(&[]).contains("--robot"));
     }
 }

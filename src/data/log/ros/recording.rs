@@ -6,7 +6,7 @@ use super::align::Aligner;
 use super::definition::Definition;
 use super::flatten::{Flat, decode};
 use crate::data::log::inspect::Summing;
-use crate::data::log::{BadCell, Block, ChannelSummary, LogError, Table};
+use crate::data::log::{BadCell, Block, ChannelSummary, LogError, Malformed, Table};
 
 /// Recorded time that is looked through for topics and joints, ns.
 const PREVIEW_TIME: i64 = 3_000_000_000;
@@ -31,7 +31,7 @@ pub(crate) trait Messages {
     ///
     /// # Errors
     /// What is wrong with the file.
-    fn next(&mut self) -> Result<Option<Message>, String>;
+    fn next(&mut self) -> Result<Option<Message>, Malformed>;
 
     /// Type and definition of a topic's messages.
     fn definition(&self, topic: &str) -> Option<(&str, &str)>;
@@ -96,21 +96,20 @@ impl<M: Messages> Recording<M> {
         };
         recording.look_through()?;
         if recording.names.len() == 1 {
-            let passed = recording.messages.passed_over();
-            let why = if passed.is_empty() { String::new() } else { format!(": {}", passed.join("; ")) };
-            return Err(recording.failed(format!("it has no message with numbers{why}")));
+            let passed_over = recording.messages.passed_over();
+            return Err(recording.failed(Malformed::NoNumbers { passed_over }));
         }
         Ok(recording)
     }
 
-    fn failed(&self, what: String) -> LogError {
-        LogError::Format { file: self.file.clone(), format: self.kind, what }
+    fn failed(&self, source: Malformed) -> LogError {
+        LogError::malformed(&self.file, self.kind, source)
     }
 
     fn look_through(&mut self) -> Result<(), LogError> {
         let (mut first, mut bytes) = (None, 0);
         while self.preview.len() < PREVIEW.0 && bytes < PREVIEW.1 {
-            let Some(message) = self.messages.next().map_err(|what| self.failed(what))? else { break };
+            let Some(message) = self.messages.next().map_err(|e| self.failed(e))? else { break };
             let arrival = message.arrival;
             bytes += message.bytes.len();
             self.learn(&message);
@@ -150,7 +149,7 @@ impl<M: Messages> Recording<M> {
     fn message(&mut self) -> Result<Option<Message>, LogError> {
         match self.preview.pop_front() {
             Some(message) => Ok(Some(message)),
-            None => self.messages.next().map_err(|what| self.failed(what)),
+            None => self.messages.next().map_err(|e| self.failed(e)),
         }
     }
 
@@ -159,11 +158,11 @@ impl<M: Messages> Recording<M> {
         let Some(topic) = self.topics.get_mut(&message.topic).filter(|t| !t.wanted.is_empty()) else { return Ok(()) };
         let flat = match decode(&topic.definition, &message.bytes) {
             Ok(flat) => flat,
-            Err(error) => {
+            Err(source) => {
                 self.damaged += 1;
                 let (topic, count) = (message.topic.clone(), self.damaged);
                 if count > MOST_DAMAGED {
-                    return Err(self.failed(format!("{count} messages can't be decoded, the last on {topic}: {error}")));
+                    return Err(self.failed(Malformed::Damaged { count, topic, source }));
                 }
                 return Ok(());
             }

@@ -5,6 +5,7 @@ use std::collections::{HashMap, VecDeque};
 use rusqlite::{Connection, params};
 
 use super::recording::{Message, Messages};
+use crate::data::log::Malformed;
 
 /// Messages that are taken from the table at once, and the longest one, bytes: images are passed
 /// over.
@@ -87,9 +88,9 @@ impl SqliteMessages {
 }
 
 impl Messages for SqliteMessages {
-    fn next(&mut self) -> Result<Option<Message>, String> {
+    fn next(&mut self) -> Result<Option<Message>, Malformed> {
         while self.queue.is_empty() && !self.done {
-            self.page().map_err(|e| e.to_string())?;
+            self.page()?;
         }
         Ok(self.queue.pop_front())
     }

@@ -52,8 +52,7 @@ pub(super) fn identified(file: &Robot, logs: &[Log]) -> Result<Robot, ReproduceE
         Ok(possible) => possible.standard,
         Err(_) => {
             let bounded = nonnegative_drives(&arm, &factors, &found, &settings, &[])?;
-            recover_standard(&arm, &bounded.base, prior.as_deref())
-                .map_err(|error| ReproduceError::Robot(error.to_string()))?
+            recover_standard(&arm, &bounded.base, prior.as_deref())?
         }
     };
     Ok(robot_edit::with_values(robot, &standard))

@@ -118,7 +118,7 @@ impl Session {
     pub(super) fn new(recorded: &Recorded, most: [f64; 2]) -> Result<Self, ReproduceError> {
         let name = recorded.arm.folder.to_string();
         let file = Robot::from_yaml(recorded.arm.robot, &|name| Err(format!("no file {name}")));
-        let file = file.map_err(|p| ReproduceError::Robot(p.in_file(&name).to_string()))?.robot;
+        let file = file.map_err(ReproduceError::in_file(&name))?.robot;
         let all = |names: &[&str], bytes: &[Vec<u8>]| -> Result<Vec<Log>, ReproduceError> {
             names.iter().zip(bytes).map(|(name, bytes)| read(name, bytes, recorded)).collect()
         };
@@ -183,7 +183,7 @@ impl Session {
 /// A log as the command reads it.
 fn recording(name: &str, log: &Log, dof: usize) -> Result<Recording, ReproduceError> {
     let mut bytes = Vec::new();
-    csv::write(log, &mut bytes).map_err(|e| ReproduceError::Robot(e.to_string()))?;
+    csv::write(log, &mut bytes).map_err(ReproduceError::Write)?;
     record_keeping(name, &bytes, dof, Acceptance::all())
 }
 
