@@ -10,7 +10,7 @@ use denavit::model::States;
 use denavit::model::interpreted::Interpreted;
 use denavit::model::rigid_body::Numeric;
 use dh_codegen::arm::{Function, param};
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 use divan::{Bencher, black_box};
 
 fn main() {
@@ -23,7 +23,7 @@ const BATCH: usize = 1000;
 fn robot(name: &str) -> Robot {
     let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).expect("a robot file of the repository");
-    Robot::from_yaml(&text, &|f| Err(f.to_string())).expect("a robot file without problems").robot
+    Robot::from_yaml(&text, &no_files).expect("a robot file without problems").robot
 }
 
 fn angles<const N: usize>(seed: f64) -> [f64; N] {

@@ -13,14 +13,14 @@ use denavit::model::Arm;
 use denavit::model::interpreted::Interpreted;
 use denavit::simulate::{Request, Sensors, Simulator, Trajectory};
 use dh_codegen::arm::Function;
-use dh_codegen::robot::{Effects, Robot};
+use dh_codegen::robot::{Effects, Robot, no_files};
 
 /// A body of 1 kg, 0.1 m before the last frame.
 const TOOL: &str = "tool: { name: weight, M: 1, MS: [0, 0, 0.1], I: [0.012, 0.012, 0.002, 0, 0, 0] }\n";
 
 fn main() -> Result<(), Box<dyn Error>> {
     let text = read_to_string(format!("{}/robots/kuka-lwr4.yaml", env!("CARGO_MANIFEST_DIR")))?;
-    let read = |text: &str| Robot::from_yaml(text, &|name| Err(format!("no file {name}")));
+    let read = |text: &str| Robot::from_yaml(text, &no_files);
     let (empty, holding) = (read(&text)?.robot, read(&format!("{text}\n{TOOL}"))?.robot);
     let (unloaded, loaded) = (play(&empty)?, play(&holding)?);
 

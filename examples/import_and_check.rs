@@ -8,11 +8,11 @@ use std::fs::read_to_string;
 use denavit::exchange::{ImportOptions, ModelFormat, export, import};
 use denavit::model::Arm;
 use denavit::model::interpreted::Interpreted;
-use denavit::robot::Robot;
+use denavit::robot::{Robot, no_files};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let text = read_to_string(format!("{}/robots/puma560.yaml", env!("CARGO_MANIFEST_DIR")))?;
-    let reading = Robot::from_yaml(&text, &|name| Err(format!("no file {name}")))?;
+    let reading = Robot::from_yaml(&text, &no_files)?;
     reading.notes.iter().for_each(|note| println!("{note}"));
     let arm = Interpreted::new(&reading.robot, &[]);
     for base in arm.base_parameters() {

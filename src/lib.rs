@@ -5,7 +5,7 @@
 //! ```
 //! use denavit::model::{Arm, States};
 //! use denavit::model::interpreted::Interpreted;
-//! use denavit::robot::Robot;
+//! use denavit::robot::{Robot, no_files};
 //!
 //! let text = "
 //! name: pendulum
@@ -14,7 +14,7 @@
 //! joints: [ { type: revolute } ]
 //! links: [ { M: 2, MS: [1, 0, 0], I: [0, 0.5, 0.5, 0, 0, 0] } ]
 //! ";
-//! let robot = Robot::from_yaml(text, &|name| Err(format!("no file {name}")))?.robot;
+//! let robot = Robot::from_yaml(text, &no_files)?.robot;
 //! let arm = Interpreted::new(&robot, &[]);
 //! let names: Vec<&str> = arm.base_parameters().iter().map(|b| b.name.as_str()).collect();
 //! assert_eq!(names, ["MSX1", "MSY1", "ZZ1"]);

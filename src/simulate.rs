@@ -10,7 +10,7 @@
 //!
 //! ```
 //! use denavit::simulate::{Control, Effects, Mode, Request, Sensors, Simulator, Trajectory};
-//! use dh_codegen::robot::Robot;
+//! use dh_codegen::robot::{Robot, no_files};
 //!
 //! let text = "
 //! name: pendulum
@@ -19,7 +19,7 @@
 //! joints: [ { type: revolute, torque: 20, drive: { friction: { coulomb_friction: 0.5 } } } ]
 //! links: [ { M: 2, MS: [1, 0, 0], I: [0, 0.5, 0.5, 0, 0, 0] } ]
 //! ";
-//! let robot = Robot::from_yaml(text, &|name| Err(format!("no file {name}")))?.robot;
+//! let robot = Robot::from_yaml(text, &no_files)?.robot;
 //! let simulator = Simulator::new(&robot, &Effects::default())?;
 //! let swing = Trajectory::rest(&[0.3], 2.0)?;
 //! let request = Request {

@@ -7,12 +7,12 @@ use std::process::Command;
 use dh_codegen::arm::{Argument, Function, Model};
 use dh_codegen::interpret::{Batch, Interpreter, State};
 use dh_codegen::pullback::{Gradient, Pullback};
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 
 fn robot(name: &str) -> (Robot, String) {
     let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).unwrap();
-    (Robot::from_yaml(&text, &|f| Err(f.to_string())).unwrap().robot, text)
+    (Robot::from_yaml(&text, &no_files).unwrap().robot, text)
 }
 
 /// Numbers between -1 and 1.

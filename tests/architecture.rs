@@ -386,6 +386,44 @@ fn public_functions_have_errors_of_a_type() {
     assert!(found.is_empty(), "give these an error enum in place of a text:\n{}", found.join("\n"));
 }
 
+/// Results with a text as the error, wherever such a type is written.
+#[derive(Default)]
+struct TextResults(Vec<String>);
+
+impl<'ast> Visit<'ast> for TextResults {
+    fn visit_path_segment(&mut self, segment: &'ast syn::PathSegment) {
+        if let ("Result", syn::PathArguments::AngleBracketed(types)) = (&*segment.ident.to_string(), &segment.arguments)
+        {
+            let error = types.args.iter().nth(1).map(|e| e.to_token_stream().to_string());
+            if error.is_some_and(|e| ["String", "& 'static str", "& str"].contains(&e.as_str())) {
+                self.0.push(segment.to_token_stream().to_string());
+            }
+        }
+        visit::visit_path_segment(self, segment);
+    }
+    fn visit_item_mod(&mut self, item: &'ast syn::ItemMod) {
+        if !for_tests(&item.attrs) {
+            visit::visit_item_mod(self, item);
+        }
+    }
+}
+
+/// Private functions, closures and aliases, too. In `cli` a text goes to the terminal, and `clap`
+/// takes one.
+#[test]
+fn no_error_is_a_text_outside_the_command() {
+    let mut wrong = Vec::new();
+    let folders = ["src", "dh-macro/codegen/src", "dh-macro/runtime-core/src", "dh-macro/runtime/src", "dh-macro/src"];
+    for (path, file) in folders.iter().flat_map(|folder| sources(folder)) {
+        if !path.starts_with("src/cli") {
+            let mut results = TextResults::default();
+            results.visit_file(&file);
+            wrong.extend(results.0.into_iter().map(|what| format!("{}: {what}", path.display())));
+        }
+    }
+    assert!(wrong.is_empty(), "give these an enum in place of a text:\n{}", wrong.join("\n"));
+}
+
 /// Places that ask a parameter's name what the parameter is.
 #[derive(Default)]
 struct ParsedNames {

@@ -540,11 +540,11 @@ type Along<const N: usize> = Vec<(f64, [f64; 6], bool)>;
 fn along<const N: usize>(robot: &str, log: &str, torque: &str, scale: [f64; N], held: usize) -> Option<Along<N>> {
     use denavit::control::robot::{RobotModel, STANDING};
     use denavit::model::interpreted::Interpreted;
-    use dh_codegen::robot::{Effects, Robot};
+    use dh_codegen::robot::{Effects, Robot, no_files};
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/");
     let csv = std::fs::read_to_string(format!("{root}../shared/data/{log}")).ok()?;
     let text = std::fs::read_to_string(format!("{root}robots/{robot}.yaml")).unwrap();
-    let robot = Robot::from_yaml(&text, &|_| Err("none".into())).unwrap().robot;
+    let robot = Robot::from_yaml(&text, &no_files).unwrap().robot;
     let arm = Interpreted::new(&robot, &Interpreted::BODIES);
     let standard = dh_codegen::arm::param::standard_values(&robot).unwrap();
     let drives = denavit::simulate::Simulator::new(&robot, &Effects::default()).unwrap().drives().to_vec();

@@ -4,7 +4,7 @@
 use denavit::model::rigid_body::base::{Torques, rank, rank_of};
 use dh_codegen::arm::param::{DriveTerm, Parameter};
 use dh_codegen::arm::{BaseParameters, Function, Model};
-use dh_codegen::robot::{Drive, Robot};
+use dh_codegen::robot::{Drive, Robot, no_files};
 
 /// A robot of the repository without drives, as the literature counts.
 fn bare(name: &str) -> Robot {
@@ -16,7 +16,7 @@ fn bare(name: &str) -> Robot {
 fn with_drives(name: &str) -> Robot {
     let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).unwrap();
-    Robot::from_yaml(&text, &|f| Err(f.to_string())).unwrap().robot
+    Robot::from_yaml(&text, &no_files).unwrap().robot
 }
 
 /// Multiplications and additions of a function, sines and cosines apart.

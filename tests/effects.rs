@@ -10,7 +10,7 @@ use denavit::model::{Arm, States, TorqueModel};
 use denavit::simulate::{Control, Effects, Mode, Request, Sensors, Simulator, Trajectory};
 use dh_codegen::arm::{Function, param};
 use dh_codegen::interpret::{Interpreter, State};
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 
 /// The planar arm of `robots/` with these effects: of the shoulder's drive, of the elbow's, and of
 /// the whole robot.
@@ -34,7 +34,7 @@ links:
 }
 
 fn read(text: &str) -> Robot {
-    Robot::from_yaml(text, &|f| Err(f.to_string())).unwrap_or_else(|e| panic!("{e}\n{text}")).robot
+    Robot::from_yaml(text, &no_files).unwrap_or_else(|e| panic!("{e}\n{text}")).robot
 }
 
 /// Torques of two rods in a vertical plane, by the textbook's formulas.

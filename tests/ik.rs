@@ -11,7 +11,7 @@ use denavit::model::rigid_body::Numeric;
 use denavit::numerics::prng::Random;
 use dh_codegen::arm::Model;
 use dh_codegen::ik::{Arm, Branch, Query, Reference, Status};
-use dh_codegen::robot::{JointKind, Robot};
+use dh_codegen::robot::{JointKind, Robot, no_files};
 
 fn postures() -> usize {
     std::env::var("DENAVIT_IK_POSTURES").ok().and_then(|n| n.parse().ok()).unwrap_or(1000)
@@ -23,7 +23,7 @@ fn asked_for(name: &str) -> bool {
 
 fn robot(name: &str) -> Robot {
     let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
-    Robot::from_yaml(&std::fs::read_to_string(path).unwrap(), &|f| Err(f.to_string())).unwrap().robot
+    Robot::from_yaml(&std::fs::read_to_string(path).unwrap(), &no_files).unwrap().robot
 }
 
 /// An arm, its inverse, and the recursion that shares no code with it.
@@ -419,7 +419,7 @@ fn a_turned_and_shifted_base_moves_the_poses_with_it() {
     for name in ["kuka-lwr4", "puma560", "ur10e", "scara"] {
         let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
         let yaml = std::fs::read_to_string(path).unwrap() + text;
-        let moved = Robot::from_yaml(&yaml, &|f| Err(f.to_string())).unwrap().robot;
+        let moved = Robot::from_yaml(&yaml, &no_files).unwrap().robot;
         let (moved, plain) = (Bench::new(moved), Bench::new(robot(name)));
         let mut random = Random::new(3);
         for _ in 0..20 {

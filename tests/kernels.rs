@@ -2,7 +2,7 @@
 
 use dh_codegen::arm::{Function, Model};
 use dh_codegen::interpret::{Interpreter, State};
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 
 fn numbers(seed: u64, len: usize) -> Vec<f64> {
     let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
@@ -19,7 +19,7 @@ fn numbers(seed: u64, len: usize) -> Vec<f64> {
 fn interpreter(name: &str) -> (Model, Interpreter) {
     let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).unwrap();
-    let model = Model::new(&Robot::from_yaml(&text, &|f| Err(f.to_string())).unwrap().robot);
+    let model = Model::new(&Robot::from_yaml(&text, &no_files).unwrap().robot);
     let interpreter = Interpreter::new(&model, &Function::ALL);
     (model, interpreter)
 }

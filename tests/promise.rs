@@ -13,7 +13,7 @@ use denavit::model::perturbable_robot::PerturbableRobot;
 use denavit::model::{StandardParameter, TorqueModel};
 use denavit::simulate::{Control, Effects, Mode, Request, Sensors, Simulator, Trajectory};
 use dh_codegen::arm::param;
-use dh_codegen::robot::{Drive, Effect, Robot};
+use dh_codegen::robot::{Drive, Effect, Robot, no_files};
 
 fn robot() -> Robot {
     robot_file("kuka-lwr4")
@@ -21,7 +21,7 @@ fn robot() -> Robot {
 
 fn robot_file(name: &str) -> Robot {
     let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
-    Robot::from_yaml(&std::fs::read_to_string(path).unwrap(), &|f| Err(f.to_string())).unwrap().robot
+    Robot::from_yaml(&std::fs::read_to_string(path).unwrap(), &no_files).unwrap().robot
 }
 
 /// Times, and sums of sines on all joints, joint-major.
@@ -119,7 +119,7 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
             .unwrap();
     // Through the file, as a user would.
     let text = extended(robot, &found).to_yaml();
-    let back = Robot::from_yaml(&text, &|f| Err(f.to_string())).unwrap_or_else(|e| panic!("{e}\n{text}")).robot;
+    let back = Robot::from_yaml(&text, &no_files).unwrap_or_else(|e| panic!("{e}\n{text}")).robot;
     let (promised, is) = (&found.extended.validate, errors(&back, &validate));
     let before = &found.baseline.validate;
     let causes: Vec<(&str, &[usize], &str)> =
@@ -182,7 +182,7 @@ fn what_is_fitted_from_a_bare_file_is_possible_and_is_what_was_measured() {
         let file = bare(truth);
         let found = diagnose(&PerturbableRobot::new(&file), &[fit], &validate, &Settings::default(), &|_| {}).unwrap();
         let text = extended(file, &found).to_yaml();
-        let back = Robot::from_yaml(&text, &|f| Err(f.to_string())).unwrap_or_else(|e| panic!("{e}\n{text}")).robot;
+        let back = Robot::from_yaml(&text, &no_files).unwrap_or_else(|e| panic!("{e}\n{text}")).robot;
         let [_, refitted, offered] = found.offer.left_out;
         println!("{:?} {:?}", found.offer, found.causes.iter().map(|c| (c.cause, &c.joints[..])).collect::<Vec<_>>());
         assert_possible(&back);

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use dh_codegen::arm::{Inverse, Model};
 use dh_codegen::ik::{Arm, Branch, Query, Reference};
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 
 /// Poses taken in turn: more than a branch predictor can learn.
 pub const POSES: usize = 2000;
@@ -78,7 +78,7 @@ impl<const N: usize> Bench<N> {
 
     /// Of the text of a robot file.
     pub fn of(text: &str) -> Self {
-        let robot = Robot::from_yaml(text, &|f| Err(f.to_string())).expect("a robot file without problems").robot;
+        let robot = Robot::from_yaml(text, &no_files).expect("a robot file without problems").robot;
         let inverse = Inverse::new(Model::new(&robot).chain());
         let limits: Vec<_> = robot.moving().iter().map(|&i| robot.joints[i].limits.position).collect();
         let arm: Arm<N> = inverse.arm(&limits).expect("as many joints");

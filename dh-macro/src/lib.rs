@@ -60,7 +60,7 @@ fn expand(input: &DeriveInput, runtime: &Runtime) -> syn::Result<proc_macro2::To
     let inputs = RefCell::new(Vec::<String>::new());
     let read = |path: PathBuf, shown: &str| {
         inputs.borrow_mut().push(path.display().to_string());
-        std::fs::read_to_string(&path).map_err(|e| format!("{shown}: {e}"))
+        std::fs::read_to_string(&path).map_err(|e| std::io::Error::new(e.kind(), format!("{shown}: {e}")))
     };
     let text = read(path.clone(), &file.value())
         .map_err(|e| at_path(format!("{e}; the path starts at the folder of the crate's Cargo.toml")))?;

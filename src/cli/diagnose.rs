@@ -222,7 +222,9 @@ impl Diagnose {
         let sentence = |c: &Cause| format!("{} (probability {:.2}): {}", c.cause, c.probability, c.evidence);
         let causes: Vec<String> = found.causes.iter().filter(|c| c.cause != "unknown").map(sentence).collect();
         let text = file.rewritten(&robot, path, &provenance.run(causes.clone()));
-        let beside = |name: &str| files::text(&path.with_file_name(name)).map_err(|_| format!("{name} can't be read"));
+        let beside = |name: &str| {
+            files::text(&path.with_file_name(name)).map_err(|_| std::io::Error::other(format!("{name} can't be read")))
+        };
         let back = Robot::from_yaml(&text, &beside)
             .map_err(|problems| refused(format!("it could not be read back: {problems}")))?
             .robot;

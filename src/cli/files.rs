@@ -32,13 +32,15 @@ pub(super) struct RobotFile {
 impl RobotFile {
     /// The text of this file for a robot that was made of it and goes to `path`.
     pub(super) fn rewritten(&self, robot: &Robot, path: &Path, run: &Run) -> String {
-        let load = |beside: &Path, name: &str| {
-            let path = beside.parent().unwrap_or(Path::new("")).join(name);
-            fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))
-        };
+        let load = |beside: &Path, name: &str| beside_text(&beside.parent().unwrap_or(Path::new("")).join(name));
         let own = self.read.first().map_or(path, PathBuf::as_path);
         robot.rewritten(&self.text, &|name| load(own, name), &|name| load(path, name), run)
     }
+}
+
+/// Text of a file that a robot file names; its error names the path.
+fn beside_text(path: &Path) -> std::io::Result<String> {
+    fs::read_to_string(path).map_err(|e| std::io::Error::new(e.kind(), format!("{}: {e}", path.display())))
 }
 
 /// Reads a robot file and says on standard error what was noted in it.
@@ -51,7 +53,7 @@ pub(super) fn robot(path: &Path) -> Result<RobotFile, Failure> {
     let load = |name: &str| {
         let path = folder.join(name);
         read.borrow_mut().push(path.clone());
-        fs::read_to_string(&path).map_err(|e| format!("{}: {e}", path.display()))
+        beside_text(&path)
     };
     match Robot::from_yaml(&text, &load) {
         Ok(reading) => {

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use dh_codegen::robot::no_files;
 
 use super::Failure;
 use super::delivery::deliver;
@@ -63,8 +64,7 @@ impl Import {
             let yaml = made.robot.to_yaml_with_source(Some(&source));
             let list = |title: &str, all: &[String]| all.iter().map(|s| format!("{title}: {s}")).collect::<Vec<_>>();
             let found = [list("unknown", &made.unknown), list("cannot be", &made.impossible)].concat();
-            let none = |name: &str| Err(name.to_string());
-            made.robot.rewritten(&yaml, &none, &none, &provenance.run(found))
+            made.robot.rewritten(&yaml, &no_files, &no_files, &provenance.run(found))
         };
         deliver(&provenance)
             .file(self.out.as_ref(), yaml)?

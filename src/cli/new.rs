@@ -77,7 +77,7 @@ impl New {
         }
         let standard = self.convention == Convention::Standard;
         let text = robot_template(&RobotTemplate { name: &self.name, turns: &self.joints.0, standard });
-        if let Err(problems) = dh_codegen::robot::Robot::from_yaml(&text, &|name| Err(format!("no file {name}"))) {
+        if let Err(problems) = dh_codegen::robot::Robot::from_yaml(&text, &dh_codegen::robot::no_files) {
             return Err(Failure::input(problems.in_file("the new file").to_string()));
         }
         let shown = self.out.display();

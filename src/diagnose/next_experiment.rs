@@ -467,6 +467,8 @@ fn remains(
 
 #[cfg(test)]
 mod tests {
+    use dh_codegen::robot::no_files;
+
     use super::*;
 
     /// Columns of laws are what the file's laws add, apart from the smooth sign.
@@ -476,7 +478,7 @@ mod tests {
         use crate::model::file_torque_model::FileTorqueModel;
         use dh_codegen::robot::Effect;
         let text = include_str!("../../robots/planar2r.yaml");
-        let robot = Robot::from_yaml(text, &|_| Err("none".into())).unwrap().robot;
+        let robot = Robot::from_yaml(text, &no_files).unwrap().robot;
         let plant = PerturbableRobot::new(&robot);
         let wave = |k: f64| (0..8).map(|i| k * (0.7 * f64::from(i) + 0.3 * k).sin()).collect::<Vec<f64>>();
         let states = States { len: 4, q: wave(1.0), dq: wave(0.6), ddq: wave(2.0) };

@@ -1,7 +1,9 @@
 //! A tree to a robot file, and how well it met.
 
 use dh_codegen::robot::effects::JointSpring;
-use dh_codegen::robot::{Collision, Convention, Drive, Inertia, Joint, JointKind, Limits, Robot, Tool, crate_name};
+use dh_codegen::robot::{
+    Collision, Convention, Drive, Inertia, Joint, JointKind, Limits, Robot, Tool, crate_name, no_files,
+};
 use nalgebra::Vector3;
 
 use super::chain::Chain;
@@ -210,7 +212,7 @@ impl<'a> Posed<'a> {
             effects: Vec::new(),
         };
         // The file is what counts: it must read as this robot.
-        match Robot::from_yaml(&robot.to_yaml(), &|name| Err(name.to_string())) {
+        match Robot::from_yaml(&robot.to_yaml(), &no_files) {
             Ok(reading) => Ok(reading.robot),
             Err(problems) => Err(ImportError::arm(format!("the robot file would not be valid: {problems}"), "")),
         }

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::AtomicBool;
 
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 use nalgebra::DMatrix;
 
 use super::check::{Written, check};
@@ -15,7 +15,7 @@ use crate::numerics::prng::Random;
 fn robot(name: &str) -> Robot {
     let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).unwrap();
-    Robot::from_yaml(&text, &|name| Err(format!("no file {name}"))).unwrap().robot
+    Robot::from_yaml(&text, &no_files).unwrap().robot
 }
 
 /// The robots whose files have speed limits.

@@ -209,11 +209,12 @@ impl Arm for PerturbableRobot {
 
 #[cfg(test)]
 mod tests {
+    use dh_codegen::robot::no_files;
+
     use super::*;
 
     fn swinging() -> (PerturbableRobot, States, Vec<f64>) {
-        let robot =
-            Robot::from_yaml(include_str!("../../robots/kuka-lwr4.yaml"), &|_| Err("none".into())).unwrap().robot;
+        let robot = Robot::from_yaml(include_str!("../../robots/kuka-lwr4.yaml"), &no_files).unwrap().robot;
         let plant = PerturbableRobot::new(&robot);
         let wave = |k: f64| (0..21).map(|i| k * (0.7 * f64::from(i) + 0.3 * k).sin()).collect::<Vec<f64>>();
         let states = States { len: 3, q: wave(1.0), dq: wave(0.6), ddq: wave(2.0) };

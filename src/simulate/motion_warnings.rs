@@ -48,12 +48,14 @@ pub fn motion_warnings(trajectory: &Trajectory, robot: &Robot) -> Vec<String> {
 
 #[cfg(test)]
 mod tests {
+    use dh_codegen::robot::no_files;
+
     use super::*;
 
     #[test]
     fn units_jumps_and_exchanged_columns_are_named() {
         let text = "name: one\nconvention: modified\njoints:\n  - { name: A, type: revolute, position: [-2, 2], velocity: 3 }\n";
-        let robot = Robot::from_yaml(text, &|_| Err(String::new())).unwrap().robot;
+        let robot = Robot::from_yaml(text, &no_files).unwrap().robot;
         let t: Vec<f64> = (0..200).map(|k| 0.01 * f64::from(k)).collect();
         let q: Vec<f64> = t.iter().map(|t| (2.0 * t).sin()).collect();
         let dq: Vec<f64> = t.iter().map(|t| 2.0 * (2.0 * t).cos()).collect();

@@ -5,7 +5,7 @@ mod integrators;
 mod laws;
 mod sliding;
 
-use dh_codegen::robot::{Effect, Effects, Robot};
+use dh_codegen::robot::{Effect, Effects, Robot, no_files};
 
 use super::*;
 
@@ -13,7 +13,7 @@ use super::*;
 pub(super) fn robot(name: &str) -> Robot {
     let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).unwrap();
-    Robot::from_yaml(&text, &|name| Err(format!("no file {name}"))).unwrap().robot
+    Robot::from_yaml(&text, &no_files).unwrap().robot
 }
 
 /// Without friction and rotors.

@@ -207,7 +207,7 @@ fn a_crate_on_the_runtime_crate_names_it() {
 fn a_drop_in_crate_ships_one_family() {
     let files = |robot: &str| {
         let text = std::fs::read_to_string(format!("robots/{robot}.yaml")).unwrap();
-        let robot = dh_codegen::robot::Robot::from_yaml(&text, &|f| Err(f.to_string())).unwrap().robot;
+        let robot = dh_codegen::robot::Robot::from_yaml(&text, &dh_codegen::robot::no_files).unwrap().robot;
         dh_codegen::krate(&robot, &text)
     };
     let planar = files("planar2r");

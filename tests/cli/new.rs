@@ -1,7 +1,7 @@
 //! A robot file to fill in is a robot file.
 
 use super::{denavit, folder, json};
-use dh_codegen::robot::{JointKind, Robot};
+use dh_codegen::robot::{JointKind, Robot, no_files};
 
 #[test]
 fn a_new_file_is_valid_and_has_the_joints_that_were_asked_for() {
@@ -17,7 +17,7 @@ fn a_new_file_is_valid_and_has_the_joints_that_were_asked_for() {
         let run = denavit(&["new", "my-arm", "--joints", joints, "--convention", convention, "--out", path]);
         assert_eq!(run.status, Some(0), "{}", run.err);
         let text = std::fs::read_to_string(&out).unwrap();
-        let robot = Robot::from_yaml(&text, &|_| Err("none".into())).unwrap().robot;
+        let robot = Robot::from_yaml(&text, &no_files).unwrap().robot;
         let kinds: String =
             robot.joints.iter().map(|j| if j.kind == JointKind::Prismatic { 'P' } else { 'R' }).collect();
         assert_eq!(kinds, wanted);
@@ -43,7 +43,7 @@ fn its_comments_are_true() {
         _ => line.to_string(),
     };
     let text: String = run.out.lines().map(|line| uncommented(line) + "\n").collect();
-    let robot = Robot::from_yaml(&text, &|_| Err("none".into())).map_err(|e| format!("{}\n{text}", e.in_file("new")));
+    let robot = Robot::from_yaml(&text, &no_files).map_err(|e| format!("{}\n{text}", e.in_file("new")));
     let robot = robot.unwrap().robot;
     assert!(
         robot.tool.is_some() && robot.collision.ground.is_some() && robot.joints[0].drive.gear_ratio == Some(100.0)

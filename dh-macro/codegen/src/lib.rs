@@ -4,7 +4,7 @@
 //! base) -> tape -> rust (text) | sym::eval (runs it)`
 //!
 //! ```
-//! use dh_codegen::robot::Robot;
+//! use dh_codegen::robot::{Robot, no_files};
 //!
 //! let text = "
 //! name: pendulum
@@ -12,7 +12,7 @@
 //! gravity: [0, -9.81, 0]
 //! joints: [ { type: revolute } ]
 //! ";
-//! let robot = Robot::from_yaml(text, &|name| Err(format!("no file {name}")))?.robot;
+//! let robot = Robot::from_yaml(text, &no_files)?.robot;
 //! let files = dh_codegen::krate(&robot, text);
 //! assert!(files["src/parameters.rs"].contains("pub const DOF: usize = 1;"));
 //! # Ok::<(), dh_codegen::robot::Problems>(())

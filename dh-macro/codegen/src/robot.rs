@@ -9,6 +9,7 @@ mod decimal;
 pub mod document;
 pub mod effects;
 mod expression;
+mod files;
 mod inertia;
 mod keys;
 mod laws;
@@ -30,6 +31,7 @@ mod yaml;
 pub use angle::Angle;
 pub use check::Reading;
 pub use effects::{Effect, EffectKind, RATED};
+pub use files::{Files, no_files};
 pub use inertia::Inertia;
 pub use laws::{Coupling, Laws};
 pub use length::{Length, Polynomial};
@@ -37,7 +39,7 @@ pub use log::{Dimension, LogChannel, LogMapping, UnknownColumn, log_column};
 pub use name::crate_name;
 pub use physical::NotPhysical;
 pub use problem::{Note, Problem, Problems};
-pub use rewrite::{Files, Run, files_of_runs};
+pub use rewrite::{Run, files_of_runs};
 pub use schema::schema;
 
 /// Denavit-Hartenberg convention of the rows.

@@ -49,7 +49,7 @@ fn all_mistakes_of_a_file_are_reported_together() {
 fn a_tensor_that_does_not_go_with_the_first_moments_is_noted() {
     let text = "name: noted\nconvention: modified\ngravity: [0, 0, -9.81]\njoints:\n  - { type: revolute }\n\
                 links:\n  - { M: 2.7, MS: [0.0, -0.12, 0.3], I: [0.02, 0.02, 0.004, 0, 0, 0] }\n";
-    let reading = dh_codegen::robot::Robot::from_yaml(text, &|f| Err(f.to_string())).unwrap();
+    let reading = dh_codegen::robot::Robot::from_yaml(text, &dh_codegen::robot::no_files).unwrap();
     let notes: Vec<String> = reading.notes.iter().map(ToString::to_string).collect();
     assert!(notes.iter().any(|n| n.contains("links[1]") && n.contains("no body is like this")), "{notes:?}");
 }

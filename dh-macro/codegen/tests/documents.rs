@@ -4,11 +4,7 @@ mod common;
 
 use common::robots;
 use dh_codegen::robot::effects::{Description, EffectKey, Magnitude, Range, Scope};
-use dh_codegen::robot::{EffectKind, Robot};
-
-fn no_files(name: &str) -> Result<String, String> {
-    Err(format!("{name} was not found"))
-}
+use dh_codegen::robot::{EffectKind, Robot, no_files};
 
 #[test]
 fn the_example_of_the_readme_is_good() {

@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
 
 use dh_codegen::arm::{Inverse, Model};
 use dh_codegen::ik::{Arm, CHOICES, Family, NO_CHOICE, Query, Solutions, Status};
-use dh_codegen::robot::{Angle, Convention, Length, Robot};
+use dh_codegen::robot::{Angle, Convention, Length, Robot, no_files};
 
 /// Twist, d, offset, r of each row.
 type Table = [[f64; 4]; 6];
@@ -73,7 +73,7 @@ impl Random {
 
 fn arm(table: &Table, convention: Convention) -> Arm<6> {
     let text = "name: x\nconvention: modified\njoints: [ { type: revolute } ]\n";
-    let mut robot = Robot::from_yaml(text, &|f| Err(f.to_string())).unwrap().robot;
+    let mut robot = Robot::from_yaml(text, &no_files).unwrap().robot;
     let template = robot.joints[0].clone();
     robot.convention = convention;
     robot.joints = (0..6)

@@ -5,7 +5,7 @@ use core::f64::consts::{PI, TAU};
 
 use dh_codegen::arm::{Inverse, Model};
 use dh_codegen::ik::{Arm, Query, Reference, Status};
-use dh_codegen::robot::{Angle, Convention, JointKind, Length, Robot};
+use dh_codegen::robot::{Angle, Convention, JointKind, Length, Robot, no_files};
 
 struct Random(u64);
 
@@ -50,7 +50,7 @@ fn rows(random: &mut Random, kinds: &str, twists: &str, d: &str, r: &str) -> Vec
 fn robot(random: &mut Random, rows: &[Row], oblique: bool) -> Robot {
     let standard = random.below(2) == 1;
     let text = "name: x\nconvention: modified\njoints: [ { type: revolute } ]\n";
-    let mut robot = Robot::from_yaml(text, &|f| Err(f.to_string())).unwrap().robot;
+    let mut robot = Robot::from_yaml(text, &no_files).unwrap().robot;
     let template = robot.joints[0].clone();
     let twist = |random: &mut Random, c: char| match c {
         '0' => Angle::pi_fraction(random.below(2) as i64, 1),

@@ -14,7 +14,7 @@ use std::process::Command;
 use dh_codegen::Runtime;
 use dh_codegen::arm::{Argument, Function, Model};
 use dh_codegen::interpret::{Interpreter, State};
-use dh_codegen::robot::{Angle, Length, Polynomial, Robot};
+use dh_codegen::robot::{Angle, Length, Polynomial, Robot, no_files};
 use proc_macro2::TokenStream;
 
 /// Of so many robots one is compiled as the macro expands it, too: the same text, through tokens.
@@ -70,7 +70,7 @@ fn robot(which: usize, constants: Vec<(String, f64)>) -> Robot {
         },
         kinds[1],
     );
-    let mut robot = Robot::from_yaml(&text, &|_| Err(String::new())).unwrap_or_else(|e| panic!("{e}\n{text}")).robot;
+    let mut robot = Robot::from_yaml(&text, &no_files).unwrap_or_else(|e| panic!("{e}\n{text}")).robot;
     let value = |k: usize| constants[k % constants.len()].1;
     let length =
         |k: usize| Length { value: value(k), closed_form: Polynomial::constant(k), text: constants[k].0.clone() };

@@ -8,7 +8,7 @@ use crate::control::robot::{RobotModel, contact_point};
 use crate::model::interpreted::Interpreted;
 use crate::simulate::{Sensors, SimulationFile, Simulator, Trajectory};
 use dh_codegen::arm::param;
-use dh_codegen::robot::{Effects, Robot};
+use dh_codegen::robot::{Effects, Robot, no_files};
 
 /// Three joints in a plane, a stick in the hand.
 pub(super) const FILE: &str = "
@@ -27,7 +27,7 @@ tool: { name: stick, pose: { xyz: [0.1, 0, 0], rpy: [0, pi/2, 0] }, geometry: { 
 ";
 
 fn pressed(feedback: Feedback, law: Law) -> Run {
-    let robot = Robot::from_yaml(FILE, &|name| Err(format!("no file {name}"))).unwrap().robot;
+    let robot = Robot::from_yaml(FILE, &no_files).unwrap().robot;
     let real = Simulator::new(&robot, &Effects::default()).unwrap();
     let arm = Interpreted::new(&robot, &Interpreted::BODIES);
     let standard = param::standard_values(&robot).unwrap();
@@ -74,7 +74,7 @@ fn it_presses_as_asked() {
 /// 0.4 m along the wall in 3 s; the gears of the first two joints ripple, and the controller's
 /// model has no ripple.
 fn coats(count: usize) -> Vec<Run> {
-    let robot = Robot::from_yaml(FILE, &|name| Err(format!("no file {name}"))).unwrap().robot;
+    let robot = Robot::from_yaml(FILE, &no_files).unwrap().robot;
     let text = "joints:\n  1: { torque_ripple: { RC: 0.8, RS: 0.3 } }\n  2: { torque_ripple: { RC: 0.5, RS: -0.4 } }\n";
     let effects = SimulationFile::from_yaml(text, &robot).unwrap().effects;
     let real = Simulator::new(&robot, &effects).unwrap();

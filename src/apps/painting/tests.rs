@@ -1,7 +1,7 @@
 //! Plans against the numeric recursion, which shares no code with what made them.
 
 use dh_codegen::arm::param;
-use dh_codegen::robot::{Robot, Tool};
+use dh_codegen::robot::{Robot, Tool, no_files};
 use nalgebra::{Vector3, Vector6};
 
 use super::*;
@@ -11,7 +11,7 @@ use crate::model::rigid_body::Numeric;
 
 fn robot(name: &str, tool: &str) -> Robot {
     let read = |path: String| std::fs::read_to_string(format!("{}/robots/{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
-    let mut robot = Robot::from_yaml(&read(format!("{name}.yaml")), &|f| Err(f.to_string())).unwrap().robot;
+    let mut robot = Robot::from_yaml(&read(format!("{name}.yaml")), &no_files).unwrap().robot;
     robot.tool = Some(Tool::from_yaml(&read(format!("tools/{tool}.yaml")), tool).unwrap().0);
     robot
 }

@@ -1,7 +1,7 @@
 //! Promises of the gains' tool against the simulated arm on walls of several stiffnesses.
 
 use dh_codegen::arm::param;
-use dh_codegen::robot::{Effects, Robot};
+use dh_codegen::robot::{Effects, Robot, no_files};
 
 use super::run_tests::FILE;
 use super::tune::{Demands, Tuning, tune};
@@ -23,7 +23,7 @@ const WATCHED: f64 = 3.0;
 /// The force less [`FORCE`] from the step on, N, every period, with the proposed gains of the force
 /// loop times `factor`.
 fn stepped(stiffness: f64, factor: impl Fn(&Tuning) -> f64) -> (Tuning, Vec<f64>) {
-    let robot = Robot::from_yaml(FILE, &|name| Err(format!("no file {name}"))).unwrap().robot;
+    let robot = Robot::from_yaml(FILE, &no_files).unwrap().robot;
     let real = Simulator::new(&robot, &Effects::default()).unwrap();
     let arm = Interpreted::new(&robot, &Interpreted::BODIES);
     let standard = param::standard_values(&robot).unwrap();

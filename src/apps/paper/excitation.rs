@@ -1,7 +1,7 @@
 //! Section III of the paper: Fig. 5 (what a longer motion gains, by each criterion), and the same
 //! task on other arms.
 
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 
 use super::ReproduceError;
 use super::Watch;
@@ -131,7 +131,7 @@ pub fn excitation(settings: &ExcitationSettings, watch: Watch<'_>) -> Result<Exc
 
     let mut others = Vec::new();
     for (name, text, published) in OTHERS {
-        let read = Robot::from_yaml(text, &|file| Err(format!("no file {file}")));
+        let read = Robot::from_yaml(text, &no_files);
         let robot = read.map_err(ReproduceError::in_file(name))?.robot;
         let arm = Differentiated::new(&robot);
         let task = self::task(&arm, &robot)?;

@@ -5,7 +5,7 @@
 //! components. Parameters are identified again in each run. Their error, the same at all samples of
 //! a run, is thus drawn again as well, and a band's coverage is over runs and samples.
 
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 
 use super::ReproduceError;
 use super::Watch;
@@ -382,7 +382,7 @@ const ALONE: [(&str, &str, f64); 2] = [
 /// Stages for [`Case::FileAlone`].
 pub fn alone(seed: u64) -> Result<Vec<Stage>, ReproduceError> {
     let stage = |(name, text, noise): (&str, &str, f64)| {
-        let read = Robot::from_yaml(text, &|name| Err(format!("no file {name}")));
+        let read = Robot::from_yaml(text, &no_files);
         let mut robot = read.map_err(ReproduceError::in_file(name))?.robot;
         robot.tool = None;
         let sensors = Sensors { rate: 100.0, wrench: true, torque_noise: vec![noise], ..Sensors::default() };

@@ -3,7 +3,7 @@
 
 use dh_codegen::arm::{Function, param};
 use dh_codegen::robot::effects::{JointElasticity, PreslidingHysteresis, RotorInertia, TorqueRipple};
-use dh_codegen::robot::{Effects, Robot};
+use dh_codegen::robot::{Effects, Robot, no_files};
 
 use super::ReproduceError;
 use crate::apps::paper::tool::PAPER_TORQUE_NOISE;
@@ -82,7 +82,7 @@ pub struct Lwr {
 impl Lwr {
     /// Reads the built-in file.
     pub fn new() -> Result<Self, ReproduceError> {
-        let read = Robot::from_yaml(FILE, &|name| Err(format!("no file {name}")));
+        let read = Robot::from_yaml(FILE, &no_files);
         let mut robot = read.map_err(ReproduceError::in_file("kuka-lwr4.yaml"))?.robot;
         robot.tool = None;
         Self::of(robot)

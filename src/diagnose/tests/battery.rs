@@ -1,6 +1,6 @@
 //! Seeded cases.
 
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 
 use super::world::{Hidden, World, record};
 use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};
@@ -12,7 +12,7 @@ use crate::numerics::prng::Random;
 
 fn robot(name: &str) -> Robot {
     let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
-    let mut robot = Robot::from_yaml(&std::fs::read_to_string(path).unwrap(), &|_| Err("none".into())).unwrap().robot;
+    let mut robot = Robot::from_yaml(&std::fs::read_to_string(path).unwrap(), &no_files).unwrap().robot;
     for row in robot.moving() {
         let drive = &mut robot.joints[row].drive;
         drive.viscous_friction = Some(drive.viscous_friction.unwrap_or(0.5));

@@ -2,7 +2,7 @@
 //! and laws other than those that look for them.
 
 use dh_codegen::arm::param;
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 
 use super::world::{motion, record};
 use crate::diagnose::{Diagnosis, Settings, diagnose, extended, written_errors};
@@ -16,7 +16,7 @@ const NOISE: [f64; 2] = [0.02, 0.01];
 
 pub(super) fn planar() -> Robot {
     let text = include_str!("../../../robots/planar2r.yaml");
-    Robot::from_yaml(text, &|_| Err("none".into())).unwrap().robot
+    Robot::from_yaml(text, &no_files).unwrap().robot
 }
 
 /// Torques of an arm at one state.

@@ -3,7 +3,7 @@
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::effects::{JointSpring, TorqueOffset};
-use dh_codegen::robot::{Inertia, Robot};
+use dh_codegen::robot::{Inertia, Robot, no_files};
 
 use super::mechanisms::{Bodies, RATE, bare, log, plain, planar};
 use super::world::{motion, record};
@@ -95,7 +95,7 @@ fn offered(file: &Robot, causes: usize, truth: &dyn Fn(&[[f64; 2]; 3]) -> [f64; 
     let found = diagnose(&PerturbableRobot::new(file), &[fit], &validate, &settings, &|_| {}).unwrap();
     let robot = extended(file.clone(), &found);
     let text = robot.to_yaml();
-    let robot = Robot::from_yaml(&text, &|_| Err("none".into())).unwrap().robot;
+    let robot = Robot::from_yaml(&text, &no_files).unwrap().robot;
     let written = written_errors(&FileTorqueModel::new(&robot).unwrap(), &validate, true);
     for (is, offered) in written.iter().zip(&found.extended.validate) {
         assert!((is - offered).abs() < 0.01 * offered, "{written:?} {:?}\n{text}", found.extended.validate);

@@ -16,13 +16,16 @@ use super::newton::Problem;
 use crate::model::pseudo_inertia::basis;
 
 /// Why no optimum was found.
-#[derive(Debug)]
+#[derive(Debug, thiserror::Error)]
 pub(super) enum Halted {
     /// The solver refuses the problem.
-    Refused(SolverError),
+    #[error(transparent)]
+    Refused(#[from] SolverError),
     /// It ends without a solution in this round.
+    #[error("clarabel: {status:?} in round {round}")]
     Unsolved { status: SolverStatus, round: usize },
     /// Largest violation of each round.
+    #[error("still violated after {} rounds: {trace:?}", .trace.len())]
     StillViolated { trace: Vec<f64> },
 }
 
@@ -96,7 +99,7 @@ pub(super) fn by_cuts(problem: &Problem, tolerance: f64, rounds: usize) -> Resul
             max_iter: 300,
             ..DefaultSettings::default()
         };
-        let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones, settings).map_err(Halted::Refused)?;
+        let mut solver = DefaultSolver::new(&p, &q, &a, &b, &cones, settings)?;
         solver.solve();
         let solution = &solver.solution;
         if !matches!(

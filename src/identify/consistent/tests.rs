@@ -3,7 +3,7 @@
 mod measured;
 
 use dh_codegen::arm::param;
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 use nalgebra::{DMatrix, DVector};
 
 use super::newton::Weights;
@@ -294,7 +294,7 @@ fn links_that_could_be_built_have_the_same_base_parameters() {
 
 fn file(name: &str) -> (Robot, Interpreted) {
     let text = std::fs::read_to_string(format!("robots/{name}.yaml")).unwrap();
-    let robot = Robot::from_yaml(&text, &|name| Err(format!("no {name}"))).unwrap().robot;
+    let robot = Robot::from_yaml(&text, &no_files).unwrap().robot;
     let arm = Interpreted::new(&robot, &[]);
     (robot, arm)
 }

@@ -68,7 +68,7 @@ mod tests {
             "name: elbow\nconvention: modified\njoints:\n  - {{ type: revolute, {drive} }}\n  - {{ type: fixed, alpha: 90deg, d: 0.2 }}\n  - \
              {{ type: revolute, d: 0.3, {drive} }}\n"
         );
-        let robot = dh_codegen::robot::Robot::from_yaml(&text, &|_| Err(String::new())).unwrap().robot;
+        let robot = dh_codegen::robot::Robot::from_yaml(&text, &dh_codegen::robot::no_files).unwrap().robot;
         let arm = Interpreted::new(&robot, &[]);
         let rows = Rows::new(&arm);
         for (joint, name) in ["FC1", "FC3"].iter().enumerate() {

@@ -167,7 +167,7 @@ impl Hand {
     fn new() -> Self {
         use dh_codegen::arm::{Function, param};
         let text = include_str!("../../../robots/scara.yaml");
-        let robot = dh_codegen::robot::Robot::from_yaml(text, &|_| Err(String::new())).unwrap().robot;
+        let robot = dh_codegen::robot::Robot::from_yaml(text, &dh_codegen::robot::no_files).unwrap().robot;
         let arm = crate::model::interpreted::Interpreted::new(&robot, &[Function::PayloadRegressor]);
         let standard = param::standard_values(&robot).unwrap();
         Self { arm, standard, tool: [1.5, 0.03, -0.02, 0.12, 0.02, 0.03, 0.01, 0.001, -0.002, 0.003] }

@@ -468,7 +468,7 @@ mod tests {
 
     /// A robot of the repository with its file's values, moving; torques with noise.
     fn recorded(text: &str, seed: u64) -> (Interpreted, Vec<f64>, Motion) {
-        let robot = dh_codegen::robot::Robot::from_yaml(text, &|_| Err(String::new())).unwrap().robot;
+        let robot = dh_codegen::robot::Robot::from_yaml(text, &dh_codegen::robot::no_files).unwrap().robot;
         let arm = Interpreted::new(&robot, &[]);
         let standard = param::standard_values(&robot).unwrap();
         let (n, len, rate) = (arm.dof(), 600, 50.0);

@@ -79,13 +79,15 @@ fn dh_table(robot: &Robot) -> String {
 
 #[cfg(test)]
 mod tests {
+    use dh_codegen::robot::no_files;
+
     use super::*;
 
     #[test]
     fn columns_stand_below_their_heads_whatever_the_names() {
         let text = "name: arm\nconvention: modified\njoints:\n  - { name: shoulder_of_the_left_arm, type: revolute }\n  - { name: b, \
                     type: revolute, d: 0.31 }\n";
-        let robot = Robot::from_yaml(text, &|_| Err(String::new())).unwrap().robot;
+        let robot = Robot::from_yaml(text, &no_files).unwrap().robot;
         let table = dh_table(&robot);
         let at: Vec<Option<usize>> =
             table.lines().zip(["type", "revolute", "revolute"]).map(|(line, word)| line.find(word)).collect();

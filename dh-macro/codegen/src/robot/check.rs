@@ -12,7 +12,7 @@ use super::name;
 use super::problem::{Note, Problem, Problems};
 use super::reader::{Fields, Findings, join};
 use super::yaml::{self, Kind, Mark, shortened};
-use super::{Collision, Convention, Cuboid, Effect, Joint, JointKind, Pose, Robot, Sphere, Tool};
+use super::{Collision, Convention, Cuboid, Effect, Files, Joint, JointKind, Pose, Robot, Sphere, Tool};
 
 /// A robot as its file gives it, and what the reader did or saw on the way.
 #[derive(Debug, Clone)]
@@ -30,10 +30,10 @@ const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
 impl Robot {
     /// Reads a robot file. `files` gives the text of a tool file by the name that stands behind
-    /// `tool:`.
+    /// `tool:` ([`no_files`](super::no_files) where there is none).
     ///
     /// All mistakes are reported together, each with its line and column.
-    pub fn from_yaml(text: &str, files: &dyn Fn(&str) -> Result<String, String>) -> Result<Reading, Problems> {
+    pub fn from_yaml(text: &str, files: &Files<'_>) -> Result<Reading, Problems> {
         let root = yaml::parse(text).map_err(Problems)?;
         let mut found = Findings::default();
         let top = found.fields(&root, "", &keys::ROBOT);
@@ -48,7 +48,7 @@ impl Robot {
     }
 
     /// [`Robot::from_yaml`] for bytes that may not be UTF-8.
-    pub fn from_bytes(bytes: &[u8], files: &dyn Fn(&str) -> Result<String, String>) -> Result<Reading, Problems> {
+    pub fn from_bytes(bytes: &[u8], files: &Files<'_>) -> Result<Reading, Problems> {
         match core::str::from_utf8(bytes) {
             Ok(text) => Self::from_yaml(text, files),
             Err(error) => {
@@ -82,7 +82,7 @@ impl Tool {
 }
 
 /// The robot, with defaults in place of what was found wrong.
-fn robot(top: &Fields<'_>, files: &dyn Fn(&str) -> Result<String, String>, to: &mut Findings) -> Robot {
+fn robot(top: &Fields<'_>, files: &Files<'_>, to: &mut Findings) -> Robot {
     constants(top, to);
     let name = top.text("name", to).unwrap_or_default();
     check_name(&name, top, to);

@@ -1,5 +1,6 @@
 //! A robot file on disk.
 
+use std::io::Error;
 use std::path::Path;
 
 use super::{Problem, Problems, Robot};
@@ -23,8 +24,10 @@ impl Robot {
             let mend = "name a robot file".to_string();
             Problems(vec![Problem { file: None, path: String::new(), line: 1, column: 1, what, mend }]).in_file(&name)
         })?;
-        let beside =
-            |tool: &str| std::fs::read_to_string(path.with_file_name(tool)).map_err(|e| format!("{tool}: {e}"));
+        let beside = |tool: &str| {
+            let text = std::fs::read_to_string(path.with_file_name(tool));
+            text.map_err(|e| Error::new(e.kind(), format!("{tool}: {e}")))
+        };
         Self::from_yaml(&text, &beside).map(|reading| reading.robot).map_err(|problems| problems.in_file(&name))
     }
 }

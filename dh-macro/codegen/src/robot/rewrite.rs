@@ -6,10 +6,7 @@ use core::ops::Range;
 use super::expression::Scope;
 use super::write::{self, Field};
 use super::yaml::{self, Kind, Node, Word};
-use super::{Drive, Joint, Robot};
-
-/// Gives the text of a file that a robot file names.
-pub type Files<'a> = dyn Fn(&str) -> Result<String, String> + 'a;
+use super::{Drive, Files, Joint, Robot};
 
 /// Widest line that an entry is appended to.
 const WIDTH: usize = 140;
@@ -70,7 +67,9 @@ impl Robot {
         let tool = |robot: &Self| robot.tool.as_ref().map(|tool| write::tool_fields(tool, &scope));
         match child(top, "tool").map(|node| (node, &node.kind)) {
             // A file that is another one, or none, where the result will stand.
-            Some((node, Kind::Scalar { text, .. })) if files(text) != there(text) && self.tool == before.tool => {
+            Some((node, Kind::Scalar { text, .. }))
+                if files(text).ok() != there(text).ok() && self.tool == before.tool =>
+            {
                 editor.replace(node.span.clone(), write::flow(&tool(self)?, 6));
             }
             _ => editor.section(&root, "tool", tool(&before), tool(self)),

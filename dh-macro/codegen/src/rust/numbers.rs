@@ -164,6 +164,8 @@ fn product(monomial: &[(usize, u32)], factor: f64, constants: &[Constant], path:
 
 #[cfg(test)]
 mod tests {
+    use crate::robot::no_files;
+
     use super::*;
 
     #[test]
@@ -182,7 +184,7 @@ mod tests {
     #[test]
     fn a_product_of_two_lengths_is_written_as_one() {
         let text = include_str!("../../../../robots/franka-panda.yaml");
-        let robot = Robot::from_yaml(text, &|file| Err(file.to_string())).unwrap().robot;
+        let robot = Robot::from_yaml(text, &no_files).unwrap().robot;
         let square = 0.088 * 0.088;
         assert_eq!(product_of_lengths(-square, &robot), Some("-0.088 * 0.088".into()));
         assert_eq!(product_of_lengths(0.007744, &robot), None, "not the same bits");

@@ -24,6 +24,7 @@ pub fn files(folder: &str) -> Vec<PathBuf> {
 pub fn read(path: &Path) -> Result<Reading, Problems> {
     let folder = path.parent().unwrap().to_path_buf();
     Robot::from_bytes(&std::fs::read(path).unwrap(), &|name| {
-        std::fs::read_to_string(folder.join(name)).map_err(|_| format!("{name} was not found"))
+        std::fs::read_to_string(folder.join(name))
+            .map_err(|e| std::io::Error::new(e.kind(), format!("{name} was not found")))
     })
 }

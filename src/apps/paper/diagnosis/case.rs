@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use dh_codegen::arm::param;
-use dh_codegen::robot::{EffectKind, Robot};
+use dh_codegen::robot::{EffectKind, Robot, no_files};
 
 use super::super::ReproduceError;
 use super::Settings;
@@ -134,7 +134,7 @@ pub(super) struct Plants {
 impl Plants {
     fn of(&self, robot: &Robot) -> Result<(Robot, Arc<PerturbableRobot>), ReproduceError> {
         let text = robot.to_yaml();
-        let read = Robot::from_yaml(&text, &|name| Err(format!("no file {name}")));
+        let read = Robot::from_yaml(&text, &no_files);
         let robot = read.map_err(ReproduceError::in_file("written robot"))?.robot;
         let lock = || self.plants.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = lock().get(&text) {
@@ -161,7 +161,7 @@ impl Plants {
 /// The file of an arm, with friction on every joint.
 fn arm(number: usize) -> Result<(&'static str, Robot), ReproduceError> {
     let (name, text) = ARMS[number];
-    let read = Robot::from_yaml(text, &|name| Err(format!("no file {name}")));
+    let read = Robot::from_yaml(text, &no_files);
     let mut robot = read.map_err(ReproduceError::in_file(name))?.robot;
     robot.tool = None;
     for (j, row) in robot.moving().into_iter().enumerate() {

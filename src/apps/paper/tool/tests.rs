@@ -3,12 +3,12 @@
 use super::bench::POSITION_NOISE;
 use super::*;
 use crate::identify::tool::{Entry, RecogniseSettings, Tolerance, catalogue};
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 
 /// The paper's noise, times this.
 fn bench(noise: f64) -> Bench {
     let text = std::fs::read_to_string("robots/kuka-lwr4.yaml").unwrap();
-    let robot = Robot::from_yaml(&text, &|name| Err(name.to_string())).unwrap().robot;
+    let robot = Robot::from_yaml(&text, &no_files).unwrap().robot;
     let noise = SensorNoise { torque: PAPER_TORQUE_NOISE.map(|s| noise * s).to_vec(), position: POSITION_NOISE };
     Bench::new(&robot, noise, 10.0, 1).unwrap()
 }

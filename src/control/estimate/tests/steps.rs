@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use dh_codegen::arm::param;
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use super::super::*;
@@ -23,7 +23,7 @@ fn array(v: &DVector<f64>) -> [f64; 7] {
 impl Oracle {
     fn new(seed: u64) -> Self {
         let text = include_str!("../../../../robots/kuka-lwr4.yaml");
-        let robot = Robot::from_yaml(text, &|_| Err("none".into())).unwrap().robot;
+        let robot = Robot::from_yaml(text, &no_files).unwrap().robot;
         let phi = param::standard_values(&robot).unwrap();
         Self { numeric: Numeric::new(&robot), phi, random: Random::new(seed) }
     }

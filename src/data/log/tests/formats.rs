@@ -92,6 +92,36 @@ fn empty_and_truncated() {
     assert!(matches!(all_of(b"PAR1rubbish"), Err(LogError::Parquet { .. })));
 }
 
+/// A program asks for the type, a reader for the words.
+#[test]
+fn an_error_holds_its_cause() {
+    let long: u64 = (48 << 20) + 1;
+    let error = all_of(&[b"\x89MCAP0\r\n\x06", &long.to_le_bytes()[..]].concat()).unwrap_err();
+    assert!(
+        matches!(&error, LogError::Format { source, .. } if matches!(**source, Malformed::Mcap(McapError::LongRecord(n)) if n == long))
+    );
+    let said = format!("log: the MCAP file can't be read: a record of {long} bytes; {} are read at most", 48 << 20);
+    assert_eq!(error.to_string(), said);
+    assert!(std::error::Error::source(&error).is_some());
+
+    let error = all_of(b"t,q1 [kg],tau1\n0,1,2\n").unwrap_err();
+    assert!(matches!(&error, LogError::Unit { source, .. } if matches!(**source, UnitError::Unknown { .. })));
+    assert!(error.to_string().starts_with("log, line 1, column `q1 [kg]`: `kg` is no unit for `q1`; choose among "));
+
+    let reading = |column: &str| {
+        let channel = Channel { name: "{joint}/x".into(), ..Channel::default() };
+        let mapping = Mapping { columns: vec![(column.into(), channel)], ..Mapping::default() };
+        Reading { mapping: Some(mapping), ..Reading::default() }
+    };
+    let error = |column: &str| match reading(column).layout("log", &["t", "a/x"]) {
+        Err(LogError::Mapping { source, .. }) => *source,
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(error("q1"), MappingError::NoRobot);
+    assert_eq!(error("q1").to_string(), "{joint} needs the robot file: give --robot ROBOT");
+    assert_eq!(error("x1"), MappingError::NoColumn("x1".into()));
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 200, failure_persistence: None, ..ProptestConfig::default() })]
 

@@ -4,7 +4,7 @@ use super::super::keys;
 use super::super::problem::Problem;
 use super::super::reader::{Fields, Findings};
 use super::super::yaml::{self, Kind, Mark, shortened};
-use super::super::{Inertia, Pose, Tool, ToolGeometry};
+use super::super::{Files, Inertia, Pose, Tool, ToolGeometry};
 use super::place;
 
 /// Inertial parameters per row of the DH table.
@@ -56,11 +56,7 @@ fn inertia(fields: &Fields<'_>, what: &str, to: &mut Findings) -> Option<Inertia
 }
 
 /// The tool, from here or from its own file.
-pub(super) fn tool(
-    top: &Fields<'_>,
-    files: &dyn Fn(&str) -> Result<String, String>,
-    to: &mut Findings,
-) -> Option<Tool> {
+pub(super) fn tool(top: &Fields<'_>, files: &Files<'_>, to: &mut Findings) -> Option<Tool> {
     let (node, path) = top.node("tool")?;
     match &node.kind {
         Kind::Null => None,
@@ -69,13 +65,7 @@ pub(super) fn tool(
     }
 }
 
-fn tool_file(
-    name: &str,
-    mark: Mark,
-    path: &str,
-    files: &dyn Fn(&str) -> Result<String, String>,
-    to: &mut Findings,
-) -> Option<Tool> {
+fn tool_file(name: &str, mark: Mark, path: &str, files: &Files<'_>, to: &mut Findings) -> Option<Tool> {
     if !(name.ends_with(".yaml") || name.ends_with(".yml")) {
         let mend = "write the name of a .yaml file, relative to this one, as in tools/roller.yaml, or the tool itself";
         to.problem(mark, path, format!("`{}` is not the name of a tool file", shortened(name)), mend);

@@ -1,7 +1,7 @@
 //! An arm with its excerpts: identified once, diagnosed as often as something is added.
 
 use dh_codegen::arm::param;
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::{Robot, no_files};
 
 use super::super::case::record_keeping;
 use super::addition::Addition;
@@ -117,7 +117,7 @@ fn shortened(logs: Vec<Log>, most: f64) -> Vec<Log> {
 impl Session {
     pub(super) fn new(recorded: &Recorded, most: [f64; 2]) -> Result<Self, ReproduceError> {
         let name = recorded.arm.folder.to_string();
-        let file = Robot::from_yaml(recorded.arm.robot, &|name| Err(format!("no file {name}")));
+        let file = Robot::from_yaml(recorded.arm.robot, &no_files);
         let file = file.map_err(ReproduceError::in_file(&name))?.robot;
         let all = |names: &[&str], bytes: &[Vec<u8>]| -> Result<Vec<Log>, ReproduceError> {
             names.iter().zip(bytes).map(|(name, bytes)| read(name, bytes, recorded)).collect()

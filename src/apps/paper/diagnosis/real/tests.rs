@@ -7,7 +7,7 @@ use crate::simulate::{Control, Effects, Mode, Request, Sensors, Simulator, Traje
 /// The planar arm with friction, 24 s at 100 Hz.
 fn small() -> Recorded {
     let text = include_str!("../../../../../robots/planar2r.yaml");
-    let robot = dh_codegen::robot::Robot::from_yaml(text, &|_| Err("none".into())).unwrap().robot;
+    let robot = dh_codegen::robot::Robot::from_yaml(text, &dh_codegen::robot::no_files).unwrap().robot;
     let t: Vec<f64> = (0..1250).map(|k| f64::from(k) / 50.0).collect();
     let q = |t: f64| [0.9 * (1.3 * t).sin() + 0.3 * (2.9 * t).sin(), 0.8 * (1.9 * t).cos() - 0.3 * (3.7 * t).sin()];
     let positions: Vec<f64> = (0..2).flat_map(|j| t.iter().map(move |&t| q(t)[j])).collect();
