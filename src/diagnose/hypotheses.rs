@@ -286,6 +286,11 @@ pub trait Hypothesis: Sync {
         false
     }
 
+    /// Of what acts in one part of the data: its start and end, s of used data.
+    fn acts(&self, _shape: &[f64]) -> Option<[f64; 2]> {
+        None
+    }
+
     /// How many instances may act in one place (ripple of several orders, pushes one after the
     /// other).
     fn most(&self) -> usize {

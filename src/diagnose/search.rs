@@ -103,7 +103,7 @@ pub fn search(
                         *last = other.clone();
                         judged.chosen = other;
                     }
-                    taken = Some((judged, trial, next));
+                    taken = Some((judged, trial));
                     break;
                 }
                 None if delays != bench.scene.delays => {
@@ -115,7 +115,7 @@ pub fn search(
                 None => {}
             }
         }
-        let Some((judged, trial, next)) = taken else {
+        let Some((judged, trial)) = taken else {
             let judge = Judge { bench: &*bench, noise, settings, accepted: &accepted, tried };
             if !judge.leaves_more_than_noise(&fitted) {
                 break;
@@ -132,7 +132,8 @@ pub fn search(
         };
         chosen = trial;
         accepted.push(judged);
-        fitted = next;
+        bench.regularise_beside(&chosen);
+        fitted = bench.fit(&mut chosen);
         adopt(&mut accepted, &chosen);
     }
     progress("weighing the causes against each other");

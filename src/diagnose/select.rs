@@ -5,5 +5,6 @@ pub(super) mod contenders;
 pub(super) mod excess;
 pub(super) mod measure;
 pub(super) mod model_choice;
+mod prune;
 pub(super) mod reduction;
 pub(super) mod refine_and_select;

@@ -15,6 +15,8 @@ pub struct Motion {
     pub segment: usize,
     /// Time of the first sample, s.
     pub start: f64,
+    /// Time at which the segment begins, s: before `start` where filters have to settle first.
+    pub segment_start: f64,
     /// Spacing, s.
     pub period: f64,
     /// Positions, velocities, accelerations, joint-major.

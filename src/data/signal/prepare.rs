@@ -802,6 +802,7 @@ impl Preparer {
         let mut motion = Motion {
             segment: self.segment,
             start: clock.start + (self.first + from) as f64 * clock.period,
+            segment_start: clock.start,
             period: clock.period,
             core: core.start - self.first - from..core.end - self.first - from,
             stride: self.settings.stride.max(1),

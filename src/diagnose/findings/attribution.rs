@@ -13,6 +13,7 @@ use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
 use crate::diagnose::hypotheses::{COULOMB, Hypothesis as _, Named, OFFSET, VISCOUS};
 use crate::diagnose::search::baseline_friction::BaselineFriction;
 use crate::diagnose::search::judge::Accepted;
+use crate::diagnose::select::beside::Shares;
 use crate::diagnose::select::measure::{Measured, share, taken_of};
 use dh_codegen::robot::effects;
 
@@ -34,12 +35,12 @@ pub(in crate::diagnose) struct Attribution<'a> {
 impl Attribution<'_> {
     /// An item as a cause of the result: errors without it and with it, `on` the fitted logs
     /// (`fit`) or the validating ones (`validate`). Where it is measured on the fitted logs since
-    /// its joints differ on the others, the share that it takes there, `far`, counts half.
+    /// its joints differ on the others, the share that it takes there counts half.
     pub(in crate::diagnose) fn attribute(
         &self,
         item: &Item,
         [without, with]: [&Measured; 2],
-        far: Option<f64>,
+        shares: Shares,
         interval: [f64; 2],
         on: &'static str,
     ) -> Cause {
@@ -50,7 +51,7 @@ impl Attribution<'_> {
             keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
         let accepted = item.accepted.map(|a| &all[a]);
         let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
-        let part = share(&without.steady, &with.steady, noise, &item.place);
+        let part = shares.within.unwrap_or_else(|| share(&without.steady, &with.steady, noise, &item.place));
         let support = accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, item), |a| a.support);
         // The same in another place says nearly as much.
         let elsewhere: Vec<&[usize]> = near(item, accepted, plain_rivals)
@@ -60,8 +61,9 @@ impl Attribution<'_> {
             .collect();
         let elsewhere = elsewhere.iter().map(|p| format!("; the same {} would explain nearly as much", place_of(p)));
         let recurrence = self.recurrence(item);
-        let counted = far.map_or(part, |far| 0.5 * (part + far));
-        let features = Features { support, margin, share: counted, recurrence };
+        let counted = shares.far.map_or(part, |far| 0.5 * (part + far));
+        let confirmed = on != "fit" || item.hypothesis.local();
+        let features = Features { support, margin, share: counted, recurrence, confirmed };
         Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),

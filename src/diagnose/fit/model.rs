@@ -44,6 +44,15 @@ pub struct Chosen {
     pub x: Vec<f64>,
 }
 
+impl Chosen {
+    /// Samples in which a cause acts that acts in a part of the data, `step` s apart.
+    pub(in crate::diagnose) fn span(&self, step: f64) -> Option<std::ops::Range<usize>> {
+        let [start, end] = self.cause.acts(&self.shape)?;
+        let at = |t: f64| (t / step).round() as usize;
+        Some(at(start)..at(end))
+    }
+}
+
 /// Place among `[FV, FC, FO]`, and row, of the friction parameters that are handled beside the base
 /// parameters.
 fn friction_of(parameter: StandardParameter) -> Option<(usize, usize)> {
@@ -318,7 +327,7 @@ impl<'a> ModelUnderTest<'a> {
     /// that depends on the rigid model.
     pub fn fit(&mut self, chosen: &mut [Chosen]) -> Fitted {
         if self.hold.is_none() {
-            self.hold = Some(self.held());
+            self.hold = Some(self.held(&[]));
         }
         let mut weights: Option<Vec<f64>> = None;
         for round in 0.. {
@@ -457,8 +466,16 @@ impl<'a> ModelUnderTest<'a> {
         self.hold = self.hold.take().map(|hold| hold.without(own));
     }
 
-    /// Determined directions of base parameters and friction, and those that stay at the file.
-    fn held(&self) -> Regulariser {
+    /// Judges anew which directions the data determine, beside the causes found. The error of a
+    /// cause that is not yet in the model is slow, and beside it a joint seems to show little.
+    pub fn regularise_beside(&mut self, chosen: &[Chosen]) {
+        self.hold = Some(Regulariser::none());
+        self.hold = Some(self.held(chosen));
+    }
+
+    /// Determined directions of base parameters and friction, and those that stay at the file,
+    /// where these causes are fitted too.
+    fn held(&self, chosen: &[Chosen]) -> Regulariser {
         let wanted = if self.mode == Mode::Refitted { inertial(self.plant) } else { Vec::new() };
         let torque: Vec<f64> = self
             .scene
@@ -467,17 +484,18 @@ impl<'a> ModelUnderTest<'a> {
             .map(|y| (y.iter().map(|y| y * y).sum::<f64>() / y.len().max(1) as f64).sqrt())
             .collect();
         let Some(belief) = prior(self.plant, &wanted, &torque) else { return Regulariser::none() };
-        let free = self.fit_once(&[], None);
+        let free = self.fit_once(chosen, None);
         let weights = &free.solution.weights;
         let thinned: Vec<f64> = weights.iter().zip(&free.memory).map(|(w, m)| w / m).collect();
         let (full, thinned) = (free.moments.information(weights), free.moments.information(&thinned));
-        let mut stretches = self.stretches(&[]);
+        let mut stretches = self.stretches(chosen);
         let counts = stretches.counts();
         let ground: Vec<f64> = torque.iter().map(|t| 0.004 * t).collect();
         let mut best: Option<(Regulariser, LeftOut)> = None;
         for hold in STRENGTHS.iter().filter_map(|firm| Regulariser::new(&belief, &full, &thinned, *firm)) {
             stretches.held_by(hold.clone());
-            let left = LeftOut::new(&stretches.cross_validated(&free.solution), &counts);
+            let sums = stretches.cross_validated_without(&free.solution, &[], &local(chosen, &free));
+            let left = LeftOut::new(&sums, &counts);
             if best.as_ref().is_none_or(|(_, known)| left.less(known, &ground).gain > 0.0) {
                 best = Some((hold, left));
             }

@@ -22,6 +22,9 @@ pub struct ExternalContact;
 const NEAR_END: f64 = 0.3;
 const SHORT: f64 = 1.0;
 
+/// Least duration, s: what is shorter is an impact, not a force that stays.
+const BRIEFEST: f64 = 0.1;
+
 const SYMBOLS: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
 
 impl Hypothesis for ExternalContact {
@@ -84,7 +87,7 @@ impl Hypothesis for ExternalContact {
             .collect()
     }
 
-    /// What is short and at an end of a recording is a bristle that bends or a low-pass that
+    /// What is very short is an impact; what is short and at an end of a recording is a bristle that bends or a low-pass that
     /// settles.
     fn shows(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> bool {
         let [start, end] = [shape[0], shape[1]];
@@ -92,7 +95,7 @@ impl Hypothesis for ExternalContact {
             let [first, last] = [run.start, run.end].map(|w| w as f64 * scene.step);
             start < last && end > first && (start < first + NEAR_END || end > last - NEAR_END)
         };
-        end - start > SHORT || !scene.runs.iter().any(at_an_end)
+        end - start >= BRIEFEST && (end - start > SHORT || !scene.runs.iter().any(at_an_end))
     }
 
     fn terms(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> Vec<Term> {
@@ -125,6 +128,10 @@ impl Hypothesis for ExternalContact {
 
     fn local(&self) -> bool {
         true
+    }
+
+    fn acts(&self, shape: &[f64]) -> Option<[f64; 2]> {
+        Some([shape[0], shape[1]])
     }
 
     /// Pushes one after the other, in any of the logs.

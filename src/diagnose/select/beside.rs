@@ -6,16 +6,31 @@
 //! and the fitted ones decide.
 
 use super::excess::{CHANGED, EXCESS};
-use super::measure::{Measured, Meter, bootstrap, here, leave_out, share};
+use std::ops::Range;
+
+use super::measure::{Measured, Meter, bootstrap, here, leave_out, root_mean_square, share};
 use super::refine_and_select::Session;
 use crate::diagnose::findings::reported_cause::Item;
 use crate::diagnose::fit::model::{Chosen, ModelUnderTest};
+
+/// Shares of its joint's error that a cause takes, if they are not measured on the whole of the
+/// validating logs.
+#[derive(Clone, Copy)]
+pub(in crate::diagnose) struct Shares {
+    /// Of a cause that acts in a part of a log: there.
+    pub(in crate::diagnose) within: Option<f64>,
+    /// On validating logs, where its joints differ from the fitted ones and the latter decide.
+    pub(in crate::diagnose) far: Option<f64>,
+}
 
 /// Errors of a model without one of its causes.
 pub(in crate::diagnose) struct Without {
     pub(in crate::diagnose) measured: Measured,
     /// Interval of what the cause takes.
     pub(in crate::diagnose) interval: [f64; 2],
+    /// Of a cause that acts in a part of a log: the largest share of a joint's squared error that
+    /// it takes there.
+    pub(in crate::diagnose) within: Option<f64>,
     /// Whether they are those on the fitted logs.
     pub(in crate::diagnose) near: bool,
     /// Joints that differ between fitted and validating logs, whether the model has the cause or
@@ -26,6 +41,11 @@ pub(in crate::diagnose) struct Without {
 }
 
 impl Without {
+    /// Shares of its joint's error that the cause takes by other measures: see [`Shares`].
+    pub(in crate::diagnose) fn shares(&self) -> Shares {
+        Shares { within: self.within, far: self.far_share }
+    }
+
     /// Errors where joints move; on joints that differ those of the model `with` the cause, which
     /// neither confirm nor refute it.
     pub(in crate::diagnose) fn alike(&self, with: &Measured) -> Vec<f64> {
@@ -33,10 +53,25 @@ impl Without {
         joints.map(|((without, with), apart)| if *apart { *with } else { *without }).collect()
     }
 
+    /// Whether the interval of what the cause takes of its main joint's error includes 0.
+    pub(in crate::diagnose) fn may_be_chance(&self) -> bool {
+        self.interval[0] <= 0.0
+    }
+
     /// Whether all joints of a place differ between the logs.
     pub(in crate::diagnose) fn differs(&self, place: &[usize]) -> bool {
         !place.is_empty() && place.iter().all(|&j| self.apart[j])
     }
+}
+
+/// The largest share of a joint's squared error within a span of samples that is gone with a cause
+/// (`errors` without it and with it), by a torque that is more than half of the noise.
+fn share_within(span: Range<usize>, errors: [&Measured; 2], noise: &[f64]) -> f64 {
+    let joint = |(j, noise): (usize, &f64)| {
+        let [a, b] = errors.map(|m| m.error[j].get(span.clone()).map_or(0.0, |e| root_mean_square(e).powi(2)));
+        if a - b > (0.5 * noise).powi(2) { 1.0 - b / a } else { 0.0 }
+    };
+    noise.iter().enumerate().map(joint).fold(0.0, f64::max)
 }
 
 /// Measures a model beside the same without one of its causes.
@@ -75,6 +110,9 @@ impl<'a> Beside<'_, 'a> {
             own_validation && !near && both > CHANGED * self.after_fit.steady[j].max(EXCESS * noise[j])
         };
         let apart = (0..noise.len()).map(apart).collect();
-        Without { interval: bootstrap(&measured, with, &item.place), measured, near, apart, far_share: None }
+        let span =
+            item.accepted.filter(|_| item.hypothesis.local()).and_then(|i| chosen[i].span(self.near.fine.scene.step));
+        let within = span.map(|span| share_within(span, [&measured, with], noise));
+        Without { interval: bootstrap(&measured, with, &item.place), measured, within, near, apart, far_share: None }
     }
 }

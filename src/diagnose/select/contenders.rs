@@ -90,19 +90,34 @@ impl<'a> Session<'a> {
         }
         if self.own_validation {
             let file = self.file_by_log()?;
-            let without = |m: &Settled<'_>| if m.bench.mode == Mode::Trusted { &file } else { &refit.by_log };
-            models.retain(|model| match self.fails_on(model, without(model)) {
-                Some(sentence) => {
-                    said.push(sentence);
-                    false
+            let mut holding = Vec::new();
+            for model in models {
+                let without = if model.bench.mode == Mode::Trusted { &file } else { &refit.by_log };
+                match self.pruned(model, &|model| self.fails_on(model, without))? {
+                    Ok(model) => holding.push(model),
+                    Err(sentence) => said.push(sentence),
                 }
-                None => true,
-            });
+            }
+            models = holding;
+            self.without_poor_links(&mut models, &file, &mut said);
             if models.is_empty() {
                 models.extend(self.plain().ok());
             }
         }
         Ok((models, said))
+    }
+
+    /// Refitted links go where they err more than the unchanged file on every validating log, and
+    /// there is a model of the file's links with causes: the fitted logs show too little of them.
+    fn without_poor_links(&self, models: &mut Vec<Settled<'a>>, file: &[Vec<f64>], said: &mut Vec<String>) {
+        if !models.iter().any(|m| m.bench.mode == Mode::Trusted && !m.causes.is_empty()) {
+            return;
+        }
+        let before = models.len();
+        models.retain(|m| m.bench.mode == Mode::Trusted || !self.worse_as_a_whole(m, file));
+        if models.len() < before {
+            said.push("Refitted links err more than the file's on every validating log, and are not offered.".into());
+        }
     }
 
     /// Errors of the unchanged file on each validating log, where joints move, N m.

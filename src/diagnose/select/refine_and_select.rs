@@ -51,8 +51,8 @@ pub(in crate::diagnose) struct Choice<'a> {
     pub(in crate::diagnose) model: Settled<'a>,
 }
 
-/// Least share of a joint's squared error above the noise that a cause takes which acts in a part
-/// of a log: no other stretch can confirm it.
+/// Least share of a joint's squared error that a cause takes where it acts, if that is a part of a
+/// log only: no other stretch can confirm it.
 const LOCAL_SHARE: f64 = 0.25;
 
 /// The fit inside what is possible; the accepted causes have its values.
@@ -79,6 +79,8 @@ pub(in crate::diagnose) struct Settled<'a> {
     pub(in crate::diagnose) causes: Vec<Cause>,
     /// Errors on stretches of the fitted data that are left out in turn.
     pub(in crate::diagnose) left_out: LeftOut,
+    /// Alternatives to plain friction.
+    pub(in crate::diagnose) rivals: Vec<BaselineFriction>,
     /// Causes that left the model, and why: sentences.
     pub(in crate::diagnose) why: Vec<String>,
 }
@@ -103,7 +105,7 @@ impl<'a> Session<'a> {
         let mut bench = self.bench(Mode::Refitted);
         let fitted = fix_friction(&mut bench, &mut [], self.noise);
         let fitted = free_friction(&mut bench, &mut [], fitted);
-        self.hold(bench, Vec::new(), fitted, &[], Vec::new())
+        self.hold(bench, Vec::new(), fitted, Vec::new(), Vec::new())
     }
 
     /// The unchanged file.
@@ -111,7 +113,7 @@ impl<'a> Session<'a> {
         let mut bench = self.bench(Mode::Trusted);
         bench.frozen.iter_mut().for_each(|f| *f = true);
         let fitted = bench.fit(&mut []);
-        self.hold(bench, Vec::new(), fitted, &[], Vec::new())
+        self.hold(bench, Vec::new(), fitted, Vec::new(), Vec::new())
     }
 
     fn settle(
@@ -132,17 +134,17 @@ impl<'a> Session<'a> {
         (self.progress)("what holds on stretches that were left out");
         let mut why = Vec::new();
         let fitted = backward_eliminate(self.plant, self.fit, &mut bench, &mut accepted, fitted, self.ground, &mut why);
-        self.hold(bench, accepted, fitted, &rivals, why)
+        self.hold(bench, accepted, fitted, rivals, why)
     }
 
     /// Takes out what does not hold on data that were not used, and measures; all of it of the
     /// model inside what is possible.
-    fn hold(
+    pub(super) fn hold(
         &self,
         mut bench: ModelUnderTest<'a>,
         mut accepted: Vec<Accepted>,
         mut fitted: Fitted,
-        rivals: &[BaselineFriction],
+        rivals: Vec<BaselineFriction>,
         why: Vec<String>,
     ) -> Result<Settled<'a>, ConsistentError> {
         for round in 0.. {
@@ -162,7 +164,7 @@ impl<'a> Session<'a> {
                 fitted: &fitted,
                 uncertainty: &Uncertainty::of(&bench, &fitted, &chosen_of(&accepted)),
                 accepted: &accepted,
-                rivals,
+                rivals: &rivals,
                 noise: self.noise,
                 own_validation: self.own_validation,
                 stretches: &bench.stretches(&chosen_of(&accepted)),
@@ -172,7 +174,7 @@ impl<'a> Session<'a> {
                 .zip(&others)
                 .map(|(item, other)| {
                     let (with, on) = if other.near { (&after_fit, "fit") } else { (&after, "validate") };
-                    weighing.attribute(item, [&other.measured, with], other.far_share, other.interval, on)
+                    weighing.attribute(item, [&other.measured, with], other.shares(), other.interval, on)
                 })
                 .collect();
             // A cause that loses on data that was not used is no cause, and not in the model.
@@ -184,14 +186,14 @@ impl<'a> Session<'a> {
             // still stand out beside everything else.
             let out = |i: usize| takes(&others[i].measured.rms, &after_fit.rms, self.settings.search.least_gain);
             let stands = |i: usize| match items[i].hypothesis.local() {
-                true => causes[i].share >= LOCAL_SHARE && out(i),
+                true => others[i].within.is_some_and(|share| share >= LOCAL_SHARE) && !others[i].may_be_chance(),
                 false => !others[i].differs(&items[i].place) || out(i),
             };
             let failed: Vec<usize> =
                 (0..causes.len()).filter(|&i| if causes[i].on == "fit" { !stands(i) } else { !holds(i) }).collect();
             if failed.is_empty() || round >= 3 {
                 let left_out = bench.possible_left_out(&chosen_of(&accepted), &fitted)?;
-                return Ok(Settled { bench, accepted, fitted, after, after_fit, causes, left_out, why });
+                return Ok(Settled { bench, accepted, fitted, after, after_fit, causes, left_out, rivals, why });
             }
             for &k in failed.iter().flat_map(|&i| &items[i].friction) {
                 let which = if bench.mode == Mode::Refitted { &mut bench.quiet } else { &mut bench.frozen };

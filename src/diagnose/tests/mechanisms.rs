@@ -219,6 +219,63 @@ fn a_refit_has_rotors() {
     assert!((rotor - 0.09).abs() < 0.02, "{rotor}");
 }
 
+/// A motor whose dry friction drives the next joint too. Beside that slow error a short log seems to
+/// show little of the joint's own friction and offset; beside its cause it shows all of it.
+#[test]
+fn what_a_log_shows_is_judged_beside_the_causes_found() {
+    use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};
+    use crate::diagnose::hypotheses::by_name;
+    let robot = planar();
+    let bodies = Bodies::of(&bare(&robot));
+    let mut random = Random::new(31);
+    let bytes = log(&robot, 5.0, &mut random, &|s| {
+        let (rigid, friction) = (bodies.torques(s), plain(&robot, &s[1]));
+        let shared = 1.5 * sign(s[1][0] + s[1][1]);
+        [rigid[0] + friction[0] + shared, rigid[1] + friction[1] + shared + 0.4]
+    });
+    let recordings = [record("log", &bytes, 2)];
+    let plant = PerturbableRobot::new(&robot);
+    let mut bench = ModelUnderTest::new(&plant, &recordings, 100.0, Mode::Trusted, &[0.0; 2], false);
+    let offset = |bench: &ModelUnderTest<'_>| bench.hold.as_ref().unwrap().precision[(5, 5)];
+    bench.fit(&mut []);
+    let before = offset(&bench);
+    // One motor, its dry friction alone (the third bit).
+    let cause = by_name("gear_coupling").unwrap();
+    let mut coupling = [Chosen { cause, place: vec![1, 0], shape: vec![1.0, 4.0], x: vec![1.5] }];
+    bench.regularise_beside(&coupling);
+    let fitted = bench.fit(&mut coupling);
+    assert!(offset(&bench) < 0.01 * before, "{} {before}", offset(&bench));
+    assert!((coupling[0].x[0] - 1.5).abs() < 0.1 && (fitted.solution.x[fitted.friction + 5] - 0.4).abs() < 0.05);
+}
+
+/// A push of 0.9 s in a log of 20 s that has an error of its own throughout: a small share of the
+/// log's error, most of that of its second.
+#[test]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
+fn a_push_counts_by_the_error_while_it_lasts() {
+    let robot = planar();
+    let bodies = Bodies::of(&bare(&robot));
+    let mut random = Random::new(32);
+    let play = |push: f64, seconds: f64, random: &mut Random| {
+        let samples = std::cell::Cell::new(0.0);
+        let bytes = log(&robot, seconds, random, &|s| {
+            let t = samples.replace(samples.get() + 1.0) / RATE;
+            let (rigid, friction) = (bodies.torques(s), plain(&robot, &s[1]));
+            // A cogging that no law of the vocabulary has.
+            let rough = 0.12 * (7.0 * s[0][0] + 5.0 * s[0][1]).sin();
+            let on = if (8.0..8.9).contains(&t) { push } else { 0.0 };
+            [rigid[0] + friction[0] + 0.5 * on + rough, rigid[1] + friction[1] + 0.35 * on + rough]
+        });
+        record("log", &bytes, 2)
+    };
+    let (fit, validate) = (play(0.8, 20.0, &mut random), play(0.0, 8.0, &mut random));
+    let found = diagnose(&PerturbableRobot::new(&robot), &[fit], &[validate], &Settings::default(), &|_| {}).unwrap();
+    let push = found.causes.iter().find(|c| c.cause == "external_contact");
+    assert!(push.is_some_and(|c| c.share > 0.5), "{:?}", names(&found));
+    let span = ["start", "end"].map(|symbol| value(&found, symbol));
+    assert!((span[0] - 8.0).abs() < 0.3 && (span[1] - 8.9).abs() < 0.3, "{span:?}");
+}
+
 #[test]
 fn what_runs_to_the_end_of_what_is_looked_for_is_no_estimate() {
     use crate::diagnose::hypotheses::{at_edge, by_name};

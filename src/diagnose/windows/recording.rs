@@ -65,6 +65,9 @@ pub struct Stretch {
 pub struct Recording {
     /// Its name.
     pub name: String,
+    /// Stamp from which times are counted: that of its first sample, s. Stretches begin later, where
+    /// filters have settled.
+    pub begin: f64,
     /// Its stretches, in time.
     pub stretches: Vec<Stretch>,
 }
@@ -72,7 +75,7 @@ pub struct Recording {
 impl Recording {
     /// Without a sample yet.
     pub fn new(name: &str) -> Self {
-        Self { name: name.into(), stretches: Vec::new() }
+        Self { name: name.into(), begin: 0.0, stretches: Vec::new() }
     }
 
     /// Takes in a stretch of motion. Long stretches come in parts; a part that continues the one
@@ -80,6 +83,9 @@ impl Recording {
     pub fn absorb(&mut self, motion: &Motion) {
         let (dof, len) = (motion.dof(), motion.states.len);
         let core = motion.core.clone();
+        if self.stretches.is_empty() {
+            self.begin = motion.segment_start;
+        }
         let cut = |x: &[f64]| part(x, dof, len, core.clone());
         let states = States {
             len: core.len(),
@@ -116,7 +122,7 @@ impl Recording {
                 let at = (share * len as f64).round() as usize;
                 s.cut(if which == 0 { 0..at } else { at..len })
             };
-            Self { name: self.name.clone(), stretches: self.stretches.iter().map(cut).collect() }
+            Self { name: self.name.clone(), begin: self.begin, stretches: self.stretches.iter().map(cut).collect() }
         };
         [part(0), part(1)]
     }

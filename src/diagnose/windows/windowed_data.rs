@@ -183,7 +183,7 @@ impl<'a> WindowedData<'a> {
         let mut step = 1.0 / rate;
         let period = longest_period(recordings);
         for recording in recordings {
-            let begin = recording.stretches.first().map_or(0.0, |s| s.start);
+            let begin = recording.begin;
             for stretch in &recording.stretches {
                 let per = ((1.0 / (rate * stretch.period)).round() as usize).max(1);
                 step = per as f64 * stretch.period;

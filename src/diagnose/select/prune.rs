@@ -1,0 +1,63 @@
+//! Takes causes out of a model that errs more on validating logs than without any.
+//!
+//! One cause that does not carry over is no reason to give up the others beside it.
+
+use super::measure::{Meter, leave_out, taken_of};
+use super::reduction::without;
+use super::refine_and_select::{Session, Settled};
+use crate::diagnose::findings::reported_cause::{Item, items, place_of};
+use crate::diagnose::search::judge::chosen_of;
+use crate::identify::ConsistentError;
+
+/// Most causes that are taken out of one model.
+const MOST: usize = 6;
+
+impl<'a> Session<'a> {
+    /// A model that does not fail, or a sentence on why there is none. Causes go one after the
+    /// other, first the one without which the validating logs are missed least.
+    pub(super) fn pruned(
+        &self,
+        mut model: Settled<'a>,
+        fails: &dyn Fn(&Settled<'a>) -> Option<String>,
+    ) -> Result<Result<Settled<'a>, String>, ConsistentError> {
+        let Some(sentence) = fails(&model) else { return Ok(Ok(model)) };
+        for _ in 0..MOST {
+            (self.progress)("without what does not carry over to the validating logs");
+            let Some(item) = self.least_missed(&mut model) else { return Ok(Err(sentence)) };
+            let Settled { mut bench, mut accepted, rivals, mut why, .. } = model;
+            why.push(format!(
+                "{} {} is not in the model: the validating logs are predicted better without it.",
+                item.hypothesis.name(),
+                place_of(&item.place)
+            ));
+            item.friction.iter().for_each(|&k| bench.frozen[k] = true);
+            let out: Vec<usize> = item.accepted.into_iter().collect();
+            let fitted = without(&mut bench, &mut accepted, &out);
+            model = self.hold(bench, accepted, fitted, rivals, why)?;
+            if model.accepted.is_empty() {
+                return Ok(Err(sentence));
+            }
+            if fails(&model).is_none() {
+                return Ok(Ok(model));
+            }
+        }
+        Ok(Err(sentence))
+    }
+
+    /// The cause without which the validating logs are missed least; the model is left as it was.
+    fn least_missed(&self, model: &mut Settled<'a>) -> Option<Item> {
+        let Settled { bench, accepted, fitted, after, .. } = model;
+        let chosen = chosen_of(accepted);
+        let mut meter = Meter::new(self.plant, self.validate, bench);
+        let mut best: Option<(f64, Item)> = None;
+        for item in items(bench, accepted, fitted) {
+            let other = leave_out(self.plant, self.fit, &mut meter, bench, &chosen, &item, true);
+            let gain = taken_of(&after.steady, &other.steady, self.scale);
+            if best.as_ref().is_none_or(|(most, _)| gain > *most) {
+                best = Some((gain, item));
+            }
+        }
+        bench.fit(&mut chosen_of(accepted));
+        best.map(|(_, item)| item)
+    }
+}
