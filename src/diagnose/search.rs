@@ -132,8 +132,7 @@ pub fn search(
         };
         chosen = trial;
         accepted.push(judged);
-        bench.regularise_beside(&chosen);
-        fitted = bench.fit(&mut chosen);
+        fitted = bench.fit_regularised_beside(&mut chosen);
         adopt(&mut accepted, &chosen);
     }
     progress("weighing the causes against each other");

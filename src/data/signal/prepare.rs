@@ -792,6 +792,11 @@ impl Preparer {
         }
     }
 
+    /// Highest frequency that the low-pass leaves in the torque, Hz.
+    fn bandwidth(&self) -> Option<f64> {
+        self.torque_filter.as_ref().filter(|_| !self.settings.raw_torque).map(|(filter, _)| filter.cutoff)
+    }
+
     /// Filters what there is and cuts the core (sample numbers of the segment) with its margin out
     /// of it.
     fn motion(&self, clock: SegmentClock, core: std::ops::Range<usize>, margin: usize) -> Motion {
@@ -809,11 +814,7 @@ impl Preparer {
             states: States { len: to - from, ..States::default() },
             tau: Vec::with_capacity(dof * (to - from)),
             velocity_noise: Vec::with_capacity(dof),
-            bandwidth: self
-                .torque_filter
-                .as_ref()
-                .filter(|_| !self.settings.raw_torque)
-                .map(|(filter, _)| filter.cutoff),
+            bandwidth: self.bandwidth(),
             error: self.narrow.iter().filter_map(|n| n.error).collect(),
             torque_noise: self.torque_noise(rate),
             clock_error: self.rows_noise.as_ref().map_or(0.0, |noise| noise.time),

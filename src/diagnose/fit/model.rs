@@ -466,11 +466,13 @@ impl<'a> ModelUnderTest<'a> {
         self.hold = self.hold.take().map(|hold| hold.without(own));
     }
 
-    /// Judges anew which directions the data determine, beside the causes found. The error of a
-    /// cause that is not yet in the model is slow, and beside it a joint seems to show little.
-    pub fn regularise_beside(&mut self, chosen: &[Chosen]) {
+    /// Fits with the directions regularised that the data do not determine beside these causes. The
+    /// error of a cause that is not yet in the model is slow, and beside it a joint seems to show
+    /// little.
+    pub fn fit_regularised_beside(&mut self, chosen: &mut [Chosen]) -> Fitted {
         self.hold = Some(Regulariser::none());
         self.hold = Some(self.held(chosen));
+        self.fit(chosen)
     }
 
     /// Determined directions of base parameters and friction, and those that stay at the file,

@@ -4,6 +4,7 @@
 use super::excess::{by_log, excess, with_excess};
 use super::measure::Meter;
 use super::model_choice::LeftOut;
+use super::prune::Pruned;
 use super::refine_and_select::{Session, Settled};
 use crate::diagnose::findings::result::Errors;
 use crate::diagnose::findings::structure::{Structure, structure};
@@ -94,8 +95,8 @@ impl<'a> Session<'a> {
             for model in models {
                 let without = if model.bench.mode == Mode::Trusted { &file } else { &refit.by_log };
                 match self.pruned(model, &|model| self.fails_on(model, without))? {
-                    Ok(model) => holding.push(model),
-                    Err(sentence) => said.push(sentence),
+                    Pruned::Holds(model) => holding.push(*model),
+                    Pruned::Fails(sentence) => said.push(sentence),
                 }
             }
             models = holding;

@@ -12,18 +12,25 @@ use crate::identify::ConsistentError;
 /// Most causes that are taken out of one model.
 const MOST: usize = 6;
 
+/// What is left of a model on validating logs.
+pub(super) enum Pruned<'a> {
+    Holds(Box<Settled<'a>>),
+    /// A sentence on why.
+    Fails(String),
+}
+
 impl<'a> Session<'a> {
-    /// A model that does not fail, or a sentence on why there is none. Causes go one after the
+    /// A model that does not fail, or a sentence on why none is left. Causes go one after the
     /// other, first the one without which the validating logs are missed least.
     pub(super) fn pruned(
         &self,
         mut model: Settled<'a>,
         fails: &dyn Fn(&Settled<'a>) -> Option<String>,
-    ) -> Result<Result<Settled<'a>, String>, ConsistentError> {
-        let Some(sentence) = fails(&model) else { return Ok(Ok(model)) };
+    ) -> Result<Pruned<'a>, ConsistentError> {
+        let Some(sentence) = fails(&model) else { return Ok(Pruned::Holds(Box::new(model))) };
         for _ in 0..MOST {
             (self.progress)("without what does not carry over to the validating logs");
-            let Some(item) = self.least_missed(&mut model) else { return Ok(Err(sentence)) };
+            let Some(item) = self.least_missed(&mut model) else { return Ok(Pruned::Fails(sentence)) };
             let Settled { mut bench, mut accepted, rivals, mut why, .. } = model;
             why.push(format!(
                 "{} {} is not in the model: the validating logs are predicted better without it.",
@@ -35,13 +42,13 @@ impl<'a> Session<'a> {
             let fitted = without(&mut bench, &mut accepted, &out);
             model = self.hold(bench, accepted, fitted, rivals, why)?;
             if model.accepted.is_empty() {
-                return Ok(Err(sentence));
+                return Ok(Pruned::Fails(sentence));
             }
             if fails(&model).is_none() {
-                return Ok(Ok(model));
+                return Ok(Pruned::Holds(Box::new(model)));
             }
         }
-        Ok(Err(sentence))
+        Ok(Pruned::Fails(sentence))
     }
 
     /// The cause without which the validating logs are missed least; the model is left as it was.

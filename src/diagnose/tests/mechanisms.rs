@@ -242,8 +242,7 @@ fn what_a_log_shows_is_judged_beside_the_causes_found() {
     // One motor, its dry friction alone (the third bit).
     let cause = by_name("gear_coupling").unwrap();
     let mut coupling = [Chosen { cause, place: vec![1, 0], shape: vec![1.0, 4.0], x: vec![1.5] }];
-    bench.regularise_beside(&coupling);
-    let fitted = bench.fit(&mut coupling);
+    let fitted = bench.fit_regularised_beside(&mut coupling);
     assert!(offset(&bench) < 0.01 * before, "{} {before}", offset(&bench));
     assert!((coupling[0].x[0] - 1.5).abs() < 0.1 && (fitted.solution.x[fitted.friction + 5] - 0.4).abs() < 0.05);
 }
