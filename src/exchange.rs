@@ -5,6 +5,7 @@
 //! ([`Tree::poses`]), so that source and result can be compared.
 
 mod chain;
+mod delay;
 mod displacement;
 mod exact;
 mod export;

@@ -9,6 +9,7 @@ use denavit::model::rigid_body::Numeric;
 use denavit::model::rigid_body::random::Family;
 use denavit::numerics::prng::Random;
 use dh_codegen::arm::param::standard_values;
+use dh_codegen::robot::effects::{JointSpring, TimeDelay};
 use dh_codegen::robot::{Inertia, JointKind, Robot};
 use nalgebra::{Matrix3, Vector3};
 
@@ -508,4 +509,65 @@ fn a_model_keeps_its_words_and_gets_the_numbers() {
     let other = ARM.replacen("xyz=\"0.4 0 0.05\"", "xyz=\"0.5 0 0.05\"", 1);
     let refused = onto(&robot, &other, &held).unwrap_err().to_string();
     assert!(refused.contains("do not move as the robot file's do"), "{refused}");
+}
+
+/// `time_delay` of each joint, s.
+fn delays(robot: &Robot) -> Vec<f64> {
+    robot.laws().iter().map(|law| law.delay).collect()
+}
+
+#[test]
+fn delays_come_along_in_mjcf() {
+    let mut robot = Random::new(3).robot(&Family { rows: [4, 4], fixed: 0.0, ..Family::default() });
+    for (joint, delay) in robot.joints.iter_mut().zip([Some(0.04), Some(-0.0125), None, Some(0.0)]) {
+        joint.actuated = true;
+        joint.drive.effects = delay.map(|delay| TimeDelay { delay: Some(delay) }.into()).into_iter().collect();
+    }
+    robot.effects = vec![TimeDelay { delay: Some(0.01) }.into()];
+    let made = export(&robot, ModelFormat::Mjcf);
+    assert!(!made.left_out.iter().any(|s| s.contains("time_delay")), "{:?}", made.left_out);
+    assert!(made.notes.iter().any(|s| s.contains("MuJoCo 3.5")), "{:?}", made.notes);
+    assert!(made.text.contains("delay=\"0.05\" nsample=\"100\" interp=\"linear\""), "{}", made.text);
+    let tip = made.text.split("<body name=\"").last().and_then(|t| t.split('"').next()).map(str::to_string);
+    let options = ImportOptions { tip, ..ImportOptions::default() };
+    let back = import(&made.text, &options).unwrap();
+    assert_eq!(delays(&back.robot), delays(&robot));
+    // URDF has no words for it.
+    let urdf = export(&robot, ModelFormat::Urdf);
+    assert!(urdf.left_out.iter().any(|s| s.contains("time_delay")) && urdf.notes.is_empty());
+    // Into a model that has delays already, and into one that has none.
+    for model in [made.text.clone(), without_delays(&made.text)] {
+        robot.effects = vec![TimeDelay { delay: Some(-0.001) }.into()];
+        let written = onto(&robot, &model, &[]).unwrap();
+        assert_eq!(delays(&import(&written.text, &options).unwrap().robot), delays(&robot), "{}", written.text);
+    }
+    // What no motor moves has no torque to be late.
+    robot.joints[2].actuated = false;
+    let missing = format!("time_delay of `{}`", robot.joints[2].name);
+    assert!(export(&robot, ModelFormat::Mjcf).left_out.iter().any(|s| s.starts_with(&missing)));
+    let wrong = made.text.replacen("delay=\"0.05\"", "delay=\"-1\"", 1);
+    let refused = import(&wrong, &options).unwrap_err().to_string();
+    assert!(refused.contains("no delay is of -1 s"), "{refused}");
+}
+
+fn without_delays(model: &str) -> String {
+    let (before, rest) = model.split_once("  <sensor>").unwrap();
+    let (_, after) = rest.split_once("</sensor>\n").unwrap();
+    before.to_string() + after
+}
+
+#[test]
+fn springs_go_back_in_the_models_unit_of_angle() {
+    let model = include_str!("import/arm.xml");
+    let options = ImportOptions { tip: Some("grasp".into()), at_zero: true, ..ImportOptions::default() };
+    let mut robot = import(model, &options).unwrap().robot;
+    let spring = JointSpring { stiffness: Some(4.0), rest: Some(-0.25), ..JointSpring::default() };
+    for joint in &mut robot.joints {
+        joint.drive.effects = vec![spring.into()];
+    }
+    let written = onto(&robot, model, &[]).unwrap();
+    let back = import(&written.text, &options).unwrap().robot;
+    let read = |robot: &Robot| robot.laws().iter().map(|law| law.spring.unwrap().rest()).collect::<Vec<f64>>();
+    let worst = read(&back).iter().map(|rest| (rest + 0.25).abs()).fold(0.0, f64::max);
+    assert!(worst < 1e-15, "{worst}: {}", written.text);
 }

@@ -6,6 +6,7 @@ use dh_codegen::robot::{Convention, Effect, EffectKind, Inertia, Joint, JointKin
 use nalgebra::{Matrix3, Vector3};
 
 use super::ModelFormat;
+use super::delay;
 use super::displacement::Displacement;
 use super::exact::pose;
 
@@ -17,6 +18,8 @@ pub struct Exported {
     /// A sentence for each part of the robot file that the format has no words for, or that is not
     /// known.
     pub left_out: Vec<String>,
+    /// A sentence for each part that the format says only nearly, or in some of its versions.
+    pub notes: Vec<String>,
 }
 
 /// Rounding of a pose, m: none.
@@ -30,8 +33,8 @@ pub fn export(robot: &Robot, format: ModelFormat) -> Exported {
         ModelFormat::Urdf => urdf(robot, &links, &mut left_out),
         ModelFormat::Mjcf => mjcf(robot, &links, &mut left_out),
     };
-    effects(robot, format, &mut left_out);
-    Exported { text, left_out }
+    left_out.extend(effects(robot, format));
+    Exported { text, left_out, notes: delay_note(robot, format) }
 }
 
 /// A link whose frame stands on its joint's axis.
@@ -249,9 +252,11 @@ fn mjcf(robot: &Robot, links: &[LinkOut<'_>], left_out: &mut Vec<String>) -> Str
         let name = escaped(&joint.name);
         let range =
             joint.limits.torque.map_or(String::new(), |l| format!(" ctrlrange=\"{0} {1}\"", number(-l), number(l)));
-        let _ = writeln!(t, "    <motor name=\"{name}\" joint=\"{name}\"{range}/>");
+        let early = delay::of_motor(robot, joint);
+        let _ = writeln!(t, "    <motor name=\"{name}\" joint=\"{name}\"{range}{early}/>");
     }
-    t + "  </actuator>\n</mujoco>\n"
+    let late = delay::late(robot).into_iter().map(|(row, delay)| (escaped(&robot.joints[row].name), delay));
+    t + "  </actuator>\n" + &delay::sensors(&late.collect::<Vec<_>>()) + "</mujoco>\n"
 }
 
 fn mjcf_joint(t: &mut String, joint: &Joint, indent: &str, left_out: &mut Vec<String>) {
@@ -289,26 +294,40 @@ pub(super) fn spring(joint: &Joint) -> Option<[f64; 2]> {
     Some([spring.stiffness?, spring.rest()])
 }
 
-/// Entries that no model of the format has.
-fn effects(robot: &Robot, format: ModelFormat, left_out: &mut Vec<String>) {
+/// Entries that no model of the format has, a sentence each.
+pub(super) fn effects(robot: &Robot, format: ModelFormat) -> Vec<String> {
+    let written = |joint: &Joint, effect: &Effect| match effect.kind() {
+        EffectKind::JointSpring => spring(joint).is_some(),
+        EffectKind::TimeDelay => true,
+        _ => false,
+    };
+    let mjcf = format == ModelFormat::Mjcf;
+    let mut left_out = Vec::new();
     for joint in &robot.joints {
         let drive = &joint.drive;
         let nonzero = |value: Option<f64>| value.is_some_and(|v| v != 0.0);
-        if !joint.actuated && joint.kind != JointKind::Fixed && format == ModelFormat::Urdf {
+        if !joint.actuated && joint.kind != JointKind::Fixed && !mjcf {
             left_out.push(format!("that `{}` has no motor", joint.name));
         }
-        if nonzero(drive.rotor_inertia) && format == ModelFormat::Urdf {
+        if nonzero(drive.rotor_inertia) && !mjcf {
             left_out.push(format!("the rotor inertia of `{}`", joint.name));
         }
         if nonzero(drive.offset) {
             left_out.push(format!("the constant torque of `{}`", joint.name));
         }
-        for effect in &drive.effects {
-            let written = effect.kind() == EffectKind::JointSpring && spring(joint).is_some();
-            if !(written && format == ModelFormat::Mjcf) {
-                left_out.push(format!("{} of `{}`", effect.name(), joint.name));
-            }
-        }
+        let said = |effect: &&Effect| mjcf && written(joint, effect);
+        let unsaid = drive.effects.iter().filter(|effect| !said(effect));
+        left_out.extend(unsaid.map(|effect| format!("{} of `{}`", effect.name(), joint.name)));
     }
-    left_out.extend(robot.effects.iter().map(|effect| format!("{} of the robot", effect.name())));
+    let whole = robot.effects.iter().filter(|effect| !(mjcf && effect.kind() == EffectKind::TimeDelay));
+    left_out.extend(whole.map(|effect| format!("{} of the robot", effect.name())));
+    if mjcf {
+        left_out.extend(delay::without_motor(robot));
+    }
+    left_out
+}
+
+/// What a simulator has to keep to where a joint has a delay.
+pub(super) fn delay_note(robot: &Robot, format: ModelFormat) -> Vec<String> {
+    if format == ModelFormat::Mjcf { delay::note(robot).into_iter().collect() } else { Vec::new() }
 }

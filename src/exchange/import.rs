@@ -1,6 +1,6 @@
 //! A tree to a robot file, and how well it met.
 
-use dh_codegen::robot::effects::JointSpring;
+use dh_codegen::robot::effects::{JointSpring, TimeDelay};
 use dh_codegen::robot::{
     Collision, Convention, Drive, Inertia, Joint, JointKind, Limits, Robot, Tool, crate_name, no_files,
 };
@@ -361,6 +361,9 @@ fn drive(read: &TreeJoint, found: &mut Found) -> Drive {
         drive
             .effects
             .push(JointSpring { stiffness: Some(stiffness), rest: Some(position), ..Default::default() }.into());
+    }
+    if let Some(delay) = read.delay {
+        drive.effects.push(TimeDelay { delay: Some(delay) }.into());
     }
     drive
 }

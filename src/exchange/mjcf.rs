@@ -48,6 +48,7 @@ pub fn tree(text: &str, snap: &mut Snap) -> Result<Tree, ImportError> {
         reader.found.element(root, "there is no `body` in `worldbody`", "check that this is the right file");
     }
     reader.actuators(root);
+    reader.sensors(root);
     reader.equalities(root);
     reader.tendons(root);
     if !reader.found.0.is_empty() {
@@ -260,12 +261,16 @@ impl<'a> Reader<'a, '_> {
                 let own = self.settings.value(actuator, tag, None, name);
                 own.or_else(|| self.settings.value(actuator, "general", None, name))
             };
-            let [gear, force, control] = ["gear", "forcerange", "ctrlrange"].map(value);
+            let [gear, force, control, delay] = ["gear", "forcerange", "ctrlrange", "delay"].map(value);
             let gear = gear.and_then(|v| self.found.list(v.at, v.name)).and_then(|list| list.first().copied());
             let gear = gear.unwrap_or(1.0);
             // The control of a motor is its force before the gear.
             let range = self.pair(force).or_else(|| self.pair(control.filter(|_| tag == "motor")));
             let effort = range.and_then(symmetric).map(|force| force * gear.abs());
+            let delay = delay.and_then(|v| self.delay(v.at));
+            if delay.is_some() && tag != "motor" {
+                self.tree.notes.push(format!("the delay of the {tag} of `{name}` does not come along"));
+            }
             let Some(joint) = self.tree.joints.iter_mut().find(|j| j.name == name) else {
                 self.found.element(actuator, format!("there is no joint `{name}`"), "correct the name");
                 continue;
@@ -274,7 +279,36 @@ impl<'a> Reader<'a, '_> {
                 joint.gear = Some(gear);
             }
             joint.effort = joint.effort.or(effort);
+            joint.delay = delay.filter(|_| tag == "motor").map(|late| -late);
         }
+    }
+
+    /// How late torques are read.
+    fn sensors(&mut self, root: Element<'a>) {
+        for sensor in children(root, "sensor").flat_map(|list| list.children()).filter(|n| n.is_element()) {
+            let Some(delay) = self.delay(sensor) else { continue };
+            let tag = sensor.tag_name().name();
+            let name = sensor.attribute("joint").filter(|_| tag == "jointactuatorfrc");
+            let joint = self.tree.joints.iter_mut().find(|j| Some(j.name.as_str()) == name);
+            match joint {
+                Some(joint) if joint.delay.is_none() => joint.delay = Some(delay),
+                Some(joint) => self.tree.notes.push(format!(
+                    "`{}` has a motor that acts late and a torque that is read late; only the first comes along",
+                    joint.name
+                )),
+                None => self.tree.notes.push(format!("the delay of a {tag} does not come along")),
+            }
+        }
+    }
+
+    /// A delay that is one, s.
+    fn delay(&mut self, element: Element<'a>) -> Option<f64> {
+        let seconds = self.found.number(element, "delay").filter(|d| *d != 0.0)?;
+        if !(0.0..10.0).contains(&seconds) {
+            self.found.element(element, format!("no delay is of {seconds} s"), "write 0 or more, below 10 s");
+            return None;
+        }
+        Some(seconds)
     }
 
     /// Tendons pull on joints, and a robot file has none.

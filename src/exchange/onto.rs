@@ -3,14 +3,16 @@
 use core::ops::Range;
 use std::collections::BTreeMap;
 
-use dh_codegen::robot::{Inertia, Joint, Robot};
+use dh_codegen::robot::effects::TimeDelay;
+use dh_codegen::robot::{Inertia, Joint, JointKind, Robot};
 use nalgebra::Vector3;
 use roxmltree::Document;
 
 use super::chain::nearest_to_zero;
+use super::delay;
 use super::displacement::Displacement;
 use super::exact::Snap;
-use super::export::{Exported, about_center, list, number, spring};
+use super::export::{Exported, about_center, delay_note, effects, list, number, spring};
 use super::tree::{Tree, TreeJoint};
 use super::xml::{self, Element, child, children};
 use super::{ImportError, ModelFormat};
@@ -62,7 +64,15 @@ pub fn onto(robot: &Robot, text: &str, held: &[(String, f64)]) -> Result<Exporte
             }
         }
     }
-    Ok(Exported { text: editor.applied(), left_out })
+    left_out.extend(effects(robot, format));
+    if format == ModelFormat::Mjcf {
+        let named = |rows: Vec<(usize, f64)>| -> Vec<(String, f64)> {
+            let name = |row| robot.moving().iter().position(|&r| r == row).map(|k| tree.joints[joints[k]].name.clone());
+            rows.into_iter().filter_map(|(row, delay)| Some((name(row)?, delay))).collect()
+        };
+        editor.delays(&named(delay::early(robot)), &named(delay::late(robot)), &mut left_out);
+    }
+    Ok(Exported { text: editor.applied(), left_out, notes: delay_note(robot, format) })
 }
 
 /// The model's joints that the robot's rows move, by name.
@@ -305,10 +315,13 @@ impl<'a> Editor<'a> {
                 ("frictionloss", drive.coulomb_friction),
                 ("armature", drive.rotor_inertia),
                 ("stiffness", spring(joint).map(|[k, _]| k)),
+                ("springref", spring(joint).map(|[_, rest]| self.in_model(joint, rest))),
             ];
             for (attribute, value) in known {
                 match value {
-                    Some(v) if v < 0.0 => left_out.push(format!("{attribute} of `{name}` is negative")),
+                    Some(v) if v < 0.0 && attribute != "springref" => {
+                        left_out.push(format!("{attribute} of `{name}` is negative"));
+                    }
                     Some(v) => self.set(element, attribute, &[v]),
                     None => {}
                 }
@@ -329,8 +342,61 @@ impl<'a> Editor<'a> {
             let own = [("velocity", joint.limits.velocity), ("effort", joint.limits.torque)];
             own.iter().filter_map(|(n, v)| Some((n, (*v)?))).for_each(|(n, v)| self.set(limit, n, &[v]));
         }
-        if drive.rotor_inertia.is_some_and(|v| v != 0.0) {
-            left_out.push(format!("the rotor inertia of `{name}`"));
+    }
+
+    /// A position of the robot file in the model's zero, sign and unit of angle.
+    fn in_model(&self, joint: &Joint, q: f64) -> f64 {
+        let source = joint.source.as_ref().map_or(q, |s| s.sign * (q - s.offset));
+        let mut compilers = children(self.document.root_element(), "compiler");
+        let radian = compilers.any(|c| c.attribute("angle") == Some("radian"));
+        if radian || joint.kind == JointKind::Prismatic { source } else { source.to_degrees() }
+    }
+
+    /// Delays of motors and of torque sensors; the names are the model's. A joint has one of them.
+    fn delays(&mut self, early: &[(String, f64)], late: &[(String, f64)], left_out: &mut Vec<String>) {
+        let root = self.document.root_element();
+        let of_joint = |section: &'static str, tag: &'static str, name: &str| {
+            let mut all = children(root, section).flat_map(|list| children(list, tag));
+            all.find(|n| n.attribute("joint") == Some(name))
+        };
+        let [motor, sensor] = [("actuator", "motor"), ("sensor", "jointactuatorfrc")]
+            .map(|(section, tag)| move |name: &str| of_joint(section, tag, name));
+        for (name, delay) in early {
+            self.no_longer_late(sensor(name));
+            match motor(name) {
+                Some(motor) => self.late(motor, *delay),
+                None => left_out.push(format!("{} of `{name}`, which no `motor` of the model moves", TimeDelay::NAME)),
+            }
+        }
+        let mut missing = Vec::new();
+        for (name, delay) in late {
+            self.no_longer_late(motor(name));
+            match sensor(name) {
+                Some(sensor) => self.late(sensor, *delay),
+                None => missing.push((name.clone(), *delay)),
+            }
+        }
+        let end = self.text[..root.range().end].rfind("</");
+        if let Some(end) = end.filter(|_| !missing.is_empty()) {
+            self.edits.push((end..end, delay::sensors(&missing)));
+        }
+    }
+
+    fn no_longer_late(&mut self, element: Option<Element<'a>>) {
+        if let Some(old) = element.and_then(|e| e.attribute_node("delay")) {
+            self.edits.push((old.range_value(), "0".into()));
+        }
+    }
+
+    fn late(&mut self, element: Element<'a>, seconds: f64) {
+        for (name, value) in delay::attributes(seconds) {
+            match element.attribute_node(name) {
+                Some(old) => self.edits.push((old.range_value(), value)),
+                None => {
+                    let at = element.range().start + 1 + element.tag_name().name().len();
+                    self.edits.push((at..at, format!(" {name}=\"{value}\"")));
+                }
+            }
         }
     }
 

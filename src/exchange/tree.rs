@@ -68,6 +68,8 @@ pub struct TreeJoint {
     pub gear: Option<f64>,
     /// Stiffness, N m/rad or N/m, and position without torque.
     pub spring: Option<[f64; 2]>,
+    /// How late the torque is read (above zero) or acts after its command (below zero), s.
+    pub delay: Option<f64>,
     /// Follows another joint.
     pub mimic: Option<Mimic>,
 }
@@ -93,6 +95,7 @@ impl TreeJoint {
             armature: None,
             gear: None,
             spring: None,
+            delay: None,
             mimic: None,
         }
     }

@@ -15,10 +15,13 @@ pub fn export_text(name: &str, made: &Exported) -> String {
     for sentence in &made.left_out {
         let _ = writeln!(t, "    {sentence}");
     }
+    for sentence in &made.notes {
+        let _ = writeln!(t, "  note: {sentence}");
+    }
     t
 }
 
 /// For programs.
 pub fn export_json(name: &str, made: &Exported) -> Value {
-    json!({ "name": name, "left_out": made.left_out })
+    json!({ "name": name, "left_out": made.left_out, "notes": made.notes })
 }

@@ -32,7 +32,7 @@ pub(super) struct Settings<'a> {
 }
 
 /// Names of attributes that are looked up, as they stay valid beyond a call.
-const NAMES: [&str; 32] = [
+const NAMES: [&str; 33] = [
     "type",
     "pos",
     "axis",
@@ -50,6 +50,7 @@ const NAMES: [&str; 32] = [
     "gear",
     "forcerange",
     "ctrlrange",
+    "delay",
     "quat",
     "axisangle",
     "xyaxes",
