@@ -186,7 +186,11 @@ impl Layout {
     /// The columns that are understood, for messages.
     fn known(&self) -> String {
         match self.roles.as_slice() {
-            [] => format!("none (the line begins `{}`)", self.ignored.join(",").chars().take(40).collect::<String>()),
+            [] => {
+                let shown = self.ignored.iter().take(4).map(String::as_str).collect::<Vec<_>>().join("`, `");
+                let more = if self.ignored.len() > 4 { ", .." } else { "" };
+                format!("none (the log has `{shown}`{more})")
+            }
             roles => roles.iter().map(|r| r.name()).collect::<Vec<_>>().join(", "),
         }
     }
@@ -284,6 +288,7 @@ mod tests {
         // Other names are names.
         let error = Layout::new("log.csv", &["stamp", "joint_position_1"]).unwrap_err().to_string();
         assert!(error.contains("`t` is missing") && error.contains("understood: none"), "{error}");
+        assert!(error.contains("`stamp`, `joint_position_1`") && error.contains("denavit log inspect"), "{error}");
     }
 
     #[test]

@@ -31,7 +31,9 @@ pub enum LogError {
         what: String,
     },
     /// A column that must be there is not.
-    #[error("{file}, line 1: the column `{column}` is missing{}; columns understood: {known}", rename(.lookalike))]
+    #[error(
+        "{file}: the column `{column}` is missing{}; columns understood: {known}; {}", rename(.lookalike), INSPECT
+    )]
     MissingColumn {
         /// File.
         file: String,
@@ -44,9 +46,10 @@ pub enum LogError {
     },
     /// Neither torques nor currents.
     #[error(
-        "{file}, line 1: the column `tau1` is missing{}; give torques (tau1..tau{dof}, N m), or motor currents (i1..i{dof}, A) together with \
-         `torque_constant` (N m of the joint per A) in the `drive` of every joint of the robot file; columns understood: {known}",
-        rename(.lookalike)
+        "{file}: the column `tau1` is missing{}; give torques (tau1..tau{dof}, N m), or motor currents (i1..i{dof}, A) together with \
+         `torque_constant` (N m of the joint per A) in the `drive` of every joint of the robot file; columns understood: {known}; {}",
+        rename(.lookalike),
+        INSPECT
     )]
     NoTorque {
         /// File.
@@ -155,6 +158,10 @@ impl LogError {
         Self::Mapping { file: file.into(), source: Box::new(source) }
     }
 }
+
+/// The way to columns of other names.
+const INSPECT: &str = "where the log has them under other names, `denavit log inspect LOG --out map.yaml` proposes a mapping \
+                       of its channels, which `--map map.yaml` applies";
 
 fn rename(lookalike: &Option<String>) -> String {
     lookalike.as_ref().map_or(String::new(), |name| format!(" (is it `{name}`? rename it)"))
