@@ -408,11 +408,16 @@ impl<'a> WindowedData<'a> {
 
     /// Entries of the base regressor over the states of a delay, a part of the windows at a time:
     /// number and pattern of the entry, first window, values.
-    pub fn base_parts(&self, index: usize, mut take: impl FnMut(usize, &(usize, usize), usize, &[f64])) {
+    pub fn base_parts(&self, index: usize, take: impl FnMut(usize, &(usize, usize), usize, &[f64])) {
+        self.regressor_parts(&self.states[index], take);
+    }
+
+    /// The same over any states of the windows.
+    fn regressor_parts(&self, states: &States, mut take: impl FnMut(usize, &(usize, usize), usize, &[f64])) {
         let pattern = self.plant.base_pattern();
         let mut out = vec![0.0; pattern.len() * PART.min(self.len)];
         for first in (0..self.len).step_by(PART) {
-            let states = part_of(&self.states[index], self.dof(), first..(first + PART).min(self.len));
+            let states = part_of(states, self.dof(), first..(first + PART).min(self.len));
             let out = &mut out[..pattern.len() * states.len];
             self.plant.base_regressor(&states, out);
             for (entry, (part, at)) in out.chunks_exact(states.len).zip(pattern).enumerate() {
@@ -455,18 +460,15 @@ impl<'a> WindowedData<'a> {
     /// Torque of the rigid model where each window's motion is first changed by `change` (states,
     /// number of the delay).
     pub fn rigid_with(&self, change: impl Fn(&mut States)) -> Vec<Vec<f64>> {
-        let pattern = self.plant.base_pattern();
         let mut rows = vec![vec![0.0; self.len]; self.dof()];
         for (index, states) in self.states.iter().enumerate() {
             let mut states = states.clone();
             change(&mut states);
-            let mut out = vec![0.0; pattern.len() * self.len];
-            self.plant.base_regressor(&states, &mut out);
-            for (entry, &(row, column)) in out.chunks_exact(self.len.max(1)).zip(pattern) {
+            self.regressor_parts(&states, |_, &(row, column), first, part| {
                 if self.seen[row] == index && self.beta[column] != 0.0 {
-                    rows[row].iter_mut().zip(entry).for_each(|(t, w)| *t += w * self.beta[column]);
+                    rows[row][first..].iter_mut().zip(part).for_each(|(t, w)| *t += w * self.beta[column]);
                 }
-            }
+            });
         }
         rows
     }
