@@ -247,6 +247,9 @@ fn guess_unit(quantity: Quantity, members: &[&ChannelSummary]) -> (Option<String
         return (Some(given.into()), "the unit stands in the name".into());
     }
     let largest = members.iter().flat_map(|m| m.range).map(f64::abs).filter(|v| v.is_finite()).fold(0.0, f64::max);
+    if largest == 0.0 {
+        return (None, "zero throughout: nothing was measured".into());
+    }
     let shown = format!("up to {largest:.4}");
     match quantity {
         Quantity::Q | Quantity::Qm | Quantity::Qd if largest > 3.0 * std::f64::consts::PI => {
@@ -264,7 +267,10 @@ fn guess_unit(quantity: Quantity, members: &[&ChannelSummary]) -> (Option<String
 fn groups(channels: &[ChannelSummary], joints: &[SourceJoint]) -> Vec<Group> {
     let mut groups: Vec<Group> = Vec::new();
     for (i, channel) in channels.iter().enumerate() {
-        let Some(found) = quantity(&words(unit::split(&channel.name).0)) else { continue };
+        let plain = unit::split(&channel.name).0;
+        // The format's own names mean what they mean without a mapping.
+        let own = Role::of(plain).and_then(|role| if let Role::Joint(own, _) = role { Some(own) } else { None });
+        let Some(found) = own.or_else(|| quantity(&words(plain))) else { continue };
         if is_time(&channel.name) {
             continue;
         }
@@ -347,6 +353,19 @@ mod tests {
         assert_eq!(named(&found, "t"), Some(("Time".into(), Some("ms".into()))));
         assert_eq!(named(&found, "q*"), Some(("Axis {number} Pos".into(), Some("deg".into()))));
         assert_eq!(named(&found, "i*").unwrap().1.as_deref(), Some("mA"));
+    }
+
+    #[test]
+    fn the_formats_own_names_stay_what_they_are() {
+        let ranges = [("t", [0.0, 10.0]), ("q1", [0.0, 1.0]), ("qd1", [0.0, 1.0]), ("qm1", [0.0, 1.0])];
+        let torques = [("tau1", [0.0, 0.0]), ("taum1", [-3.0, 3.0])];
+        let channels: Vec<_> = ranges.into_iter().chain(torques).map(|(name, range)| channel(name, range)).collect();
+        let found = propose(&channels, &[]);
+        for (column, name) in [("q*", "q"), ("qd*", "qd"), ("qm*", "qm"), ("tau*", "tau"), ("taum*", "taum")] {
+            assert_eq!(named(&found, column).unwrap().0, format!("{name}{{number}}"));
+        }
+        let torque = found.mapping.columns.iter().position(|(column, _)| column == "tau*").unwrap();
+        assert!(found.reasons[torque].contains("nothing was measured"), "{:?}", found.reasons);
     }
 
     #[test]
