@@ -72,9 +72,12 @@ fn refuse_xml(shown: &str, text: &str) -> Result<(), Failure> {
     if !text.trim_start_matches('\u{feff}').trim_start().starts_with('<') {
         return Ok(());
     }
-    let made = Path::new(shown).with_extension("yaml");
+    let (named, made) = match is_stdin(Path::new(shown)) {
+        true => ("standard input", Path::new("robot.yaml").into()),
+        false => (shown, Path::new(shown).with_extension("yaml")),
+    };
     Err(Failure::input(format!(
-        "{shown} is XML, no robot file; make one of a URDF or MJCF model with `denavit import {shown} --out {}`",
+        "{named} is XML, no robot file; make one of a URDF or MJCF model with `denavit import {shown} --out {}`",
         made.display()
     )))
 }

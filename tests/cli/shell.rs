@@ -44,6 +44,9 @@ fn a_robot_comes_from_standard_input() {
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
     let value: serde_json::Value = serde_json::from_slice(&run.stdout).unwrap();
     assert_eq!(value["dof"], 2);
+    let run = feed(&["check", "-"], b"<robot name=\"a\"/>");
+    let said = String::from_utf8_lossy(&run.stderr).into_owned();
+    assert!(said.contains("standard input is XML") && said.contains("import - --out robot.yaml"), "{said}");
     // Once: there is no second robot file in it.
     let run = feed(&["eval", "-", "--quantity", "gravity", "--states", "-"], &robot);
     assert_eq!(run.status.code(), Some(2));
