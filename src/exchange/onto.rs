@@ -222,12 +222,15 @@ impl<'a> Editor<'a> {
         self.document.descendants().find(same)
     }
 
-    /// An attribute of an element; one that has the same numbers stays as written.
+    /// An attribute of an element; one that has the same numbers, but for rounding, stays as
+    /// written.
     fn set(&mut self, element: Element<'a>, name: &str, values: &[f64]) {
         match element.attribute_node(name) {
             Some(attribute) => {
                 let read: Option<Vec<f64>> = attribute.value().split_whitespace().map(|w| w.parse().ok()).collect();
-                if read.as_deref() != Some(values) {
+                let alike = |(a, b): (&f64, &f64)| (a - b).abs() <= 1e-13 * a.abs().max(1e-3);
+                let same = |read: Vec<f64>| read.len() == values.len() && read.iter().zip(values).all(alike);
+                if !read.is_some_and(same) {
                     self.edits.push((attribute.range_value(), list(values)));
                 }
             }
