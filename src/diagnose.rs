@@ -26,7 +26,7 @@ mod tests;
 pub use findings::result::{
     Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, NextExperiment, Offer, Offered, Verdict, measured_on,
 };
-pub use hypotheses::Named;
+pub use hypotheses::{Named, Quantity, Symbol};
 pub use next_experiment::{Separation, discriminating_motion};
 pub use robot_file::extended;
 pub use run::{DiagnoseError, Settings, diagnose, misses};

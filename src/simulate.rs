@@ -65,6 +65,7 @@ pub use sensors::{Sensors, Side, Truth};
 pub use trajectory::{Point, Trajectory, TrajectoryError};
 
 use dh_codegen::robot::Robot;
+use dh_codegen::robot::effects::GearCoupling;
 
 use crate::data::log::Log;
 use crate::model::{Arm, Dynamics, States};
@@ -265,7 +266,7 @@ impl Simulator {
             return Err(SimulateError::Effect {
                 effect: EffectKind::GearCoupling,
                 joint: None,
-                key: "CQ".into(),
+                key: GearCoupling::CQ.name().into(),
                 value: coupling.carries,
                 must: "be 0 where a controller moves the arm: only `--control exact` plays it".into(),
             });

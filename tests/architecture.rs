@@ -32,6 +32,9 @@ const LONG_FUNCTIONS: &str = include_str!("architecture/long_functions.txt");
 /// Public types of one domain that share a name: domain and name. Only to be shortened.
 const SHARED_NAMES: &str = include_str!("architecture/shared_names.txt");
 
+/// Files that write keys of effects as text. Only to be shortened.
+const KEYS_AS_TEXT: [&str; 1] = ["src/apps/paper/diagnosis/hidden.rs"];
+
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
@@ -256,6 +259,30 @@ fn an_effect_is_named_in_its_own_file_alone() {
         "write the type (`EffectKind::..`, `..::NAME`) in place of the name:\n{}",
         wrong.join("\n")
     );
+}
+
+/// A key of an effect is a constant of its type (`effects::JointSpring::KS`), so that a misspelt one
+/// does not compile. Keys in small letters are words of English too, and those of bodies, rotor and
+/// plain friction the names of standard parameters.
+#[test]
+fn a_key_of_an_effect_is_written_in_its_own_file_alone() {
+    let apart = [EffectKind::LinkInertiaError, EffectKind::Payload];
+    let kinds = EffectKind::ALL.iter().filter(|kind| !kind.is_plain() && !apart.contains(kind));
+    let keys: BTreeSet<&str> = kinds
+        .flat_map(|kind| kind.description().keys)
+        .map(|key| key.name)
+        .filter(|name| name.chars().all(|c| c.is_ascii_uppercase() || c.is_ascii_digit()))
+        .collect();
+    let mut wrong = Vec::new();
+    for (path, file) in ["src", "dh-macro/codegen/src"].iter().flat_map(|folder| sources(folder)) {
+        if path.starts_with("dh-macro/codegen/src/robot/effects") || KEYS_AS_TEXT.iter().any(|p| path == Path::new(p)) {
+            continue;
+        }
+        let mut texts = Vec::new();
+        literals(file.into_token_stream(), &mut texts);
+        wrong.extend(texts.iter().filter(|t| keys.contains(t.as_str())).map(|t| format!("{}: {t}", path.display())));
+    }
+    assert!(wrong.is_empty(), "write the constant (`effects::..::KEY`) in place of the text:\n{}", wrong.join("\n"));
 }
 
 /// Functions with their lines, closures inside counted in.

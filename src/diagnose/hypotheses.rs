@@ -5,6 +5,7 @@
 //! order, a time) are searched on a grid and then refined.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects::Key;
 use nalgebra::DMatrix;
 
 use crate::diagnose::windows::windowed_data::{Column, WindowedData};
@@ -73,11 +74,36 @@ pub enum Sign {
     Positive,
 }
 
+/// Symbol of a number that a hypothesis estimates.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Symbol {
+    /// A key of the robot file.
+    Key(Key),
+    /// A number of the hypothesis alone, which no file has.
+    Own(&'static str),
+}
+
+impl Symbol {
+    /// As reports write it, without the joint.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Key(key) => key.name(),
+            Self::Own(name) => name,
+        }
+    }
+}
+
+impl From<Key> for Symbol {
+    fn from(key: Key) -> Self {
+        Self::Key(key)
+    }
+}
+
 /// A linear coefficient with its column.
 #[derive(Debug, Clone)]
 pub struct Term {
     /// Symbol, as in a robot file: `FL`.
-    pub symbol: String,
+    pub symbol: Symbol,
     /// Torque of one unit of it.
     pub column: Column,
     /// Its range.
@@ -86,7 +112,7 @@ pub struct Term {
 
 impl Term {
     /// A term.
-    pub fn new(symbol: impl Into<String>, column: Column, sign: Sign) -> Self {
+    pub fn new(symbol: impl Into<Symbol>, column: Column, sign: Sign) -> Self {
         Self { symbol: symbol.into(), column, sign }
     }
 }
@@ -95,7 +121,7 @@ impl Term {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shape {
     /// Symbol: `VS`.
-    pub symbol: &'static str,
+    pub symbol: Symbol,
     /// Unit.
     pub unit: &'static str,
     /// Smallest and largest sensible value.
@@ -108,15 +134,15 @@ pub struct Shape {
 impl Shape {
     /// Whether it is a parameter of the robot file and not one of the search.
     pub fn named(&self) -> bool {
-        self.symbol.chars().all(char::is_uppercase)
+        matches!(self.symbol, Symbol::Key(_))
     }
 }
 
-/// A number with its name for the robot file, the report, the JSON.
-#[derive(Debug, Clone, PartialEq)]
+/// A number with its symbol, for the robot file.
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Named {
     /// Symbol, without the joint.
-    pub symbol: String,
+    pub symbol: Symbol,
     /// Value.
     pub value: f64,
     /// Standard deviation; `None` where it was not estimated.
@@ -124,9 +150,28 @@ pub struct Named {
 }
 
 impl Named {
-    fn new(symbol: &str, value: f64, std: Option<f64>) -> Self {
+    /// A number of this symbol.
+    pub fn new(symbol: impl Into<Symbol>, value: f64, std: Option<f64>) -> Self {
         Self { symbol: symbol.into(), value, std }
     }
+
+    /// The same for the report, with the number of its (first) joint, from 1, if it has one.
+    pub fn of_joint(self, joint: Option<usize>) -> Quantity {
+        let Self { symbol, value, std } = self;
+        let joint = joint.map(|joint| joint.to_string()).unwrap_or_default();
+        Quantity { symbol: format!("{}{joint}", symbol.name()), value, std }
+    }
+}
+
+/// A number with its name for the report and the JSON.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Quantity {
+    /// Symbol with the joint's number: `FS3`.
+    pub symbol: String,
+    /// Value.
+    pub value: f64,
+    /// Standard deviation; `None` where it was not estimated.
+    pub std: Option<f64>,
 }
 
 /// Estimate of a cause in its place.
@@ -164,7 +209,7 @@ impl Estimate<'_> {
 
     /// A coefficient under its own symbol.
     pub fn term(&self, k: usize) -> Named {
-        Named::new(&self.terms[k].symbol, self.x[k], Some(self.std(k)))
+        Named::new(self.terms[k].symbol, self.x[k], Some(self.std(k)))
     }
 
     /// All coefficients.

@@ -6,14 +6,15 @@
 //! parameters, if the diagnosis refitted them) can't explain. Causes that are the same on paper, or
 //! that act through their past, have no such motion.
 
-use dh_codegen::robot::EffectKind;
 use std::sync::atomic::AtomicBool;
 
-use dh_codegen::robot::Robot;
+use dh_codegen::robot::effects::{self, Key};
+use dh_codegen::robot::{EffectKind, Robot};
 use nalgebra::{DMatrix, DVector};
 
 use crate::data::trajectory::Trajectory;
 use crate::excite::{Effort, Extra, Task, Watch, discriminate};
+use crate::model::coupled::CouplingTerm;
 use crate::model::differentiated::Differentiated;
 use crate::model::perturbable_robot::PerturbableRobot;
 use crate::model::{Arm, Change, DriveTerm, PerturbableArm, StandardParameter, States};
@@ -138,15 +139,15 @@ fn rival_place(rival: &str, cause: &Cause) -> Vec<usize> {
     }
 }
 
-fn key_of(cause: &Cause, key: &str) -> Option<f64> {
-    cause.keys.iter().find(|named| named.symbol == key).map(|named| named.value)
+fn key_of(cause: &Cause, key: Key) -> Option<f64> {
+    cause.keys.iter().find(|named| named.symbol == key.into()).map(|named| named.value)
 }
 
 /// How one unknown of a cause acts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Column {
     /// On joint `.0` alone, by its key.
-    JointSeries(usize, Law, &'static str),
+    JointSeries(usize, Law, Key),
     /// Joint `.0` turns by this much more than was measured: `QO`.
     Zero(usize),
     /// Joint `.0` winds: `1 / KE`.
@@ -154,9 +155,9 @@ enum Column {
     /// The torque of this joint, or of all, is late: `TD`.
     Late(Option<usize>),
     /// A change of the arm's geometry, divided by this.
-    Changed(Change, f64, &'static str),
-    /// A motor that turns with another joint: motor, other, ratio, `IAM FVM FCM`.
-    Coupled(usize, usize, f64, usize),
+    Changed(Change, f64, Key),
+    /// A motor that turns with another joint: motor, other, ratio, which of its terms.
+    Coupled(usize, usize, f64, CouplingTerm),
 }
 
 /// Laws of one joint; `s` is the sign of its velocity, made smooth.
@@ -201,55 +202,89 @@ impl Law {
     }
 }
 
+/// The laws by which an effect acts on its own joint alone, each with the key of its size; none for
+/// other effects.
+fn joint_laws(effect: EffectKind, gear_ratio: Option<f64>, key: &dyn Fn(Key) -> Option<f64>) -> Vec<(Law, Key)> {
+    let or = |name: Key, value: f64| key(name).unwrap_or(value);
+    match effect {
+        EffectKind::ViscousFriction => vec![(Law::Viscous, effects::ViscousFriction::FV)],
+        EffectKind::CoulombFriction => vec![(Law::Coulomb, effects::CoulombFriction::FC)],
+        EffectKind::TorqueOffset => vec![(Law::Offset, effects::TorqueOffset::TO)],
+        EffectKind::AsymmetricFriction => vec![(Law::Directional, effects::AsymmetricFriction::FVA)],
+        EffectKind::StribeckFriction => {
+            let (speed, exponent) = (or(effects::StribeckFriction::VS, 0.1), or(effects::StribeckFriction::DS, 2.0));
+            vec![(Law::Stribeck(speed, exponent), effects::StribeckFriction::FS)]
+        }
+        EffectKind::NonlinearViscousFriction => {
+            let exponent = or(effects::NonlinearViscousFriction::EN, 0.5);
+            vec![(Law::Power(exponent), effects::NonlinearViscousFriction::FN)]
+        }
+        EffectKind::LoadDependentFriction => vec![(Law::Load, effects::LoadDependentFriction::FL)],
+        EffectKind::TorqueGainError => vec![(Law::Gain, effects::TorqueGainError::GT)],
+        EffectKind::RotorInertia => vec![(Law::Rotor, effects::RotorInertia::IA)],
+        EffectKind::JointSpring => vec![(Law::Spring, effects::JointSpring::KS)],
+        EffectKind::PositionDependentFriction => {
+            use effects::PositionDependentFriction as Keys;
+            let n = or(Keys::PN, 1.0);
+            vec![(Law::Cosine(n, true), Keys::PC), (Law::Sine(n, true), Keys::PS)]
+        }
+        EffectKind::TorqueRipple => {
+            use effects::TorqueRipple as Keys;
+            let n = key(Keys::RN).or(gear_ratio.map(f64::abs)).unwrap_or(32.0);
+            vec![(Law::Cosine(n, false), Keys::RC), (Law::Sine(n, false), Keys::RS)]
+        }
+        _ => Vec::new(),
+    }
+}
+
 /// The unknowns of a cause at this place; `None` where it is none of a state alone.
 fn columns(
     plant: &dyn PerturbableArm,
     cause: &str,
     place: &[usize],
-    key: &dyn Fn(&str) -> Option<f64>,
+    key: &dyn Fn(Key) -> Option<f64>,
 ) -> Option<Vec<Column>> {
-    let or = |name: &str, value: f64| key(name).unwrap_or(value);
     let j = place.first().copied().filter(|j| *j < plant.dof());
-    let own = |law: Law, name: &'static str| j.map(|j| Column::JointSeries(j, law, name));
-    let row = |at: f64, which: usize, name: &'static str| {
+    let row = |at: f64, which: usize, name: Key| {
         let by = |k: usize| if k == which { at } else { 0.0 };
         let change = Change::Row { row: *plant.rows().get(j?)?, alpha: by(0), d: by(1), theta: by(2), r: by(3) };
         Some(Column::Changed(change, at, name))
     };
-    let all: Vec<Option<Column>> = match EffectKind::of(cause)? {
-        EffectKind::ViscousFriction => vec![own(Law::Viscous, "FV")],
-        EffectKind::CoulombFriction => vec![own(Law::Coulomb, "FC")],
-        EffectKind::TorqueOffset => vec![own(Law::Offset, "TO")],
-        EffectKind::AsymmetricFriction => vec![own(Law::Directional, "FVA")],
-        EffectKind::StribeckFriction => vec![own(Law::Stribeck(or("VS", 0.1), or("DS", 2.0)), "FS")],
-        EffectKind::NonlinearViscousFriction => vec![own(Law::Power(or("EN", 0.5)), "FN")],
-        EffectKind::LoadDependentFriction => vec![own(Law::Load, "FL")],
-        EffectKind::TorqueGainError => vec![own(Law::Gain, "GT")],
-        EffectKind::RotorInertia => vec![own(Law::Rotor, "IA")],
-        EffectKind::JointSpring => vec![own(Law::Spring, "KS")],
-        EffectKind::PositionDependentFriction => {
-            let n = or("PN", 1.0);
-            vec![own(Law::Cosine(n, true), "PC"), own(Law::Sine(n, true), "PS")]
-        }
-        EffectKind::TorqueRipple => {
-            let n = key("RN").or(plant.gear_ratios().get(j?).copied().flatten().map(f64::abs)).unwrap_or(32.0);
-            vec![own(Law::Cosine(n, false), "RC"), own(Law::Sine(n, false), "RS")]
+    let effect = EffectKind::of(cause)?;
+    let all: Vec<Option<Column>> = match effect {
+        EffectKind::ViscousFriction
+        | EffectKind::CoulombFriction
+        | EffectKind::TorqueOffset
+        | EffectKind::AsymmetricFriction
+        | EffectKind::StribeckFriction
+        | EffectKind::NonlinearViscousFriction
+        | EffectKind::LoadDependentFriction
+        | EffectKind::TorqueGainError
+        | EffectKind::RotorInertia
+        | EffectKind::JointSpring
+        | EffectKind::PositionDependentFriction
+        | EffectKind::TorqueRipple => {
+            let gear_ratio = plant.gear_ratios().get(j?).copied().flatten();
+            let laws = joint_laws(effect, gear_ratio, key);
+            laws.into_iter().map(|(law, name)| j.map(|j| Column::JointSeries(j, law, name))).collect()
         }
         EffectKind::EncoderOffset => vec![j.map(Column::Zero)],
         EffectKind::JointElasticity => vec![j.map(Column::Deflection)],
         EffectKind::TimeDelay => vec![Some(Column::Late(j))],
         EffectKind::BaseTilt => vec![
-            Some(Column::Changed(Change::Base { roll: 1e-3, pitch: 0.0 }, 1e-3, "roll")),
-            Some(Column::Changed(Change::Base { roll: 0.0, pitch: 1e-3 }, 1e-3, "pitch")),
+            Some(Column::Changed(Change::Base { roll: 1e-3, pitch: 0.0 }, 1e-3, effects::BaseTilt::ROLL)),
+            Some(Column::Changed(Change::Base { roll: 0.0, pitch: 1e-3 }, 1e-3, effects::BaseTilt::PITCH)),
         ],
         EffectKind::GeometricError => {
-            const KEYS: [&str; 4] = ["DALPHA", "DD", "DTHETA", "DR"];
-            let which = KEYS.iter().position(|name| key(name).is_some()).unwrap_or(1);
-            vec![row(1e-3, which, KEYS[which])]
+            use effects::GeometricError as Keys;
+            const ROW: [Key; 4] = [Keys::DALPHA, Keys::DD, Keys::DTHETA, Keys::DR];
+            let which = ROW.iter().position(|name| key(*name).is_some()).unwrap_or(1);
+            vec![row(1e-3, which, ROW[which])]
         }
         EffectKind::GearCoupling => {
             let (m, k) = (j?, place.get(1).copied().filter(|k| *k < plant.dof())?);
-            (0..3).map(|which| Some(Column::Coupled(m, k, or("KC", 1.0), which))).collect()
+            let ratio = key(effects::GearCoupling::KC).unwrap_or(1.0);
+            CouplingTerm::ALL.map(|term| Some(Column::Coupled(m, k, ratio, term))).to_vec()
         }
         // With memory, with a limit, of some time or of one log: not functions of the state alone.
         EffectKind::PreslidingHysteresis
@@ -279,16 +314,18 @@ impl Column {
             at.map_or(0.0, |at| plant.given_drive(at))
         };
         let value = match self {
-            Self::JointSeries(_, Law::Stribeck(..), _) => key_of(cause, "FS")? - key_of(cause, "FC").unwrap_or(0.0),
-            Self::JointSeries(_, Law::Gain, _) => key_of(cause, "GT")? - 1.0,
+            Self::JointSeries(_, Law::Stribeck(..), name) => {
+                key_of(cause, name)? - key_of(cause, effects::CoulombFriction::FC).unwrap_or(0.0)
+            }
+            Self::JointSeries(_, Law::Gain, name) => key_of(cause, name)? - 1.0,
             Self::JointSeries(j, law @ (Law::Viscous | Law::Coulomb | Law::Rotor), name) => {
                 key_of(cause, name)? - given(law, j)
             }
             Self::JointSeries(_, _, name) | Self::Changed(_, _, name) => key_of(cause, name)?,
-            Self::Zero(_) => key_of(cause, "QO")?,
-            Self::Deflection(_) => 1.0 / key_of(cause, "KE")?,
-            Self::Late(_) => key_of(cause, "TD")?,
-            Self::Coupled(.., which) => key_of(cause, ["IAM", "FVM", "FCM"][which])?,
+            Self::Zero(_) => key_of(cause, effects::EncoderOffset::QO)?,
+            Self::Deflection(_) => 1.0 / key_of(cause, effects::JointElasticity::KE)?,
+            Self::Late(_) => key_of(cause, effects::TimeDelay::TD)?,
+            Self::Coupled(.., term) => key_of(cause, term.key())?,
         };
         Some(value)
     }
@@ -386,14 +423,14 @@ impl<'a> Family<'a> {
                 self.plant.changed_dynamics(&nothing, states, self.standard, &mut other);
                 out.iter_mut().zip(&other).for_each(|(o, b)| *o = (*o - b) / step);
             }
-            Column::Coupled(m, k, ratio, which) => {
+            Column::Coupled(m, k, ratio, term) => {
                 for s in 0..len {
                     let (a, b) = (m * len + s, k * len + s);
                     let along = states.dq[a] + ratio * states.dq[b];
-                    let (on_m, on_k) = match which {
-                        0 => (ratio * states.ddq[b], ratio * states.ddq[a]),
-                        1 => (ratio * states.dq[b], ratio * states.dq[a]),
-                        _ => (smooth(along, m), ratio * smooth(along, m)),
+                    let (on_m, on_k) = match term {
+                        CouplingTerm::IAM => (ratio * states.ddq[b], ratio * states.ddq[a]),
+                        CouplingTerm::FVM => (ratio * states.dq[b], ratio * states.dq[a]),
+                        CouplingTerm::FCM => (smooth(along, m), ratio * smooth(along, m)),
                     };
                     (out[a], out[b]) = (on_m, on_k);
                 }
@@ -495,19 +532,43 @@ mod tests {
             .map(|(p, v)| if p.is_friction() { 0.0 } else { *v })
             .collect();
         let turn = [1e-9; 2];
-        type Case<'a> = (&'a str, &'a [(&'a str, f64)], usize, f64);
+        type Case<'a> = (&'a str, &'a [(Key, f64)], usize, f64);
         let cases: [Case<'_>; 8] = [
-            ("torque_ripple", &[("RN", 5.0), ("RC", 1.0)], 0, 1.0),
-            ("position_dependent_friction", &[("PN", 2.0), ("PS", 1.0)], 1, 1.0),
-            ("nonlinear_viscous_friction", &[("FN", 1.0), ("EN", 0.6)], 0, 1.0),
-            ("load_dependent_friction", &[("FL", 0.5)], 0, 0.5),
-            ("joint_elasticity", &[("KE", 1e6)], 0, 1e-6),
-            ("encoder_offset", &[("QO", 1e-5)], 0, 1e-5),
-            ("asymmetric_friction", &[("FVA", 1.0)], 0, 1.0),
-            ("gear_coupling", &[("joint", 1.0), ("KC", -0.5), ("IAM", 0.3)], 0, 0.3),
+            (
+                effects::TorqueRipple::NAME,
+                &[(effects::TorqueRipple::RN, 5.0), (effects::TorqueRipple::RC, 1.0)],
+                0,
+                1.0,
+            ),
+            (
+                effects::PositionDependentFriction::NAME,
+                &[(effects::PositionDependentFriction::PN, 2.0), (effects::PositionDependentFriction::PS, 1.0)],
+                1,
+                1.0,
+            ),
+            (
+                effects::NonlinearViscousFriction::NAME,
+                &[(effects::NonlinearViscousFriction::FN, 1.0), (effects::NonlinearViscousFriction::EN, 0.6)],
+                0,
+                1.0,
+            ),
+            (effects::LoadDependentFriction::NAME, &[(effects::LoadDependentFriction::FL, 0.5)], 0, 0.5),
+            (effects::JointElasticity::NAME, &[(effects::JointElasticity::KE, 1e6)], 0, 1e-6),
+            (effects::EncoderOffset::NAME, &[(effects::EncoderOffset::QO, 1e-5)], 0, 1e-5),
+            (effects::AsymmetricFriction::NAME, &[(effects::AsymmetricFriction::FVA, 1.0)], 0, 1.0),
+            (
+                effects::GearCoupling::NAME,
+                &[
+                    (effects::GearCoupling::JOINT, 1.0),
+                    (effects::GearCoupling::KC, -0.5),
+                    (effects::GearCoupling::IAM, 0.3),
+                ],
+                0,
+                0.3,
+            ),
         ];
         for (name, keys, which, size) in cases {
-            let key = |k: &str| keys.iter().find(|(name, _)| *name == k).map(|(_, v)| *v);
+            let key = |k: Key| keys.iter().find(|(name, _)| *name == k).map(|(_, v)| *v);
             let columns = columns(&plant, name, &[1, 0], &key).unwrap();
             let family = Family::new(&plant, &bodies, &turn, columns);
             let mut out = vec![0.0; family.pattern.len() * 4];
@@ -520,6 +581,6 @@ mod tests {
                 assert!((value - expected).abs() < 2e-4 * (1.0 + expected.abs()), "{name} {at}: {value} {expected}");
             }
         }
-        assert!(columns(&plant, "presliding_hysteresis", &[1], &|_| None).is_none());
+        assert!(columns(&plant, effects::PreslidingHysteresis::NAME, &[1], &|_| None).is_none());
     }
 }

@@ -1,13 +1,14 @@
 //! Writes the findings of a diagnosis into a robot file.
 
-use super::{Cause, Diagnosis};
+use super::{Cause, Diagnosis, Symbol};
 use crate::model::robot_edit::{with_rotors, with_values, without};
 use dh_codegen::arm::param::{self, DriveTerm, Inertial, Parameter};
+use dh_codegen::robot::effects::{self, Key};
 use dh_codegen::robot::{Effect, EffectKind, Inertia, Robot};
 
 /// Place of a key among the ten parameters of a body.
-fn body_place(key: &str) -> Option<usize> {
-    Inertial::ALL.iter().position(|which| which.name() == key)
+fn body_place(key: Key) -> Option<usize> {
+    effects::Payload::BODY.iter().position(|which| *which == key)
 }
 
 /// The robot with everything in it that a diagnosis found.
@@ -69,17 +70,34 @@ struct Sensor {
 }
 
 /// Keys that are torques per something: those of a law are in proportion to the sensor's gain.
-const SIZES: [&str; 17] =
-    ["FCA", "FVA", "FN", "FL", "FLB", "KQ", "HC", "PC", "PS", "RC", "RS", "KS", "IAM", "FVM", "FCM", "TO", "FS"];
+const SIZES: [Key; 17] = [
+    effects::AsymmetricFriction::FCA,
+    effects::AsymmetricFriction::FVA,
+    effects::NonlinearViscousFriction::FN,
+    effects::LoadDependentFriction::FL,
+    effects::LoadDependentFriction::FLB,
+    effects::PreslidingHysteresis::HC,
+    effects::PositionDependentFriction::PC,
+    effects::PositionDependentFriction::PS,
+    effects::TorqueRipple::RC,
+    effects::TorqueRipple::RS,
+    effects::JointSpring::KS,
+    effects::JointSpring::KQ,
+    effects::GearCoupling::IAM,
+    effects::GearCoupling::FVM,
+    effects::GearCoupling::FCM,
+    effects::TorqueOffset::TO,
+    effects::StribeckFriction::FS,
+];
 
 impl Sensor {
     /// A law's keys before the sensor. `coulomb`: the joint's level, which `FS` includes.
-    fn before(self, effect: EffectKind, keys: &mut [(String, f64)], coulomb: f64) {
+    fn before(self, effect: EffectKind, keys: &mut [(Key, f64)], coulomb: f64) {
         let Self { gain, zero } = self;
-        for (key, value) in keys.iter_mut().filter(|(key, _)| SIZES.contains(&key.as_str())) {
-            *value = match (effect, key.as_str()) {
+        for (key, value) in keys.iter_mut().filter(|(key, _)| SIZES.contains(key)) {
+            *value = match (effect, *key) {
                 (EffectKind::TorqueOffset, _) => *value, // behind the gain, unconverted
-                (_, "FS") => coulomb + (*value - coulomb) / gain,
+                (_, effects::StribeckFriction::FS) => coulomb + (*value - coulomb) / gain,
                 _ => *value / gain,
             };
         }
@@ -87,28 +105,37 @@ impl Sensor {
             return;
         }
         match effect {
-            EffectKind::TorqueRipple => turn(keys, ["RN", "RC", "RS"], zero),
-            EffectKind::PositionDependentFriction => turn(keys, ["PN", "PC", "PS"], zero),
-            EffectKind::JointSpring => {
-                keys.iter_mut().filter(|(key, _)| key == "QS").for_each(|(_, rest)| *rest += zero)
+            EffectKind::TorqueRipple => {
+                use effects::TorqueRipple as Keys;
+                turn(keys, [Keys::RN, Keys::RC, Keys::RS], zero)
             }
+            EffectKind::PositionDependentFriction => {
+                use effects::PositionDependentFriction as Keys;
+                turn(keys, [Keys::PN, Keys::PC, Keys::PS], zero)
+            }
+            EffectKind::JointSpring => change(keys, effects::JointSpring::QS, |rest| *rest += zero),
             _ => {}
         }
     }
 }
 
+/// Value of a key.
+fn value_of(keys: &[(Key, f64)], wanted: Key) -> Option<f64> {
+    keys.iter().find(|(key, _)| *key == wanted).map(|(_, value)| *value)
+}
+
+/// Changes the value of a key, where it is there.
+fn change(keys: &mut [(Key, f64)], wanted: Key, by: impl Fn(&mut f64)) {
+    keys.iter_mut().filter(|(key, _)| *key == wanted).for_each(|(_, value)| by(value));
+}
+
 /// `c cos(n q) + s sin(n q)` over an angle that is larger by `zero`.
-fn turn(keys: &mut [(String, f64)], [order, cosine, sine]: [&str; 3], zero: f64) {
-    let of = |keys: &[(String, f64)], name: &str| keys.iter().find(|(key, _)| key == name).map(|(_, value)| *value);
-    let (n, c, s) = (of(keys, order).unwrap_or(1.0), of(keys, cosine).unwrap_or(0.0), of(keys, sine).unwrap_or(0.0));
+fn turn(keys: &mut [(Key, f64)], [order, cosine, sine]: [Key; 3], zero: f64) {
+    let of = |key: Key, default: f64| value_of(keys, key).unwrap_or(default);
+    let (n, c, s) = (of(order, 1.0), of(cosine, 0.0), of(sine, 0.0));
     let (sin, cos) = (n * zero).sin_cos();
-    for (key, value) in keys.iter_mut() {
-        if key == cosine {
-            *value = c * cos - s * sin;
-        } else if key == sine {
-            *value = c * sin + s * cos;
-        }
-    }
+    change(keys, cosine, |value| *value = c * cos - s * sin);
+    change(keys, sine, |value| *value = c * sin + s * cos);
 }
 
 /// Values found of an effect, under the keys of the file.
@@ -118,31 +145,33 @@ fn in_terms_of_the_file(
     moving: &[usize],
     cause: &Cause,
     kind: EffectKind,
-    keys: &mut Vec<(String, f64)>,
+    keys: &mut Vec<(Key, f64)>,
 ) {
+    use effects::JointSpring as Spring;
     let drive = row.map(|row| &robot.joints[row].drive);
     match kind {
         EffectKind::GearCoupling => {
             if let Some(other) = cause.joints.get(1).and_then(|j| moving.get(j - 1)) {
-                keys.insert(0, ("joint".into(), (other + 1) as f64));
+                keys.insert(0, (effects::GearCoupling::JOINT, (other + 1) as f64));
             }
         }
         // While the joint moves, half a difference of the Coulomb levels is an offset.
         EffectKind::AsymmetricFriction => {
-            keys.iter_mut().filter(|(key, _)| key == "TO").for_each(|(key, _)| *key = "FCA".into())
+            let offset = keys.iter_mut().filter(|(key, _)| *key == effects::TorqueOffset::TO);
+            offset.for_each(|(key, _)| *key = effects::AsymmetricFriction::FCA);
         }
         // The spring's rest takes the place of the whole offset; the file's own part of it stays
         // where it is.
-        EffectKind::JointSpring if !keys.iter().any(|(key, _)| key == "SIDE" || key == "KQ") => {
+        EffectKind::JointSpring if !keys.iter().any(|(key, _)| [Spring::SIDE, Spring::KQ].contains(key)) => {
             let own = drive.and_then(|d| d.offset).unwrap_or(0.0);
-            let stiffness = keys.iter().find(|(key, _)| key == "KS").map_or(0.0, |(_, k)| *k);
+            let stiffness = value_of(keys, Spring::KS).unwrap_or(0.0);
             if stiffness != 0.0 {
-                keys.iter_mut().filter(|(key, _)| key == "QS").for_each(|(_, rest)| *rest += own / stiffness);
+                change(keys, Spring::QS, |rest| *rest += own / stiffness);
             }
         }
         // The file would take a mass without a tensor for a point mass.
-        EffectKind::Payload if !keys.iter().any(|(key, _)| body_place(key) >= Some(Inertial::XX as usize)) => {
-            keys.push((Inertial::XX.name().into(), 0.0))
+        EffectKind::Payload if !keys.iter().any(|(key, _)| body_place(*key) >= Some(Inertial::XX as usize)) => {
+            keys.push((effects::Payload::XX, 0.0))
         }
         // A delay of one joint is counted from nothing, and the file adds it to that of all; that
         // of all is counted on the first joint.
@@ -153,7 +182,7 @@ fn in_terms_of_the_file(
                 Some(_) => robot.effects.iter().find_map(delay),
                 None => first.and_then(|mut effects| effects.find_map(delay)),
             };
-            keys.iter_mut().filter(|(key, _)| key == "TD").for_each(|(_, late)| *late -= other.unwrap_or(0.0));
+            change(keys, effects::TimeDelay::TD, |late| *late -= other.unwrap_or(0.0));
         }
         _ => {}
     }
@@ -161,11 +190,11 @@ fn in_terms_of_the_file(
 
 /// Corrects the offset of a drive that has one: beside it an effect of the same constant would
 /// say twice, with two signs, what is one number.
-fn corrects_offset(robot: &mut Robot, row: Option<usize>, keys: &[(String, f64)], gain: f64) -> bool {
+fn corrects_offset(robot: &mut Robot, row: Option<usize>, keys: &[(Key, f64)], gain: f64) -> bool {
     let Some(drive) = row.map(|row| &mut robot.joints[row].drive) else { return false };
     let given = drive.effects.iter().any(|e| e.kind() == EffectKind::TorqueOffset);
-    match (drive.offset.filter(|own| *own != 0.0 && !given), keys.iter().find(|(key, _)| key == "TO")) {
-        (Some(own), Some((_, found))) => {
+    match (drive.offset.filter(|own| *own != 0.0 && !given), value_of(keys, effects::TorqueOffset::TO)) {
+        (Some(own), Some(found)) => {
             drive.offset = Some(own + found / gain);
             true
         }
@@ -176,21 +205,24 @@ fn corrects_offset(robot: &mut Robot, row: Option<usize>, keys: &[(String, f64)]
 fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &Cause, sensor: Sensor) {
     // A structure that no effect explains can not be written.
     let Some(kind) = EffectKind::of(cause.cause) else { return };
-    let mut left: Vec<(String, f64)> = Vec::new();
+    let mut left: Vec<(Key, f64)> = Vec::new();
     for named in &cause.keys {
-        let drive = row.map(|row| &mut robot.joints[row].drive);
-        match (named.symbol.as_str(), drive) {
-            ("FV", Some(drive)) => drive.viscous_friction = Some(named.value),
-            ("FC", Some(drive)) => drive.coulomb_friction = Some(named.value),
-            ("IA", Some(drive)) if kind == EffectKind::RotorInertia => drive.rotor_inertia = Some(named.value),
-            _ => left.push((named.symbol.clone(), named.value)),
+        // Other values stand in the comments and the JSON.
+        let Symbol::Key(key) = named.symbol else { continue };
+        match (key, row.map(|row| &mut robot.joints[row].drive)) {
+            (effects::ViscousFriction::FV, Some(drive)) => drive.viscous_friction = Some(named.value),
+            (effects::CoulombFriction::FC, Some(drive)) => drive.coulomb_friction = Some(named.value),
+            (effects::RotorInertia::IA, Some(drive)) if kind == EffectKind::RotorInertia => {
+                drive.rotor_inertia = Some(named.value)
+            }
+            _ => left.push((key, named.value)),
         }
     }
     if kind == EffectKind::LinkInertiaError {
         if let Some(row) = row {
             let mut values = robot.links.get(row).copied().flatten().map_or([0.0; 10], Inertia::to_array);
-            for (symbol, by) in &left {
-                if let Some(at) = body_place(symbol) {
+            for (key, by) in &left {
+                if let Some(at) = body_place(*key) {
                     values[at] += by;
                 }
             }
@@ -209,8 +241,8 @@ fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &
     if kind == EffectKind::TorqueOffset && corrects_offset(robot, row, &left, sensor.gain) {
         return;
     }
-    // The file has only the keys of its own table; other values stand in the comments and the JSON.
-    left.retain(|(key, _)| kind.description().key(key).is_some());
+    // A cause may name levels beside its own keys.
+    left.retain(|(key, _)| kind.description().key(key.name()).is_some());
     if left.is_empty() {
         return;
     }

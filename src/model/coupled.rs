@@ -14,6 +14,8 @@
 //! `FCM6`. Rigid bodies give none of these columns, so each is a base parameter of its own; the fit
 //! shows whether a motion separates it from the rest.
 
+use dh_codegen::robot::effects::{self, Key};
+
 use crate::model::{Arm, BaseParameter, Description, StandardParameter, States, SummedSign, VelocitySum};
 
 /// A motor that turns with another joint.
@@ -44,13 +46,18 @@ impl CouplingTerm {
     /// All, in the order of the regressor's columns.
     pub const ALL: [Self; 3] = [Self::IAM, Self::FVM, Self::FCM];
 
+    /// Its key in a robot file.
+    pub fn key(self) -> Key {
+        match self {
+            Self::IAM => effects::GearCoupling::IAM,
+            Self::FVM => effects::GearCoupling::FVM,
+            Self::FCM => effects::GearCoupling::FCM,
+        }
+    }
+
     /// The symbol.
     pub fn name(self) -> &'static str {
-        match self {
-            Self::IAM => "IAM",
-            Self::FVM => "FVM",
-            Self::FCM => "FCM",
-        }
+        self.key().name()
     }
 
     /// Unit.

@@ -127,7 +127,7 @@ fn page_stands_alone() {
 #[test]
 fn diagnosis_page_stands_alone() {
     use crate::diagnose::{
-        Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, Named, NextExperiment, Offer, Offered, Verdict,
+        Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, NextExperiment, Offer, Offered, Quantity, Verdict,
     };
     let identification = found();
     let errors = |x: f64| Errors { fit: vec![x], validate: vec![x], moving: vec![x] };
@@ -155,7 +155,7 @@ fn diagnosis_page_stands_alone() {
             support: 40.0,
             margin: 8.0,
             share: 0.9,
-            parameters: vec![Named { symbol: "td1".into(), value: 0.02, std: Some(0.001) }],
+            parameters: vec![Quantity { symbol: "td1".into(), value: 0.02, std: Some(0.001) }],
             keys: vec![],
             evidence: "joint 1: </script> late".into(),
             rms_before: vec![1.0],

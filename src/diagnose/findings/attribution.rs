@@ -10,7 +10,7 @@ use super::structure::Structure;
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
-use crate::diagnose::hypotheses::{COULOMB, Hypothesis as _, Named, OFFSET, VISCOUS};
+use crate::diagnose::hypotheses::{COULOMB, Hypothesis as _, Named, OFFSET, Quantity, VISCOUS};
 use crate::diagnose::search::baseline_friction::BaselineFriction;
 use crate::diagnose::search::judge::Accepted;
 use crate::diagnose::select::beside::Shares;
@@ -46,9 +46,8 @@ impl Attribution<'_> {
     ) -> Cause {
         let Self { bench, fitted, uncertainty, accepted: all, rivals: plain_rivals, noise, own_validation, .. } = *self;
         let keys = self.keys(item);
-        let suffix = item.place.first().map(|j| (j + 1).to_string()).unwrap_or_default();
-        let parameters: Vec<Named> =
-            keys.iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k.clone() }).collect();
+        let joint = item.place.first().map(|j| j + 1);
+        let parameters: Vec<Quantity> = keys.iter().map(|key| key.of_joint(joint)).collect();
         let accepted = item.accepted.map(|a| &all[a]);
         let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
         let part = shares.within.unwrap_or_else(|| share(&without.steady, &with.steady, noise, &item.place));

@@ -98,30 +98,28 @@ fn cause(model: &Settled<'_>, j: usize, found: &Spring, left: f64, noise: &[f64]
     let [compliance, std] = found.compliance;
     let stiffness = 1.0 / compliance;
     let hypothesis = by_name(effects::JointElasticity::NAME);
+    let spring = Named::new(effects::JointElasticity::KE, stiffness, Some(stiffness * std / compliance));
+    let spring = spring.of_joint(Some(j + 1));
     Cause {
         cause: effects::JointElasticity::NAME,
         joints: vec![j + 1],
         probability: found.share.min(0.97),
-        parameters: vec![Named {
-            symbol: format!("KE{}", j + 1),
-            value: stiffness,
-            std: Some(stiffness * std / compliance),
-        }],
         keys: Vec::new(),
         support: 0.0,
         margin: 0.0,
         share: share(&before, &after, noise, &[j]),
         recurrence: 1.0,
         evidence: format!(
-            "joint {}: motor and link differ by an angle of which {:.0} % goes with the torque (KE{} = {} +- {} N m/rad); rotor and friction move with the motor, which takes the error of the joint from {} to {} N m. The file's law is for an angle measured at the motor, so it is not written",
+            "joint {}: motor and link differ by an angle of which {:.0} % goes with the torque ({} = {} +- {} N m/rad); rotor and friction move with the motor, which takes the error of the joint from {} to {} N m. The file's law is for an angle measured at the motor, so it is not written",
             j + 1,
             100.0 * found.share,
-            j + 1,
+            spring.symbol,
             short(stiffness),
             short(stiffness * std / compliance),
             short(before[j]),
             short(after[j])
         ),
+        parameters: vec![spring],
         rms_before: before,
         rms_after: after,
         interval: [f64::NAN; 2],

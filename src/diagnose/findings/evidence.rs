@@ -2,7 +2,7 @@
 
 use super::result::Evidence;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
-use crate::diagnose::hypotheses::{Hypothesis, Named, Over, Term};
+use crate::diagnose::hypotheses::{Hypothesis, Over, Quantity, Term};
 use crate::diagnose::windows::windowed_data::JointSeries;
 use crate::model::StandardParameter;
 
@@ -29,7 +29,7 @@ pub(in crate::diagnose) struct Shown<'a> {
     pub cause: &'a dyn Hypothesis,
     /// Joints, from 0.
     pub place: &'a [usize],
-    pub parameters: &'a [Named],
+    pub parameters: &'a [Quantity],
     /// Root mean squares without and with it, N m, on what `on` says.
     pub before: &'a [f64],
     pub after: &'a [f64],

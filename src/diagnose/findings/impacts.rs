@@ -239,7 +239,7 @@ impl Impacts {
             cause: effects::Backlash::NAME,
             joints: vec![j + 1],
             probability,
-            parameters: vec![Named { symbol: format!("BL{}", j + 1), value: gap, std: Some(std) }],
+            parameters: vec![Named::new(effects::Backlash::BL, gap, Some(std)).of_joint(Some(j + 1))],
             keys: Vec::new(),
             support: 0.0,
             margin: 0.0,

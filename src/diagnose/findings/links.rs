@@ -6,7 +6,7 @@ use super::evidence;
 use super::result::{Cause, measured_on};
 use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
-use crate::diagnose::hypotheses::Named;
+use crate::diagnose::hypotheses::{Named, Quantity};
 use crate::diagnose::search::equivalent_robot_cause;
 use crate::diagnose::search::judge::chosen_of;
 use crate::diagnose::search::merge_bodies::single_bodies;
@@ -24,7 +24,7 @@ const ONE_BODY: f64 = 0.85;
 struct Body {
     cause: &'static str,
     joints: Vec<usize>,
-    parameters: Vec<Named>,
+    parameters: Vec<Quantity>,
     /// Of what the links gain on stretches that are left out, its share.
     share: f64,
 }
@@ -126,7 +126,7 @@ impl Session<'_> {
             cause: effects::RotorInertia::NAME,
             probability,
             joints: vec![j],
-            parameters: vec![Named { symbol: format!("{}{j}", DriveTerm::IA.name()), value, std: None }],
+            parameters: vec![Named::new(effects::RotorInertia::IA, value, None).of_joint(Some(j))],
             evidence: format!(
                 "joint {j}: beside other links the torque has a part in proportion to the joint's own acceleration, {} kg m^2, that the file lacks or has otherwise",
                 evidence::short(value)
@@ -162,8 +162,7 @@ impl Session<'_> {
         let named = equivalent_robot_cause(believed, body, &fitted.terms[index]);
         let cause = named.as_ref().unwrap_or(body);
         let joints: Vec<usize> = cause.place.iter().map(|j| j + 1).collect();
-        let suffix = joints.first().map(usize::to_string).unwrap_or_default();
-        let parameters = found.into_iter().map(|k| Named { symbol: format!("{}{suffix}", k.symbol), ..k }).collect();
+        let parameters = found.into_iter().map(|key| key.of_joint(joints.first().copied())).collect();
         Some(Body { cause: cause.cause.name(), joints, parameters, share: gained / gain })
     }
 }

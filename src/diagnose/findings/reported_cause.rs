@@ -1,6 +1,8 @@
 //! A reported cause: an accepted one with the friction that belongs to it, or friction that changed
 //! by itself.
 
+use dh_codegen::robot::effects::{self, Key};
+
 use super::result::Cause;
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::hypotheses::{AsymmetricFriction, COULOMB, Hypothesis, Kind, Named, OFFSET, VISCOUS};
@@ -88,6 +90,9 @@ pub(in crate::diagnose) fn one_for_two(mut items: Vec<Item>, bench: &ModelUnderT
     items
 }
 
+/// Keys of the baseline friction, in the order of its unknowns.
+const PLAIN: [Key; 3] = [effects::ViscousFriction::FV, effects::CoulombFriction::FC, effects::TorqueOffset::TO];
+
 /// Values of the friction parameters that belong to an item.
 pub(in crate::diagnose) fn friction_values(
     bench: &ModelUnderTest<'_>,
@@ -101,11 +106,8 @@ pub(in crate::diagnose) fn friction_values(
         .map(|&k| {
             let (j, which, at) = (k / 3, k % 3, fitted.friction + k);
             let base = if which == 2 && item.accepted.is_none() { 0.0 } else { given[j][which].unwrap_or(0.0) };
-            Named {
-                symbol: ["FV", "FC", "TO"][which].to_string(),
-                value: base + fitted.solution.x[at],
-                std: Some(covariance[(at, at)].max(0.0).sqrt()),
-            }
+            let std = covariance[(at, at)].max(0.0).sqrt();
+            Named::new(PLAIN[which], base + fitted.solution.x[at], Some(std))
         })
         .collect()
 }

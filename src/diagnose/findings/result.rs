@@ -2,7 +2,7 @@
 
 use dh_codegen::robot::EffectKind;
 
-use crate::diagnose::hypotheses::Named;
+use crate::diagnose::hypotheses::{Named, Quantity};
 use crate::identify::ErrorBudget;
 
 /// The whole in a word.
@@ -76,7 +76,7 @@ pub struct Cause {
     /// How sure it is.
     pub probability: f64,
     /// Its parameters; symbols carry the joint's number.
-    pub parameters: Vec<Named>,
+    pub parameters: Vec<Quantity>,
     /// The same without the joint's number, for the robot file.
     pub keys: Vec<Named>,
     /// Twice the gain in log-likelihood over independent windows, less what its unknowns and the

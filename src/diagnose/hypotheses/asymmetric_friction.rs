@@ -2,6 +2,7 @@
 //! levels alone is a torque offset while the joint moves; see `torque_offset`.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Hypothesis;
 use super::Kind;
@@ -28,7 +29,7 @@ impl Hypothesis for AsymmetricFriction {
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
         let j = place[0];
-        vec![Term::new("FVA", scene.pointwise(j, |o, k| o.v[k].abs()), Sign::Any)]
+        vec![Term::new(effects::AsymmetricFriction::FVA, scene.pointwise(j, |o, k| o.v[k].abs()), Sign::Any)]
     }
 
     fn has_constant(&self) -> bool {

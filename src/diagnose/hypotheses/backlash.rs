@@ -8,6 +8,7 @@
 //! hump.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Estimate;
 use super::Hypothesis;
@@ -16,6 +17,7 @@ use super::Named;
 use super::Over;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use crate::data::signal::low_pass;
 use crate::diagnose::windows::windowed_data::WindowedData;
@@ -66,9 +68,9 @@ impl Hypothesis for Backlash {
 
     fn shape(&self) -> &'static [Shape] {
         &[
-            Shape { symbol: "step", unit: "rad", range: [1e-7, 1.0], step: None },
-            Shape { symbol: "TB", unit: "", range: [1e-3, 0.4], step: Some(0.4) },
-            Shape { symbol: "slow", unit: "Hz", range: [0.1, 100.0], step: None },
+            Shape { symbol: Symbol::Own("step"), unit: "rad", range: [1e-7, 1.0], step: None },
+            Shape { symbol: Symbol::Own("TB"), unit: "", range: [1e-3, 0.4], step: Some(0.4) },
+            Shape { symbol: Symbol::Own("slow"), unit: "Hz", range: [0.1, 100.0], step: None },
         ]
     }
 
@@ -93,7 +95,7 @@ impl Hypothesis for Backlash {
             // The rotor follows the measured motion.
             rows[j].iter_mut().zip(&behind[2]).for_each(|(t, a)| *t -= scene.rotors[j] * a);
             if round == ROUNDS || scale == FIRST {
-                return vec![Term::new("BL", scene.column(rows), Sign::Positive)];
+                return vec![Term::new(effects::Backlash::BL, scene.column(rows), Sign::Positive)];
             }
             let link: Vec<f64> = whole.iter().zip(&rows[j]).map(|(t, more)| t + scale * more).collect();
             load = slow(scene, &link, shape[2]);

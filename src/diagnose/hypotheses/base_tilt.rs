@@ -1,6 +1,7 @@
 //! `base_tilt`: the base is not where gravity says it is.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use crate::model::Change;
 
@@ -30,11 +31,11 @@ impl Hypothesis for BaseTilt {
     fn terms(&self, scene: &WindowedData<'_>, _: &[usize], _: &[f64]) -> Vec<Term> {
         let Some(standard) = &scene.standard else { return Vec::new() };
         let step = 1e-3;
-        [("roll", step, 0.0), ("pitch", 0.0, step)]
+        [(effects::BaseTilt::ROLL, step, 0.0), (effects::BaseTilt::PITCH, 0.0, step)]
             .into_iter()
-            .filter_map(|(symbol, roll, pitch)| {
+            .filter_map(|(key, roll, pitch)| {
                 let column = scene.column(scene.changed(&Change::Base { roll, pitch }, standard, step));
-                (!column.rows.is_empty()).then(|| Term::new(symbol, column, Sign::Any))
+                (!column.rows.is_empty()).then(|| Term::new(key, column, Sign::Any))
             })
             .collect()
     }

@@ -7,6 +7,7 @@ use super::Hypothesis;
 use super::Kind;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use super::backlash::both_ways;
 use crate::diagnose::windows::windowed_data::WindowedData;
@@ -24,7 +25,7 @@ impl Hypothesis for EncoderOffset {
     }
 
     fn shape(&self) -> &'static [Shape] {
-        &[Shape { symbol: "step", unit: "rad", range: [-1.0, 1.0], step: None }]
+        &[Shape { symbol: Symbol::Own("step"), unit: "rad", range: [-1.0, 1.0], step: None }]
     }
 
     fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
@@ -37,7 +38,7 @@ impl Hypothesis for EncoderOffset {
         if column.rows.is_empty() {
             return Vec::new();
         }
-        vec![Term::new("QO", column, Sign::Any)]
+        vec![Term::new(effects::EncoderOffset::QO, column, Sign::Any)]
     }
 
     fn finite_difference(&self) -> bool {

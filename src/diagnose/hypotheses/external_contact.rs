@@ -2,6 +2,7 @@
 //! last frame or of the base.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Estimate;
 use super::Hypothesis;
@@ -11,6 +12,7 @@ use super::Over;
 use super::Scope;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 
@@ -24,8 +26,6 @@ const SHORT: f64 = 1.0;
 
 /// Least duration, s: what is shorter is an impact, not a force that stays.
 const BRIEFEST: f64 = 0.1;
-
-const SYMBOLS: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
 
 impl Hypothesis for ExternalContact {
     fn effect(&self) -> EffectKind {
@@ -42,9 +42,19 @@ impl Hypothesis for ExternalContact {
 
     fn shape(&self) -> &'static [Shape] {
         &[
-            Shape { symbol: "start", unit: "s", range: [0.0, 1e9], step: Some(-0.12) },
-            Shape { symbol: "end", unit: "s", range: [0.0, 1e9], step: Some(-0.12) },
-            Shape { symbol: "base", unit: "", range: [0.0, 1.0], step: None },
+            Shape {
+                symbol: Symbol::Key(effects::ExternalContact::START),
+                unit: "s",
+                range: [0.0, 1e9],
+                step: Some(-0.12),
+            },
+            Shape {
+                symbol: Symbol::Key(effects::ExternalContact::END),
+                unit: "s",
+                range: [0.0, 1e9],
+                step: Some(-0.12),
+            },
+            Shape { symbol: Symbol::Own("base"), unit: "", range: [0.0, 1.0], step: None },
         ]
     }
 
@@ -107,10 +117,10 @@ impl Hypothesis for ExternalContact {
         let unit = scene.wrenches(start..end, shape[2] == 1.0);
         let len = end - start;
         let dof = scene.dof();
-        SYMBOLS
-            .iter()
+        effects::ExternalContact::WRENCH
+            .into_iter()
             .enumerate()
-            .filter_map(|(c, symbol)| {
+            .filter_map(|(c, key)| {
                 let rows = (0..dof)
                     .map(|j| {
                         let mut row = vec![0.0; scene.len];
@@ -121,7 +131,7 @@ impl Hypothesis for ExternalContact {
                     })
                     .collect();
                 let column: Column = scene.column(rows);
-                (!column.rows.is_empty()).then(|| Term::new(*symbol, column, Sign::Any))
+                (!column.rows.is_empty()).then(|| Term::new(key, column, Sign::Any))
             })
             .collect()
     }
@@ -142,7 +152,10 @@ impl Hypothesis for ExternalContact {
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
         let time = &found.scene.time;
         let at = |t: f64| time.get((t / found.scene.step).round() as usize).or(time.last()).copied().unwrap_or(0.0);
-        let ends = [Named::new("start", at(found.shape[0]), None), Named::new("end", at(found.shape[1]), None)];
+        let ends = [
+            Named::new(effects::ExternalContact::START, at(found.shape[0]), None),
+            Named::new(effects::ExternalContact::END, at(found.shape[1]), None),
+        ];
         ends.into_iter().chain(found.all_terms()).collect()
     }
 

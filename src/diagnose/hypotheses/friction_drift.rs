@@ -2,6 +2,7 @@
 //! where that was recorded.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Estimate;
 use super::Hypothesis;
@@ -10,6 +11,7 @@ use super::Named;
 use super::Over;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use super::geometric;
 use super::moves;
@@ -47,7 +49,7 @@ impl Hypothesis for FrictionDrift {
     }
 
     fn shape(&self) -> &'static [Shape] {
-        &[Shape { symbol: "DT", unit: "s", range: [0.05, 1e5], step: Some(0.3) }]
+        &[Shape { symbol: Symbol::Key(effects::FrictionDrift::DT), unit: "s", range: [0.05, 1e5], step: Some(0.3) }]
     }
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
@@ -71,14 +73,14 @@ impl Hypothesis for FrictionDrift {
             }
             let warm = |k: usize, o: &JointSeries| o.temperature[k] - REFERENCE;
             return vec![
-                Term::new("DCK", scene.pointwise(j, |o, k| o.sign[k] * warm(k, o)), Sign::Any),
-                Term::new("DVK", scene.pointwise(j, |o, k| o.v[k] * warm(k, o)), Sign::Any),
+                Term::new(Symbol::Own("DCK"), scene.pointwise(j, |o, k| o.sign[k] * warm(k, o)), Sign::Any),
+                Term::new(Symbol::Own("DVK"), scene.pointwise(j, |o, k| o.v[k] * warm(k, o)), Sign::Any),
             ];
         }
         let fade = |t: f64| (-t / shape[0]).exp();
         vec![
-            Term::new("DC", scene.pointwise(j, |o, k| o.sign[k] * fade(o.t[k])), Sign::Any),
-            Term::new("DV", scene.pointwise(j, |o, k| o.v[k] * fade(o.t[k])), Sign::Any),
+            Term::new(Symbol::Own("DC"), scene.pointwise(j, |o, k| o.sign[k] * fade(o.t[k])), Sign::Any),
+            Term::new(Symbol::Own("DV"), scene.pointwise(j, |o, k| o.v[k] * fade(o.t[k])), Sign::Any),
         ]
     }
 
@@ -87,8 +89,11 @@ impl Hypothesis for FrictionDrift {
         let [slope, level, _] = found.levels;
         let share = if level.abs() > 0.2 * slope.abs() { found.x[0] / level } else { found.x[1] / slope };
         let mut all = match found.shape[0] {
-            0.0 => vec![Named::new("DK", share, None)],
-            time => vec![Named::new("DA", share, None), Named::new("DT", time, found.shape_std[0])],
+            0.0 => vec![Named::new(effects::FrictionDrift::DK, share, None)],
+            time => vec![
+                Named::new(effects::FrictionDrift::DA, share, None),
+                Named::new(effects::FrictionDrift::DT, time, found.shape_std[0]),
+            ],
         };
         all.extend(found.all_terms());
         all.retain(|n| n.value.is_finite());

@@ -2,6 +2,7 @@
 //! each other.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Hypothesis;
 use super::Kind;
@@ -9,6 +10,7 @@ use super::Law;
 use super::Scope;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use super::moves;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData};
@@ -35,8 +37,8 @@ impl Hypothesis for GearCoupling {
 
     fn shape(&self) -> &'static [Shape] {
         &[
-            Shape { symbol: "KC", unit: "", range: [-3.0, 3.0], step: None },
-            Shape { symbol: "parts", unit: "", range: [1.0, 7.0], step: None },
+            Shape { symbol: Symbol::Key(effects::GearCoupling::KC), unit: "", range: [-3.0, 3.0], step: None },
+            Shape { symbol: Symbol::Own("parts"), unit: "", range: [1.0, 7.0], step: None },
         ]
     }
 
@@ -89,7 +91,7 @@ impl Hypothesis for GearCoupling {
             CouplingTerm::FCM => both(&|i, s| ratio * sign(i, s), &|i, s| sign(i, s)),
         };
         let used = CouplingTerm::ALL.into_iter().filter(|term| parts >> *term as usize & 1 == 1);
-        used.map(|term| Term::new(term.name(), column(term), Sign::Positive)).collect()
+        used.map(|term| Term::new(term.key(), column(term), Sign::Positive)).collect()
     }
 
     fn says(&self) -> &'static str {
@@ -119,7 +121,7 @@ impl Hypothesis for CarriedAxis {
     }
 
     fn shape(&self) -> &'static [Shape] {
-        &[Shape { symbol: "step", unit: "", range: [-MOST_TURNS, MOST_TURNS], step: None }]
+        &[Shape { symbol: Symbol::Own("step"), unit: "", range: [-MOST_TURNS, MOST_TURNS], step: None }]
     }
 
     fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
@@ -145,7 +147,7 @@ impl Hypothesis for CarriedAxis {
         let on_link: Vec<f64> = scene.rigid[m].iter().zip(&own).map(|(t, a)| t - scene.rotors[m] * a).collect();
         let borne: Vec<f64> = on_link.iter().zip(&rows[m]).map(|(t, more)| t + ratio * more).collect();
         rows[k].iter_mut().zip(&borne).for_each(|(t, borne)| *t += borne);
-        vec![Term::new("CQ", scene.column(rows), Sign::Any)]
+        vec![Term::new(effects::GearCoupling::CQ, scene.column(rows), Sign::Any)]
     }
 
     fn plausible(&self, _: &WindowedData<'_>, _: &[usize], _: &[f64], x: &[f64]) -> bool {

@@ -1,6 +1,7 @@
 //! `geometric_error`: a length or twist of the DH table is wrong.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects::{self, Key};
 
 use crate::model::Change;
 
@@ -8,13 +9,16 @@ use super::Hypothesis;
 use super::Kind;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// One of `DALPHA`, `DD`, `DR` of the joint's row. (`DTHETA` is `encoder_offset`.)
 pub struct GeometricError;
 
-const WHICH: [(&str, &str, f64); 3] = [("DALPHA", "rad", 1e-4), ("DD", "m", 1e-4), ("DR", "m", 1e-4)];
+/// Keys of the row, and the step of each, rad or m.
+const WHICH: [(Key, f64); 3] =
+    [(effects::GeometricError::DALPHA, 1e-4), (effects::GeometricError::DD, 1e-4), (effects::GeometricError::DR, 1e-4)];
 
 /// The largest error of a length, as a share of the arm's reach, and of a twist, rad.
 const LENGTH: f64 = 0.15;
@@ -31,13 +35,13 @@ impl Hypothesis for GeometricError {
 
     fn shape(&self) -> &'static [Shape] {
         &[
-            Shape { symbol: "step", unit: "", range: [-1.0, 1.0], step: None },
-            Shape { symbol: "which", unit: "", range: [0.0, 2.0], step: None },
+            Shape { symbol: Symbol::Own("step"), unit: "", range: [-1.0, 1.0], step: None },
+            Shape { symbol: Symbol::Own("which"), unit: "", range: [0.0, 2.0], step: None },
         ]
     }
 
     fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        (0..3).map(|k| vec![WHICH[k].2, k as f64]).collect()
+        (0..3).map(|k| vec![WHICH[k].1, k as f64]).collect()
     }
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {

@@ -7,6 +7,7 @@
 //! and not the static deflection.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Estimate;
 use super::Hypothesis;
@@ -15,6 +16,7 @@ use super::Named;
 use super::Over;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use super::geometric;
 use crate::diagnose::windows::windowed_data::{Slopes, WindowedData};
@@ -158,8 +160,18 @@ impl Hypothesis for JointElasticity {
 
     fn shape(&self) -> &'static [Shape] {
         &[
-            Shape { symbol: "KE", unit: "N m/rad", range: [1e-3, 1e9], step: Some(0.05) },
-            Shape { symbol: "DE", unit: "N m s/rad", range: [1e-9, 1e6], step: Some(0.4) },
+            Shape {
+                symbol: Symbol::Key(effects::JointElasticity::KE),
+                unit: "N m/rad",
+                range: [1e-3, 1e9],
+                step: Some(0.05),
+            },
+            Shape {
+                symbol: Symbol::Key(effects::JointElasticity::DE),
+                unit: "N m s/rad",
+                range: [1e-9, 1e6],
+                step: Some(0.4),
+            },
         ]
     }
 
@@ -249,7 +261,7 @@ impl Hypothesis for JointElasticity {
                 row.iter_mut().zip(lacks).for_each(|(a, b)| *a += b);
             }
         }
-        vec![Term::new("swing", scene.column(rows), Sign::Positive)]
+        vec![Term::new(Symbol::Own("swing"), scene.column(rows), Sign::Positive)]
     }
 
     fn rests_on_model(&self) -> bool {

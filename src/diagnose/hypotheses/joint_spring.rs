@@ -1,6 +1,7 @@
 //! `joint_spring`: an elastic torque in the joint's angle (gravity spring, cable, hose).
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Estimate;
 use super::Hypothesis;
@@ -9,6 +10,7 @@ use super::Law;
 use super::Named;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use super::moves;
 use super::travel;
@@ -32,7 +34,7 @@ impl Hypothesis for JointSpring {
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
         let j = place[0];
-        vec![Term::new("KS", scene.pointwise(j, |o, k| o.q[k]), Sign::Any)]
+        vec![Term::new(effects::JointSpring::KS, scene.pointwise(j, |o, k| o.q[k]), Sign::Any)]
     }
 
     /// Over the travel no more than the joint can hold.
@@ -49,7 +51,11 @@ impl Hypothesis for JointSpring {
         let (stiffness, [_, _, offset]) = (found.x[0], found.levels);
         vec![
             found.term(0),
-            Named::new("QS", if stiffness == 0.0 || offset == 0.0 { 0.0 } else { -offset / stiffness }, None),
+            Named::new(
+                effects::JointSpring::QS,
+                if stiffness == 0.0 || offset == 0.0 { 0.0 } else { -offset / stiffness },
+                None,
+            ),
         ]
     }
 
@@ -89,8 +95,8 @@ impl Hypothesis for CableSpring {
 
     fn shape(&self) -> &'static [Shape] {
         &[
-            Shape { symbol: "QS", unit: "rad", range: [-1e3, 1e3], step: Some(-0.1) },
-            Shape { symbol: "form", unit: "", range: [0.0, 4.0], step: None },
+            Shape { symbol: Symbol::Key(effects::JointSpring::QS), unit: "rad", range: [-1e3, 1e3], step: Some(-0.1) },
+            Shape { symbol: Symbol::Own("form"), unit: "", range: [0.0, 4.0], step: None },
         ]
     }
 
@@ -127,9 +133,10 @@ impl Hypothesis for CableSpring {
             let pull = |x: f64| if side * x < 0.0 { 0.0 } else { x.powi(power) };
             scene.pointwise(j, |o, k| pull(o.q[k] - rest))
         };
-        let mut terms = vec![Term::new("KS", column(1), if side == 0.0 { Sign::Any } else { Sign::Positive })];
+        let mut terms =
+            vec![Term::new(effects::JointSpring::KS, column(1), if side == 0.0 { Sign::Any } else { Sign::Positive })];
         if stiffens {
-            terms.push(Term::new("KQ", column(3), Sign::Positive));
+            terms.push(Term::new(effects::JointSpring::KQ, column(3), Sign::Positive));
         }
         terms
     }
@@ -145,8 +152,8 @@ impl Hypothesis for CableSpring {
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
         let (side, _) = Self::form(found.shape);
-        let side = (side != 0.0).then(|| Named::new("SIDE", side, None));
-        let rest = Named::new("QS", found.shape[REST], found.shape_std[REST]);
+        let side = (side != 0.0).then(|| Named::new(effects::JointSpring::SIDE, side, None));
+        let rest = Named::new(effects::JointSpring::QS, found.shape[REST], found.shape_std[REST]);
         found.all_terms().chain([rest]).chain(side).collect()
     }
 

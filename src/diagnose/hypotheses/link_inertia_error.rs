@@ -5,6 +5,7 @@ use dh_codegen::robot::effects;
 
 use super::Hypothesis;
 use super::Kind;
+use super::Symbol;
 use super::Term;
 use super::payload::{Payload, body_terms};
 use crate::diagnose::fit::regulariser::deviations;
@@ -24,7 +25,7 @@ impl Hypothesis for LinkInertiaError {
     }
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
-        body_terms(scene, scene.plant.rows()[place[0]])
+        body_terms(scene, scene.plant.rows()[place[0]], effects::LinkInertiaError::BODY)
     }
 
     fn within_links(&self) -> bool {
@@ -50,18 +51,20 @@ impl Hypothesis for LinkInertiaError {
         x: &[f64],
     ) -> Option<&'static dyn Hypothesis> {
         let last = place.first().is_some_and(|j| j + 1 == scene.dof());
-        let mass = terms.iter().zip(x).find(|(t, _)| t.symbol == Inertial::M.name()).map_or(0.0, |(_, x)| *x);
+        let mass =
+            terms.iter().zip(x).find(|(t, _)| t.symbol == effects::LinkInertiaError::M.into()).map_or(0.0, |(_, x)| *x);
         (last && mass > 0.0).then_some(&Payload as &dyn Hypothesis)
     }
 
     fn beliefs(&self, scene: &WindowedData<'_>, place: &[usize], terms: &[Term]) -> Option<Vec<f64>> {
         let (parameters, row) = (scene.plant.standard_parameters(), scene.plant.rows()[place[0]]);
         let std = deviations(parameters, scene.plant.given()?)?;
-        let of = |symbol: &str| {
-            let which = Inertial::ALL.into_iter().find(|which| which.name() == symbol)?;
+        let of = |symbol: Symbol| {
+            let at = effects::LinkInertiaError::BODY.iter().position(|key| Symbol::Key(*key) == symbol)?;
+            let which = Inertial::ALL[at];
             parameters.iter().position(|p| *p == StandardParameter::Link(row, which)).map(|i| std[i])
         };
-        terms.iter().map(|t| of(&t.symbol)).collect()
+        terms.iter().map(|t| of(t.symbol)).collect()
     }
 
     fn says(&self) -> &'static str {

@@ -1,6 +1,7 @@
 //! `load_dependent_friction`: friction grows with the torque that the gear transmits.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Hypothesis;
 use super::Kind;
@@ -8,6 +9,7 @@ use super::Law;
 use super::Over;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use super::moves;
 use crate::diagnose::windows::windowed_data::WindowedData;
@@ -25,7 +27,7 @@ impl Hypothesis for LoadDependentFriction {
     }
 
     fn shape(&self) -> &'static [Shape] {
-        &[Shape { symbol: "quadrants", unit: "", range: [0.0, 1.0], step: None }]
+        &[Shape { symbol: Symbol::Own("quadrants"), unit: "", range: [0.0, 1.0], step: None }]
     }
 
     fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
@@ -46,11 +48,11 @@ impl Hypothesis for LoadDependentFriction {
             scene.pointwise(j, |o, k| if wanted(o.load[k] * o.sign[k]) { o.sign[k] * o.load[k].abs() } else { 0.0 })
         };
         if shape.first() == Some(&0.0) {
-            return vec![Term::new("FL", among(&|_| true), Sign::Positive)];
+            return vec![Term::new(effects::LoadDependentFriction::FL, among(&|_| true), Sign::Positive)];
         }
         vec![
-            Term::new("FL", among(&|power| power >= 0.0), Sign::Positive),
-            Term::new("FLB", among(&|power| power < 0.0), Sign::Positive),
+            Term::new(effects::LoadDependentFriction::FL, among(&|power| power >= 0.0), Sign::Positive),
+            Term::new(effects::LoadDependentFriction::FLB, among(&|power| power < 0.0), Sign::Positive),
         ]
     }
 

@@ -1,6 +1,7 @@
 //! `nonlinear_viscous_friction`: the viscous part is not proportional to speed.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Estimate;
 use super::Hypothesis;
@@ -8,6 +9,7 @@ use super::Kind;
 use super::Named;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use super::fastest;
 use super::geometric;
@@ -32,8 +34,18 @@ impl Hypothesis for NonlinearViscousFriction {
 
     fn shape(&self) -> &'static [Shape] {
         &[
-            Shape { symbol: "EN", unit: "", range: [0.2, 5.0], step: Some(0.15) },
-            Shape { symbol: "VN", unit: "rad/s", range: [0.0, 1e3], step: Some(0.3) },
+            Shape {
+                symbol: Symbol::Key(effects::NonlinearViscousFriction::EN),
+                unit: "",
+                range: [0.2, 5.0],
+                step: Some(0.15),
+            },
+            Shape {
+                symbol: Symbol::Key(effects::NonlinearViscousFriction::VN),
+                unit: "rad/s",
+                range: [0.0, 1e3],
+                step: Some(0.3),
+            },
         ]
     }
 
@@ -73,14 +85,22 @@ impl Hypothesis for NonlinearViscousFriction {
         let (j, power, half) = (place[0], shape[0], shape[1]);
         if half > 0.0 {
             let grown = |v: f64| v.abs() / (v.abs() + half);
-            return vec![Term::new("FN", scene.pointwise(j, |o, k| o.sign[k] * grown(o.v[k])), Sign::Positive)];
+            return vec![Term::new(
+                effects::NonlinearViscousFriction::FN,
+                scene.pointwise(j, |o, k| o.sign[k] * grown(o.v[k])),
+                Sign::Positive,
+            )];
         }
-        vec![Term::new("FN", scene.pointwise(j, |o, k| o.sign[k] * o.v[k].abs().powf(power)), Sign::Any)]
+        vec![Term::new(
+            effects::NonlinearViscousFriction::FN,
+            scene.pointwise(j, |o, k| o.sign[k] * o.v[k].abs().powf(power)),
+            Sign::Any,
+        )]
     }
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
-        let (k, symbol) = if found.shape[1] > 0.0 { (1, "VN") } else { (0, "EN") };
-        vec![found.term(0), Named::new(symbol, found.shape[k], found.shape_std[k])]
+        let k = usize::from(found.shape[1] > 0.0);
+        vec![found.term(0), Named::new(self.shape()[k].symbol, found.shape[k], found.shape_std[k])]
     }
 
     /// Gears show a root and a cube at once.

@@ -1,7 +1,7 @@
 //! `payload`: an unmodelled body is fixed to the flange.
 
 use dh_codegen::robot::EffectKind;
-use dh_codegen::robot::effects;
+use dh_codegen::robot::effects::{self, Key};
 
 use super::Hypothesis;
 use super::Kind;
@@ -9,19 +9,19 @@ use super::Scope;
 use super::Sign;
 use super::Term;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData};
-use crate::model::Inertial;
 
 /// The ten parameters of a body in the last frame.
 pub struct Payload;
 
-/// Columns of the ten parameters of a row's body, through the base parameters that they belong to.
-pub(super) fn body_terms(scene: &WindowedData<'_>, row: usize) -> Vec<Term> {
+/// Columns of the ten parameters of a row's body, through the base parameters that they belong to,
+/// under these keys.
+pub(super) fn body_terms(scene: &WindowedData<'_>, row: usize, keys: [Key; 10]) -> Vec<Term> {
     let base = scene.plant.base_parameters();
     let rows = scene.base_rows();
-    Inertial::ALL
-        .into_iter()
-        .filter_map(|which| {
-            let standard = 10 * row + which as usize;
+    keys.into_iter()
+        .enumerate()
+        .filter_map(|(which, key)| {
+            let standard = 10 * row + which;
             let factor: Vec<f64> = base
                 .iter()
                 .map(|b| b.coefficients.iter().filter(|c| c.0 == standard).map(|c| c.1).sum::<f64>())
@@ -37,7 +37,7 @@ pub(super) fn body_terms(scene: &WindowedData<'_>, row: usize) -> Vec<Term> {
                 })
                 .collect();
             let column: Column = scene.column(torques);
-            (!column.rows.is_empty()).then(|| Term::new(which.name(), column, Sign::Any))
+            (!column.rows.is_empty()).then(|| Term::new(key, column, Sign::Any))
         })
         .collect()
 }
@@ -57,7 +57,7 @@ impl Hypothesis for Payload {
 
     fn terms(&self, scene: &WindowedData<'_>, _: &[usize], _: &[f64]) -> Vec<Term> {
         match scene.plant.rows().last() {
-            Some(&row) => body_terms(scene, row),
+            Some(&row) => body_terms(scene, row, effects::Payload::BODY),
             None => Vec::new(),
         }
     }

@@ -2,7 +2,7 @@
 //! other cause has to stand in for them.
 
 use dh_codegen::robot::EffectKind;
-use dh_codegen::robot::effects;
+use dh_codegen::robot::effects::{self, Key};
 
 use super::Hypothesis;
 use super::Kind;
@@ -13,7 +13,7 @@ use crate::diagnose::windows::windowed_data::WindowedData;
 /// One of the three.
 pub struct Plain {
     effect: EffectKind,
-    symbol: &'static str,
+    key: Key,
     says: &'static str,
     shown_by: &'static str,
 }
@@ -21,7 +21,7 @@ pub struct Plain {
 /// `FV v`.
 pub static VISCOUS: Plain = Plain {
     effect: EffectKind::ViscousFriction,
-    symbol: "FV",
+    key: effects::ViscousFriction::FV,
     says: "friction in proportion to speed that the given model lacks or has wrong",
     shown_by: "constant speeds of several sizes in both directions",
 };
@@ -29,7 +29,7 @@ pub static VISCOUS: Plain = Plain {
 /// `FC sign(v)`.
 pub static COULOMB: Plain = Plain {
     effect: EffectKind::CoulombFriction,
-    symbol: "FC",
+    key: effects::CoulombFriction::FC,
     says: "friction of constant size against the motion that the given model lacks or has wrong",
     shown_by: "slow motion in both directions through the same positions",
 };
@@ -37,7 +37,7 @@ pub static COULOMB: Plain = Plain {
 /// `TO`.
 pub static OFFSET: Plain = Plain {
     effect: EffectKind::TorqueOffset,
-    symbol: "TO",
+    key: effects::TorqueOffset::TO,
     says: "a constant shift of the torque",
     shown_by: "the joint at rest in positions where gravity does not load it",
 };
@@ -58,7 +58,7 @@ impl Hypothesis for Plain {
             EffectKind::CoulombFriction => scene.pointwise(j, |o, k| o.sign[k]),
             _ => scene.pointwise(j, |_, _| 1.0),
         };
-        vec![Term::new(self.symbol, column, Sign::Any)]
+        vec![Term::new(self.key, column, Sign::Any)]
     }
 
     fn same_on_paper(&self) -> &'static [&'static str] {

@@ -1,12 +1,14 @@
 //! `position_dependent_friction`: friction that varies along the joint's travel.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Hypothesis;
 use super::Kind;
 use super::Over;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use super::moves;
 use super::travel;
@@ -25,7 +27,12 @@ impl Hypothesis for PositionDependentFriction {
     }
 
     fn shape(&self) -> &'static [Shape] {
-        &[Shape { symbol: "PN", unit: "1/turn", range: [0.3, 30.0], step: Some(0.1) }]
+        &[Shape {
+            symbol: Symbol::Key(effects::PositionDependentFriction::PN),
+            unit: "1/turn",
+            range: [0.3, 30.0],
+            step: Some(0.1),
+        }]
     }
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
@@ -51,8 +58,16 @@ impl Hypothesis for PositionDependentFriction {
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let (j, n) = (place[0], shape[0]);
         vec![
-            Term::new("PC", scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).cos()), Sign::Any),
-            Term::new("PS", scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).sin()), Sign::Any),
+            Term::new(
+                effects::PositionDependentFriction::PC,
+                scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).cos()),
+                Sign::Any,
+            ),
+            Term::new(
+                effects::PositionDependentFriction::PS,
+                scene.pointwise(j, |o, k| o.sign[k] * (n * o.q[k]).sin()),
+                Sign::Any,
+            ),
         ]
     }
 

@@ -1,11 +1,13 @@
 //! `presliding_hysteresis`: friction with memory near reversals (Dahl 1968).
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Hypothesis;
 use super::Kind;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use super::geometric;
 use super::moves;
@@ -45,7 +47,12 @@ impl Hypothesis for PreslidingHysteresis {
     }
 
     fn shape(&self) -> &'static [Shape] {
-        &[Shape { symbol: "HX", unit: "rad", range: [1e-5, 10.0], step: Some(0.3) }]
+        &[Shape {
+            symbol: Symbol::Key(effects::PreslidingHysteresis::HX),
+            unit: "rad",
+            range: [1e-5, 10.0],
+            step: Some(0.3),
+        }]
     }
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
@@ -60,7 +67,11 @@ impl Hypothesis for PreslidingHysteresis {
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let j = place[0];
-        vec![Term::new("HC", scene.own_column(j, |own| bristle(own, shape[0])), Sign::Positive)]
+        vec![Term::new(
+            effects::PreslidingHysteresis::HC,
+            scene.own_column(j, |own| bristle(own, shape[0])),
+            Sign::Positive,
+        )]
     }
 
     /// Less than the joint can overcome.

@@ -1,6 +1,7 @@
 //! `rotor_inertia`: reflected inertia of the drive.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Estimate;
 use super::Hypothesis;
@@ -30,7 +31,7 @@ impl Hypothesis for RotorInertia {
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
         let j = place[0];
-        vec![Term::new("IA", scene.pointwise(j, |o, k| o.a[k]), Sign::Any)]
+        vec![Term::new(effects::RotorInertia::IA, scene.pointwise(j, |o, k| o.a[k]), Sign::Any)]
     }
 
     /// No rotor has less than none.
@@ -39,7 +40,7 @@ impl Hypothesis for RotorInertia {
     }
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
-        vec![Named::new("IA", found.scene.rotors[found.place[0]] + found.x[0], Some(found.std(0)))]
+        vec![Named::new(effects::RotorInertia::IA, found.scene.rotors[found.place[0]] + found.x[0], Some(found.std(0)))]
     }
 
     fn over(&self) -> Over {

@@ -2,6 +2,7 @@
 //! (Armstrong-Helouvry, Dupont and Canudas de Wit 1994).
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Estimate;
 use super::Hypothesis;
@@ -9,6 +10,7 @@ use super::Kind;
 use super::Named;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use super::fastest;
 use super::geometric;
@@ -29,8 +31,13 @@ impl Hypothesis for StribeckFriction {
 
     fn shape(&self) -> &'static [Shape] {
         &[
-            Shape { symbol: "VS", unit: "rad/s", range: [1e-4, 1e3], step: Some(0.3) },
-            Shape { symbol: "DS", unit: "", range: [0.5, 4.0], step: Some(0.3) },
+            Shape {
+                symbol: Symbol::Key(effects::StribeckFriction::VS),
+                unit: "rad/s",
+                range: [1e-4, 1e3],
+                step: Some(0.3),
+            },
+            Shape { symbol: Symbol::Key(effects::StribeckFriction::DS), unit: "", range: [0.5, 4.0], step: Some(0.3) },
         ]
     }
 
@@ -56,17 +63,17 @@ impl Hypothesis for StribeckFriction {
         let j = place[0];
         let (speed, power) = (shape[0], shape[1]);
         let column = scene.pointwise(j, |o, k| o.sign[k] * (-(o.v[k].abs() / speed).powf(power)).exp());
-        vec![Term::new("FS", column, Sign::Positive)]
+        vec![Term::new(effects::StribeckFriction::FS, column, Sign::Positive)]
     }
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
         // The breakaway level: the sum of the Coulomb level and the part that falls.
         let [_, coulomb, _] = found.levels;
         vec![
-            Named::new("FS", coulomb + found.x[0], Some(found.std_with(0, 1))),
-            Named::new("VS", found.shape[0], found.shape_std[0]),
-            Named::new("DS", found.shape[1], found.shape_std[1]),
-            Named::new("FC", coulomb, None),
+            Named::new(effects::StribeckFriction::FS, coulomb + found.x[0], Some(found.std_with(0, 1))),
+            Named::new(effects::StribeckFriction::VS, found.shape[0], found.shape_std[0]),
+            Named::new(effects::StribeckFriction::DS, found.shape[1], found.shape_std[1]),
+            Named::new(effects::CoulombFriction::FC, coulomb, None),
         ]
     }
 

@@ -1,6 +1,7 @@
 //! `time_delay`: torque and motion are not sampled at the same time.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Estimate;
 use super::Hypothesis;
@@ -10,6 +11,7 @@ use super::Over;
 use super::Scope;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use crate::diagnose::windows::windowed_data::{MOST_DELAY, WindowedData};
 
@@ -30,7 +32,7 @@ impl Hypothesis for TimeDelay {
     }
 
     fn shape(&self) -> &'static [Shape] {
-        &[Shape { symbol: "step", unit: "s", range: [-MOST_DELAY, MOST_DELAY], step: None }]
+        &[Shape { symbol: Symbol::Own("step"), unit: "s", range: [-MOST_DELAY, MOST_DELAY], step: None }]
     }
 
     fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
@@ -53,7 +55,7 @@ impl Hypothesis for TimeDelay {
         if column.rows.is_empty() {
             return Vec::new();
         }
-        vec![Term::new("TD", column, Sign::Any)]
+        vec![Term::new(effects::TimeDelay::TD, column, Sign::Any)]
     }
 
     fn finite_difference(&self) -> bool {
@@ -90,7 +92,7 @@ impl Hypothesis for TimeDelay {
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
         let joint = found.place.first().copied().unwrap_or(0);
-        vec![Named::new("TD", found.scene.delays[joint] + found.x[0], Some(found.std(0)))]
+        vec![Named::new(effects::TimeDelay::TD, found.scene.delays[joint] + found.x[0], Some(found.std(0)))]
     }
 
     fn over(&self) -> Over {

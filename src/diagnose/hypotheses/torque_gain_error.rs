@@ -1,6 +1,7 @@
 //! `torque_gain_error`: a joint's torque is scaled.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Estimate;
 use super::Hypothesis;
@@ -30,7 +31,7 @@ impl Hypothesis for TorqueGainError {
         if series.iter().all(|t| *t == 0.0) {
             return Vec::new();
         }
-        vec![Term::new("GT", Column::on(j, series), Sign::Any)]
+        vec![Term::new(effects::TorqueGainError::GT, Column::on(j, series), Sign::Any)]
     }
 
     fn rests_on_model(&self) -> bool {
@@ -47,7 +48,7 @@ impl Hypothesis for TorqueGainError {
     }
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
-        vec![Named::new("GT", 1.0 + found.x[0], Some(found.std(0)))]
+        vec![Named::new(effects::TorqueGainError::GT, 1.0 + found.x[0], Some(found.std(0)))]
     }
 
     fn over(&self) -> Over {

@@ -1,11 +1,13 @@
 //! `torque_ripple`: torque periodic in the joint or motor angle.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Hypothesis;
 use super::Kind;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use super::moves;
 use super::travel;
@@ -93,7 +95,12 @@ impl Hypothesis for TorqueRipple {
     }
 
     fn shape(&self) -> &'static [Shape] {
-        &[Shape { symbol: "RN", unit: "1/turn", range: [0.5, 5000.0], step: Some(-0.15) }]
+        &[Shape {
+            symbol: Symbol::Key(effects::TorqueRipple::RN),
+            unit: "1/turn",
+            range: [0.5, 5000.0],
+            step: Some(-0.15),
+        }]
     }
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
@@ -124,8 +131,8 @@ impl Hypothesis for TorqueRipple {
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let (j, n) = (place[0], shape[0]);
         vec![
-            Term::new("RC", scene.pointwise(j, |o, k| (n * o.q[k]).cos()), Sign::Any),
-            Term::new("RS", scene.pointwise(j, |o, k| (n * o.q[k]).sin()), Sign::Any),
+            Term::new(effects::TorqueRipple::RC, scene.pointwise(j, |o, k| (n * o.q[k]).cos()), Sign::Any),
+            Term::new(effects::TorqueRipple::RS, scene.pointwise(j, |o, k| (n * o.q[k]).sin()), Sign::Any),
         ]
     }
 

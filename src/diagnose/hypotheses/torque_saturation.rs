@@ -1,6 +1,7 @@
 //! `torque_saturation`: the torque is clipped.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects;
 
 use super::Estimate;
 use super::Hypothesis;
@@ -9,6 +10,7 @@ use super::Named;
 use super::Over;
 use super::Shape;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 
@@ -25,7 +27,12 @@ impl Hypothesis for TorqueSaturation {
     }
 
     fn shape(&self) -> &'static [Shape] {
-        &[Shape { symbol: "TM", unit: "N m", range: [1e-3, 1e5], step: Some(0.02) }]
+        &[Shape {
+            symbol: Symbol::Key(effects::TorqueSaturation::TM),
+            unit: "N m",
+            range: [1e-3, 1e5],
+            step: Some(0.02),
+        }]
     }
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
@@ -45,7 +52,7 @@ impl Hypothesis for TorqueSaturation {
         let (j, bound) = (place[0], shape[0]);
         let mut series: Vec<f64> = scene.whole[j].iter().map(|t| t.clamp(-bound, bound) - t).collect();
         scene.masked(j, &mut series);
-        vec![Term::new("clip", Column::on(j, series), Sign::Positive)]
+        vec![Term::new(Symbol::Own("clip"), Column::on(j, series), Sign::Positive)]
     }
 
     fn rests_on_model(&self) -> bool {
@@ -65,7 +72,7 @@ impl Hypothesis for TorqueSaturation {
     }
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
-        vec![Named::new("TM", found.shape[0], found.shape_std[0])]
+        vec![Named::new(effects::TorqueSaturation::TM, found.shape[0], found.shape_std[0])]
     }
 
     fn over(&self) -> Over {

@@ -112,7 +112,7 @@ pub(in crate::report) fn tables(found: &Painting) -> Vec<Table> {
             .iter()
             .map(|c| {
                 let joints: Vec<String> = c.joints.iter().map(ToString::to_string).collect();
-                let keys: Vec<String> = c.keys.iter().map(|k| format!("{} {}", k.symbol, digits(k.value, 3))).collect();
+                let keys: Vec<String> = c.keys.iter().map(|k| format!("{} {}", k.symbol.name(), digits(k.value, 3))).collect();
                 vec![c.cause.into(), joints.join(" "), format!("{:.2}", c.probability), keys.join(", ")]
             })
             .collect(),
@@ -214,7 +214,7 @@ pub(in crate::report) fn to_json(found: &Painting) -> Value {
         }).collect::<Vec<_>>(),
         "causes": found.diagnosis.iter().flat_map(|d| &d.causes).map(|c| json!({
             "cause": c.cause, "joints": c.joints, "probability": c.probability,
-            "parameters": c.keys.iter().map(|k| (k.symbol.clone(), json!(k.value))).collect::<serde_json::Map<_, _>>(),
+            "parameters": c.keys.iter().map(|k| (k.symbol.name().to_string(), json!(k.value))).collect::<serde_json::Map<_, _>>(),
         })).collect::<Vec<_>>(),
     })
 }

@@ -42,7 +42,7 @@ pub use gear_coupling::GearCoupling;
 pub use geometric_error::GeometricError;
 pub use joint_elasticity::JointElasticity;
 pub use joint_spring::JointSpring;
-pub use key::{Description, EffectKey, Magnitude, Range, Scope};
+pub use key::{Description, EffectKey, Key, Magnitude, Range, Scope};
 pub use link_inertia_error::LinkInertiaError;
 pub use load_dependent_friction::LoadDependentFriction;
 pub use nonlinear_viscous_friction::{NonlinearViscousFriction, ViscousTerm};

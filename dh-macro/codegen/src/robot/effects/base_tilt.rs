@@ -7,6 +7,6 @@ effect! {
     BaseTilt = "base_tilt", Scope::Robot;
     law: "true base = given base turned by RotY(pitch) RotX(roll)";
     source: "our choice: a degree, as on a cart or an uneven floor";
-    roll = "roll" ["rad"] alone 0.02, Range::HALF_TURN, "about x";
-    pitch = "pitch" ["rad"] alone 0.02, Range::HALF_TURN, "about y";
+    roll = ROLL as "roll" ["rad"] alone 0.02, Range::HALF_TURN, "about x";
+    pitch = PITCH as "pitch" ["rad"] alone 0.02, Range::HALF_TURN, "about y";
 }

@@ -7,7 +7,7 @@ effect! {
     EncoderOffset = "encoder_offset", Scope::EveryJoint;
     law: "true angle = measured + QO";
     source: "our choice: a degree, as after a homing by eye";
-    offset = "QO" ["rad"] always 0.02, TURN, "offset";
+    offset = QO ["rad"] always 0.02, TURN, "offset";
 }
 
 /// A turn either way, rad: a counter may be off by one.

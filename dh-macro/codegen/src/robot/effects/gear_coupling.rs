@@ -8,12 +8,12 @@ effect! {
     GearCoupling = "gear_coupling", Scope::Joint;
     law: "motor m turns with w = dq_m + KC dq_k: on k KC (IAM ddq_m + FVM dq_m + FCM sign(w)), on m IAM KC ddq_k + FVM KC dq_k + FCM sign(w); with CQ, the link m stands at q_m + CQ q_k, and motor k bears CQ times its torque";
     source: "the wrist of the Staubli TX40 (figaroh): IAM 0.0077, FVM 0.62, FCM 1.96 at 30 N m";
-    joint = "joint" [] joint, Range::ANY, "the other joint, k; m is the one that this stands at";
-    ratio = "KC" [] always 1.0, Range::within(-1e3, 1e3), "turns of the motor, on the joint's side, per turn of joint k";
-    carried = "CQ" [] always 0.0, Range::within(-1e3, 1e3), "turns of the link m per turn of the motor of joint k";
-    rotor = "IAM" ["kg m^2"] derived_alone, Range::ANY, "rotor; default: half of what leaves the mass matrix positive definite along the motion";
-    viscous = "FVM" ["N m s/rad"] derived_alone, Range::ANY, "viscous; default: half the geometric mean of the two joints' FV";
-    coulomb = "FCM" ["N m"] by_hand 0.01 * torque, Range::ANY, "Coulomb";
+    joint = JOINT as "joint" [] joint, Range::ANY, "the other joint, k; m is the one that this stands at";
+    ratio = KC [] always 1.0, Range::within(-1e3, 1e3), "turns of the motor, on the joint's side, per turn of joint k";
+    carried = CQ [] always 0.0, Range::within(-1e3, 1e3), "turns of the link m per turn of the motor of joint k";
+    rotor = IAM ["kg m^2"] derived_alone, Range::ANY, "rotor; default: half of what leaves the mass matrix positive definite along the motion";
+    viscous = FVM ["N m s/rad"] derived_alone, Range::ANY, "viscous; default: half the geometric mean of the two joints' FV";
+    coulomb = FCM ["N m"] by_hand 0.01 * torque, Range::ANY, "Coulomb";
 }
 
 impl GearCoupling {

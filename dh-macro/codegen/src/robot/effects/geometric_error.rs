@@ -7,10 +7,10 @@ effect! {
     GeometricError = "geometric_error", Scope::EveryJoint;
     law: "true row of the DH table = given row + these";
     source: "our choice: a mistaken drawing; what calibration finds in built arms is smaller";
-    alpha = "DALPHA" ["rad"] alone 0.02, Range::HALF_TURN, "of alpha";
-    d = "DD" ["m"] alone 0.01, LENGTH, "of d";
-    theta = "DTHETA" ["rad"] always 0.0, Range::HALF_TURN, "of theta";
-    r = "DR" ["m"] always 0.0, LENGTH, "of r";
+    alpha = DALPHA ["rad"] alone 0.02, Range::HALF_TURN, "of alpha";
+    d = DD ["m"] alone 0.01, LENGTH, "of d";
+    theta = DTHETA ["rad"] always 0.0, Range::HALF_TURN, "of theta";
+    r = DR ["m"] always 0.0, LENGTH, "of r";
 }
 
 /// A length's error, m: beyond, the unit was mistaken.

@@ -116,6 +116,35 @@ impl Range {
     }
 }
 
+/// Symbol of an effect's key, as files and diagnoses write it. Only the files of the effects make
+/// one: a misspelt key does not compile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Key(&'static str);
+
+impl Key {
+    pub(super) const fn new(name: &'static str) -> Self {
+        Self(name)
+    }
+
+    /// As a file writes it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        self.0
+    }
+}
+
+impl AsRef<str> for Key {
+    fn as_ref(&self) -> &str {
+        self.0
+    }
+}
+
+impl core::fmt::Display for Key {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(self.0)
+    }
+}
+
 /// A key of an effect.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EffectKey {
@@ -250,8 +279,8 @@ impl Field for usize {
 
 /// Defines an effect's type and its table of keys at once.
 ///
-/// Each row is a field: `field = "KEY" ["unit"] default, range, "words";`, with `[]` for a plain
-/// number. The default is
+/// Each row is a field and a constant for its key: `field = KEY ["unit"] default, range, "words";`,
+/// with `[]` for a plain number, and `KEY as "key"` for a key in small letters. The default is
 ///
 /// - `always 0.05`: wherever the key is not written,
 /// - `alone 0.05`: where nothing but the effect's name is written; else 0,
@@ -267,14 +296,14 @@ macro_rules! effect {
         $Type:ident = $name:literal, $scope:expr;
         law: $law:literal;
         source: $source:expr;
-        $($field:ident = $key:literal [$($unit:literal)?] $when:ident $($value:literal $(* $torque:ident)?)?,
+        $($field:ident = $KEY:ident $(as $key:literal)? [$($unit:literal)?] $when:ident $($value:literal $(* $torque:ident)?)?,
             $range:expr, $doc:literal;)+
     ) => {
         #[doc = $sentence]
         #[derive(Debug, Clone, Copy, Default, PartialEq)]
         pub struct $Type {
             $(
-                #[doc = concat!("`", $key, "`" $(, ", ", $unit)?, ": ", $doc, ".")]
+                #[doc = concat!("`", effect!(@name $KEY $($key)?), "`" $(, ", ", $unit)?, ": ", $doc, ".")]
                 pub $field: effect!(@type $when),
             )+
         }
@@ -283,13 +312,19 @@ macro_rules! effect {
             /// Its name in files and diagnoses.
             pub const NAME: &'static str = $name;
 
+            $(
+                #[doc = concat!("Key of `", stringify!($field), "`: ", $doc, ".")]
+                pub const $KEY: $crate::robot::effects::Key =
+                    $crate::robot::effects::Key::new(effect!(@name $KEY $($key)?));
+            )+
+
             /// Whether nothing but the name is written.
             #[must_use]
             pub fn is_bare(&self) -> bool {
                 [$($crate::robot::effects::key::Field::stated(&self.$field)),+].iter().all(Option::is_none)
             }
 
-            $(effect!(@value $field $key $when $($value $(* $torque)?)?);)+
+            $(effect!(@value $field [$KEY $($key)?] $when $($value $(* $torque)?)?);)+
         }
 
         impl $crate::robot::effects::key::Keys for $Type {
@@ -298,7 +333,7 @@ macro_rules! effect {
                 sentence: $sentence,
                 scope: $scope,
                 keys: &[$($crate::robot::effects::EffectKey {
-                    name: $key,
+                    name: Self::$KEY.name(),
                     unit: concat!($($unit)?),
                     default: effect!(@default $when $($value $(* $torque)?)?),
                     omitted: effect!(@omitted $when $($value $(* $torque)?)?),
@@ -323,6 +358,9 @@ macro_rules! effect {
         }
     };
 
+    (@name $KEY:ident) => { stringify!($KEY) };
+    (@name $KEY:ident $key:literal) => { $key };
+
     (@type joint) => { usize };
     (@type link) => { Option<usize> };
     (@type $when:ident) => { Option<f64> };
@@ -341,29 +379,29 @@ macro_rules! effect {
     (@omitted derived_alone) => { $crate::robot::effects::Magnitude::Is(0.0) };
     (@omitted $($rest:tt)*) => { effect!(@default $($rest)*) };
 
-    (@value $field:ident $key:literal always $value:literal) => {
-        #[doc = concat!("`", $key, "`, or its default.")]
+    (@value $field:ident [$($key:tt)+] always $value:literal) => {
+        #[doc = concat!("`", effect!(@name $($key)+), "`, or its default.")]
         #[must_use]
         pub fn $field(&self) -> f64 {
             self.$field.unwrap_or($value)
         }
     };
-    (@value $field:ident $key:literal always $value:literal * torque) => {
-        #[doc = concat!("`", $key, "`, or its default at a joint with this torque limit, N m.")]
+    (@value $field:ident [$($key:tt)+] always $value:literal * torque) => {
+        #[doc = concat!("`", effect!(@name $($key)+), "`, or its default at a joint with this torque limit, N m.")]
         #[must_use]
         pub fn $field(&self, rated: f64) -> f64 {
             self.$field.unwrap_or($value * rated)
         }
     };
-    (@value $field:ident $key:literal alone $value:literal) => {
-        #[doc = concat!("`", $key, "`, or its default.")]
+    (@value $field:ident [$($key:tt)+] alone $value:literal) => {
+        #[doc = concat!("`", effect!(@name $($key)+), "`, or its default.")]
         #[must_use]
         pub fn $field(&self) -> f64 {
             self.$field.unwrap_or(if self.is_bare() { $value } else { 0.0 })
         }
     };
-    (@value $field:ident $key:literal alone $value:literal * torque) => {
-        #[doc = concat!("`", $key, "`, or its default at a joint with this torque limit, N m.")]
+    (@value $field:ident [$($key:tt)+] alone $value:literal * torque) => {
+        #[doc = concat!("`", effect!(@name $($key)+), "`, or its default at a joint with this torque limit, N m.")]
         #[must_use]
         pub fn $field(&self, rated: f64) -> f64 {
             self.$field.unwrap_or(if self.is_bare() { $value * rated } else { 0.0 })

@@ -8,8 +8,8 @@ effect! {
     LoadDependentFriction = "load_dependent_friction", Scope::Joint;
     law: "FL |tau_load| sign(v), tau_load the torque of the bodies that the gear transmits; FLB in place of FL where tau_load v < 0";
     source: "the law: Hamon, Gautier and Garrec, IROS 2010. Size: order of magnitude, our choice (a gear of 92 % efficiency)";
-    factor = "FL" [] always 0.08, EFFICIENCY, "friction per transmitted torque";
-    driven = "FLB" [] derived, EFFICIENCY, "the same where the load drives the joint; default: that of FL";
+    factor = FL [] always 0.08, EFFICIENCY, "friction per transmitted torque";
+    driven = FLB [] derived, EFFICIENCY, "the same where the load drives the joint; default: that of FL";
 }
 
 impl LoadDependentFriction {

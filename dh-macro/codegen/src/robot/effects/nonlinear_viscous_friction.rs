@@ -1,6 +1,6 @@
 //! `nonlinear_viscous_friction`: `FN |v|^EN sign(v)`, or `FN v / (|v| + VN)`, of several terms.
 
-use super::key::{Description, EffectKey, Field, Keys, Magnitude, Range, Scope};
+use super::key::{Description, EffectKey, Field, Key, Keys, Magnitude, Range, Scope};
 
 /// A viscous part that is not in proportion to speed.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -40,6 +40,15 @@ impl NonlinearViscousFriction {
     /// Its name in files and diagnoses.
     pub const NAME: &'static str = "nonlinear_viscous_friction";
 
+    /// Key of `level`: torque at 1 rad/s.
+    pub const FN: Key = Key::new("FN");
+
+    /// Key of `exponent`.
+    pub const EN: Key = Key::new("EN");
+
+    /// Key of `half`: speed of half of `FN`.
+    pub const VN: Key = Key::new("VN");
+
     /// `FN`, `EN`, `VN` of each term, at a joint with this torque limit, N m.
     #[must_use]
     pub fn terms(&self, rated: f64) -> Vec<[f64; 3]> {
@@ -67,10 +76,10 @@ impl Keys for NonlinearViscousFriction {
         sentence: "A viscous part that is not in proportion to speed.",
         scope: Scope::Joint,
         keys: &[
-            key("FN", "N m (s/rad)^EN", Magnitude::OfTorque(LEVEL), Range::SIZE, "torque at 1 rad/s"),
-            key("EN", "", Magnitude::Is(EXPONENT), Range::within(0.0, 20.0), "exponent"),
+            key(Self::FN, "N m (s/rad)^EN", Magnitude::OfTorque(LEVEL), Range::SIZE, "torque at 1 rad/s"),
+            key(Self::EN, "", Magnitude::Is(EXPONENT), Range::within(0.0, 20.0), "exponent"),
             key(
-                "VN",
+                Self::VN,
                 "rad/s",
                 Magnitude::Is(0.0),
                 Range::NOT_NEGATIVE,
@@ -105,12 +114,6 @@ impl Keys for NonlinearViscousFriction {
     }
 }
 
-const fn key(
-    name: &'static str,
-    unit: &'static str,
-    magnitude: Magnitude,
-    range: Range,
-    doc: &'static str,
-) -> EffectKey {
-    EffectKey { name, unit, default: magnitude, omitted: magnitude, count: false, range, doc }
+const fn key(key: Key, unit: &'static str, magnitude: Magnitude, range: Range, doc: &'static str) -> EffectKey {
+    EffectKey { name: key.name(), unit, default: magnitude, omitted: magnitude, count: false, range, doc }
 }

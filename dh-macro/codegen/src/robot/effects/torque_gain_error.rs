@@ -7,5 +7,5 @@ effect! {
     TorqueGainError = "torque_gain_error", Scope::EveryJoint;
     law: "measured = GT true";
     source: "our choice, rather large: ten percent";
-    gain = "GT" [] always 0.9, Range::above(0.0, 1e3), "measured torque per true torque";
+    gain = GT [] always 0.9, Range::above(0.0, 1e3), "measured torque per true torque";
 }

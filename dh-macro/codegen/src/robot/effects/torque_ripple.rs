@@ -1,6 +1,6 @@
 //! `torque_ripple`: `RC cos(RN q) + RS sin(RN q)`, of several orders.
 
-use super::key::{Description, EffectKey, Field, Keys, Magnitude, Range, Scope};
+use super::key::{Description, EffectKey, Field, Key, Keys, Magnitude, Range, Scope};
 
 /// Torque that is periodic in the angle of the joint or motor: cogging, orders of the gear's mesh.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -39,6 +39,15 @@ const ORDERS: usize = 9;
 impl TorqueRipple {
     /// Its name in files and diagnoses.
     pub const NAME: &'static str = "torque_ripple";
+
+    /// Key of `periods`: periods per turn of the joint.
+    pub const RN: Key = Key::new("RN");
+
+    /// Key of `cosine`: amplitude of the cosine.
+    pub const RC: Key = Key::new("RC");
+
+    /// Key of `sine`: amplitude of the sine.
+    pub const RS: Key = Key::new("RS");
 
     /// Of one order.
     #[must_use]
@@ -83,7 +92,7 @@ impl Keys for TorqueRipple {
         scope: Scope::Joint,
         keys: &[
             EffectKey {
-                name: "RN",
+                name: Self::RN.name(),
                 unit: "",
                 default: Magnitude::Derived,
                 omitted: Magnitude::Derived,
@@ -91,8 +100,8 @@ impl Keys for TorqueRipple {
                 range: Range::within(0.0, 1e6),
                 doc: "periods per turn of the joint; default: the gear ratio, 32 where there is none",
             },
-            amplitude("RC", AMPLITUDE[0], "amplitude of the cosine"),
-            amplitude("RS", AMPLITUDE[1], "amplitude of the sine"),
+            amplitude(Self::RC, AMPLITUDE[0], "amplitude of the cosine"),
+            amplitude(Self::RS, AMPLITUDE[1], "amplitude of the sine"),
         ],
         repeats: ORDERS,
         law: "RC cos(RN q) + RS sin(RN q)",
@@ -122,9 +131,9 @@ impl Keys for TorqueRipple {
     }
 }
 
-const fn amplitude(name: &'static str, part: f64, doc: &'static str) -> EffectKey {
+const fn amplitude(key: Key, part: f64, doc: &'static str) -> EffectKey {
     EffectKey {
-        name,
+        name: key.name(),
         unit: "N m",
         default: Magnitude::OfTorque(part),
         omitted: Magnitude::Is(0.0),

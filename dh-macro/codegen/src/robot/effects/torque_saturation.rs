@@ -7,5 +7,5 @@ effect! {
     TorqueSaturation = "torque_saturation", Scope::Joint;
     law: "the torque that is applied is clipped to +-TM";
     source: "a drive's current limit";
-    limit = "TM" ["N m"] derived, Range::POSITIVE, "limit; default: 0.8 of the largest torque that the motion asks for";
+    limit = TM ["N m"] derived, Range::POSITIVE, "limit; default: 0.8 of the largest torque that the motion asks for";
 }

@@ -298,25 +298,30 @@ impl Addition {
         let drive = &session.robot.joints[session.plant.rows()[self.joint]].drive;
         let (fv, fc) = (drive.viscous_friction.unwrap_or(0.0), drive.coulomb_friction.unwrap_or(0.0));
         let [a, b, c] = self.shape;
+        use effects::*;
         let truth = match self.form {
-            Form::Viscous => vec![("FV", fv + x)],
-            Form::Coulomb => vec![("FC", fc + x)],
-            Form::Asymmetric => vec![("FCA", x)],
-            Form::Stribeck => vec![("FS", fc + x), ("VS", a)],
-            Form::Cubic => vec![("FN", x), ("EN", 3.0)],
-            Form::Root => vec![("FN", x), ("EN", 0.5)],
-            Form::LoadDependent => vec![("FL", x)],
-            Form::Payload => vec![("M", x)],
+            Form::Viscous => vec![(ViscousFriction::FV, fv + x)],
+            Form::Coulomb => vec![(CoulombFriction::FC, fc + x)],
+            Form::Asymmetric => vec![(AsymmetricFriction::FCA, x)],
+            Form::Stribeck => vec![(StribeckFriction::FS, fc + x), (StribeckFriction::VS, a)],
+            Form::Cubic => vec![(NonlinearViscousFriction::FN, x), (NonlinearViscousFriction::EN, 3.0)],
+            Form::Root => vec![(NonlinearViscousFriction::FN, x), (NonlinearViscousFriction::EN, 0.5)],
+            Form::LoadDependent => vec![(LoadDependentFriction::FL, x)],
+            Form::Payload => vec![(Payload::M, x)],
             Form::Link => Vec::new(),
-            Form::Delay => vec![("TD", x)],
-            Form::Gain => vec![("GT", 1.0 + x)],
-            Form::Offset => vec![("TO", x)],
-            Form::Ripple => vec![("RN", a), ("RC", x * b.cos()), ("RS", x * b.sin())],
-            Form::Spring => vec![("KS", x), ("QS", a)],
-            Form::Contact => vec![("fx", x * a), ("fy", x * b), ("fz", x * c)],
+            Form::Delay => vec![(TimeDelay::TD, x)],
+            Form::Gain => vec![(TorqueGainError::GT, 1.0 + x)],
+            Form::Offset => vec![(TorqueOffset::TO, x)],
+            Form::Ripple => {
+                vec![(TorqueRipple::RN, a), (TorqueRipple::RC, x * b.cos()), (TorqueRipple::RS, x * b.sin())]
+            }
+            Form::Spring => vec![(JointSpring::KS, x), (JointSpring::QS, a)],
+            Form::Contact => {
+                vec![(ExternalContact::FX, x * a), (ExternalContact::FY, x * b), (ExternalContact::FZ, x * c)]
+            }
         };
         let number = self.joints.first().map_or(String::new(), ToString::to_string);
-        let truth = truth.into_iter().map(|(symbol, value)| (format!("{symbol}{number}"), value)).collect();
+        let truth = truth.into_iter().map(|(key, value)| (format!("{key}{number}"), value)).collect();
         let same = match self.form {
             Form::Payload => vec![(effects::LinkInertiaError::NAME, vec![dof])],
             _ => Vec::new(),
