@@ -20,7 +20,7 @@ const ticks = (low, high, count) => {
 // A link that saves the numbers of a plot as CSV.
 const offer = (box, name, header, rows) => {
   const link = document.createElement('a');
-  Object.assign(link, { className: 'save', textContent: 'numbers as CSV', href: '#', download: `${name}.csv` });
+  Object.assign(link, { className: 'save', textContent: `numbers: ${name}.csv`, href: '#', download: `${name}.csv` });
   const cell = v => v === null || v === undefined ? '' : typeof v === 'number' ? v : `"${String(v).replaceAll('"', '""')}"`;
   link.addEventListener('click', () => {
     const lines = [header, ...rows()].map(row => row.map(cell).join(','));
