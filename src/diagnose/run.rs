@@ -11,7 +11,7 @@ use super::search::SearchSettings;
 use super::select::contenders::Refit;
 use super::select::excess::explained;
 use super::select::measure::{Meter, root_mean_square};
-use super::select::refine_and_select::{Choice, Session, Settled};
+use super::select::refine_and_select::{Choice, Selected, Session};
 use super::windows::motion_error::budget;
 use super::windows::recording::{Recording, unexplained};
 use super::windows::torque_noise::torque_noise;
@@ -58,8 +58,8 @@ pub enum DiagnoseError {
 /// all samples and of those where the joint moves.
 pub fn misses(plant: &dyn PerturbableArm, recordings: &[Recording], settings: &Settings) -> [Vec<f64>; 2] {
     let recordings = &unexplained(plant, recordings)[..];
-    let bench = ModelUnderTest::new(plant, recordings, settings.rate, Mode::Trusted, &plant.delays(), false);
-    let measured = Meter::new(plant, recordings, &bench).of_the_file();
+    let tested = ModelUnderTest::new(plant, recordings, settings.rate, Mode::Trusted, &plant.delays(), false);
+    let measured = Meter::new(plant, recordings, &tested).of_the_file();
     [measured.rms, measured.steady]
 }
 
@@ -147,7 +147,7 @@ fn torque_rms(recordings: &[Recording], dof: usize) -> Vec<f64> {
 }
 
 /// Causes that no column of the recorded motion has, and the structure that they do not explain.
-fn without_columns(model: &Settled<'_>, left: Vec<Structure>, noise: &[f64]) -> (Vec<Structure>, Vec<Cause>) {
+fn without_columns(model: &Selected<'_>, left: Vec<Structure>, noise: &[f64]) -> (Vec<Structure>, Vec<Cause>) {
     let mut causes = deflections(model, noise);
     let left = explained(left, &causes);
     let impacts = if left.is_empty() { None } else { impacts(model) };
@@ -202,25 +202,25 @@ fn once(
     let refit = Refit::new(plant, fit, validate, own_validation, settings)?;
     let has_links = plant.given().is_some_and(|g| g.iter().any(|v| *v != 0.0));
     // The contribution of sensors, motion and clock to the error is no evidence.
-    let budget = budget(if has_links { &start.scene } else { &refit.bench.scene }, &recorded, &noise);
+    let budget = budget(if has_links { &start.scene } else { &refit.tested.scene }, &recorded, &noise);
     let (noise, motion) = (&budget.floor()[..], &budget.of_motion()[..]);
     let ground: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.max(0.004 * t)).collect::<Vec<f64>>();
     let file_out = start.file_left_out();
 
     // Unit of a gain: the noise, or a fiftieth of the torque where the noise is less.
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
-    let case = Session { plant, fit, validate, own_validation, noise, motion, ground, scale, settings, progress };
-    let (models, said) = case.models(has_links, &refit, &torque_rms)?;
-    let Choice { offered, mut why, changed, file_holds, model: settled } = case.choose(models, &file_out, &refit)?;
+    let session = Session { plant, fit, validate, own_validation, noise, motion, ground, scale, settings, progress };
+    let (models, said) = session.models(has_links, &refit, &torque_rms)?;
+    let Choice { offered, mut why, changed, file_holds, model } = session.choose(models, &file_out, &refit)?;
     why.extend(said);
-    let left = case.left(&settled, &torque_rms);
-    let (left, unplayed) = without_columns(&settled, left, noise);
-    let mut causes = settled.causes.clone();
-    if settled.bench.mode == Mode::Refitted && has_links {
-        causes.extend(case.links(&settled));
+    let left = session.left(&model, &torque_rms);
+    let (left, unplayed) = without_columns(&model, left, noise);
+    let mut causes = model.causes.clone();
+    if model.tested.mode == Mode::Refitted && has_links {
+        causes.extend(session.links(&model));
     }
     causes.extend(unplayed);
-    let Settled { bench, fitted, after, after_fit, left_out, .. } = settled;
+    let Selected { tested, fitted, after, after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);
     let verdict = match (causes.is_empty(), left.is_empty()) {
         (true, true) => Verdict::NothingWrong,
@@ -248,10 +248,10 @@ fn once(
         refitted: refit.errors,
         extended,
         has_links,
-        links_refitted: bench.mode == Mode::Refitted,
-        standard: bench.scene.standard.clone(),
+        links_refitted: tested.mode == Mode::Refitted,
+        standard: tested.scene.standard.clone(),
         offer: Offer { offered, left_out: [file_out.rms(), refit.left_out.rms(), left_out.rms()], why },
-        friction: quiet(&bench, &fitted),
+        friction: quiet(&tested, &fitted),
         forgotten: Vec::new(),
         changed: changed.into_iter().map(|j| j + 1).collect(),
         file_holds,

@@ -59,45 +59,45 @@ fn slow(fitted: &Fitted, joints: &[usize]) -> bool {
 
 /// Searches until nothing more is supported.
 pub fn search(
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     noise: &[f64],
     settings: &SearchSettings,
     progress: &dyn Fn(&str),
 ) -> Vec<Accepted> {
     let mut chosen: Vec<Chosen> = Vec::new();
     let mut accepted: Vec<Accepted> = Vec::new();
-    let mut fitted = bench.fit(&mut []);
+    let mut fitted = tested.fit(&mut []);
     while accepted.len() < settings.most {
         progress(&format!("{} found, looking for more", accepted.len()));
         let free = |cause: &'static dyn Hypothesis, place: &[usize]| {
             chosen.iter().filter(|c| c.cause.name() == cause.name() && c.place == place).count() < cause.most()
         };
-        let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| free(cause, place) && makes_sense(bench, cause);
-        let mut ranked = candidates(bench, &fitted, &wanted);
-        sparest_first(&mut ranked, bench, &chosen, &fitted);
+        let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| free(cause, place) && makes_sense(tested, cause);
+        let mut ranked = candidates(tested, &fitted, &wanted);
+        sparest_first(&mut ranked, tested, &chosen, &fitted);
         let tried = ranked.len().max(1);
         let mut taken = None;
         for (rank, candidate) in in_turn(&ranked) {
-            let mut trial = chosen.clone();
-            trial.push(candidate.chosen());
-            let delays = bench.scene.delays.clone();
-            let mut next = bench.fit(&mut trial);
-            let mut judged = Judge { bench, noise, settings, accepted: &accepted, tried }.judge(&fitted, &next, &trial);
+            let mut trial = [chosen.as_slice(), &[candidate.chosen()]].concat();
+            let delays = tested.scene.delays.clone();
+            let mut next = tested.fit(&mut trial);
+            let mut judged =
+                Judge { tested, noise, settings, accepted: &accepted, tried }.judge(&fitted, &next, &trial);
             if judged.is_none() && slow(&fitted, &candidate.place) {
-                let held = bench.hold.clone();
-                bench.release_joints(&candidate.place);
-                next = bench.fit(&mut trial);
-                let judge = Judge { bench, noise, settings, accepted: &accepted, tried };
+                let held = tested.regulariser.clone();
+                tested.release_joints(&candidate.place);
+                next = tested.fit(&mut trial);
+                let judge = Judge { tested, noise, settings, accepted: &accepted, tried };
                 judged = judge.judge(&fitted, &next, &trial).filter(|_| !slow(&next, &candidate.place));
                 if judged.is_none() {
-                    bench.hold = held;
+                    tested.regulariser = held;
                 }
             }
             match judged {
                 Some(mut judged) => {
                     judged.rivals = rivals(&ranked, rank, &next);
                     let terms = next.terms.last().map_or(&[][..], |t| t.as_slice());
-                    if let Some(other) = equivalent_robot_cause(bench, &judged.chosen, terms)
+                    if let Some(other) = equivalent_robot_cause(tested, &judged.chosen, terms)
                         && let Some(last) = trial.last_mut()
                     {
                         *last = other.clone();
@@ -106,23 +106,23 @@ pub fn search(
                     taken = Some((judged, trial));
                     break;
                 }
-                None if delays != bench.scene.delays => {
+                None if delays != tested.scene.delays => {
                     // Undo a delay that was tried.
-                    let by = bench.scene.delays.iter().zip(&delays).map(|(a, b)| b - a).collect::<Vec<_>>();
-                    bench.undo_delay(&by);
-                    fitted = bench.fit(&mut chosen);
+                    let by = tested.scene.delays.iter().zip(&delays).map(|(a, b)| b - a).collect::<Vec<_>>();
+                    tested.undo_delay(&by);
+                    fitted = tested.fit(&mut chosen);
                 }
                 None => {}
             }
         }
         let Some((judged, trial)) = taken else {
-            let judge = Judge { bench: &*bench, noise, settings, accepted: &accepted, tried };
+            let judge = Judge { tested: &*tested, noise, settings, accepted: &accepted, tried };
             if !judge.leaves_more_than_noise(&fitted) {
                 break;
             }
-            let Some((pair, trial, next)) = together(bench, &chosen, &fitted, &ranked, noise, settings, &accepted)
+            let Some((pair, trial, next)) = together(tested, &chosen, &fitted, &ranked, noise, settings, &accepted)
             else {
-                fitted = bench.fit(&mut chosen);
+                fitted = tested.fit(&mut chosen);
                 break;
             };
             accepted.extend(pair);
@@ -132,12 +132,12 @@ pub fn search(
         };
         chosen = trial;
         accepted.push(judged);
-        fitted = bench.fit_regularised_beside(&mut chosen);
+        fitted = tested.fit_regularised_beside(&mut chosen);
         adopt(&mut accepted, &chosen);
     }
     progress("weighing the causes against each other");
-    stepwise_exchange(bench, &mut accepted, &mut fitted, noise, settings);
-    simplify(bench, &mut accepted, &mut fitted);
+    stepwise_exchange(tested, &mut accepted, &mut fitted, noise, settings);
+    simplify(tested, &mut accepted, &mut fitted);
     accepted
 }
 
@@ -155,17 +155,17 @@ fn in_turn(ranked: &[Candidate]) -> Vec<(usize, &Candidate)> {
 }
 
 /// Bodies that are one body, delays that are one delay, and laws that are a simpler one.
-fn simplify(bench: &mut ModelUnderTest<'_>, accepted: &mut Vec<Accepted>, fitted: &mut Fitted) {
-    merge_bodies(bench, accepted, fitted);
-    merge_common_delay(bench, accepted, fitted);
-    simplest_laws(bench, accepted, fitted);
+fn simplify(tested: &mut ModelUnderTest<'_>, accepted: &mut Vec<Accepted>, fitted: &mut Fitted) {
+    merge_bodies(tested, accepted, fitted);
+    merge_common_delay(tested, accepted, fitted);
+    simplest_laws(tested, accepted, fitted);
 }
 
 /// Two causes that share a joint, neither of which is supported alone: the residual without the
 /// other is autocorrelated for so long that the windows count for few. Each must be worth having
 /// beside the other.
 fn together(
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     chosen: &[Chosen],
     fitted: &Fitted,
     ranked: &[Candidate],
@@ -175,15 +175,15 @@ fn together(
 ) -> Option<([Accepted; 2], Vec<Chosen>, Fitted)> {
     let with = |others: &[Chosen], one: &Chosen| others.iter().chain([one]).cloned().collect::<Vec<Chosen>>();
     let first = |c: &&Candidate| !c.place.is_empty() && !c.cause.moves_time() && !c.cause.local();
-    let held = bench.hold.clone();
+    let held = tested.regulariser.clone();
     for first in ranked.iter().filter(first).take(3) {
         let was_slow = slow(fitted, &first.place);
-        bench.hold.clone_from(&held);
+        tested.regulariser.clone_from(&held);
         if was_slow {
-            bench.release_joints(&first.place);
+            tested.release_joints(&first.place);
         }
         let mut alone = with(chosen, &first.chosen());
-        let one = bench.fit(&mut alone);
+        let one = tested.fit(&mut alone);
         let first = alone.last()?.clone();
         let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| {
             place.iter().any(|j| first.place.contains(j))
@@ -191,44 +191,44 @@ fn together(
                 && chosen.iter().all(|c| c.cause.name() != cause.name() || c.place != place)
                 && !cause.moves_time()
                 && !cause.local()
-                && makes_sense(bench, cause)
+                && makes_sense(tested, cause)
         };
-        let seconds = candidates(bench, &one, &wanted);
+        let seconds = candidates(tested, &one, &wanted);
         let tried = ranked.len() * seconds.len().max(1);
         for (rank, second) in seconds.iter().take(2).enumerate() {
             let mut both = with(&alone, &second.chosen());
-            let two = bench.fit(&mut both);
+            let two = tested.fit(&mut both);
             if was_slow && slow(&two, &first.place) {
                 continue;
             }
-            let judge = Judge { bench: &*bench, noise, settings, accepted, tried };
+            let judge = Judge { tested: &*tested, noise, settings, accepted, tried };
             let Some(mut other) = judge.judge(&one, &two, &both) else { continue };
             let mut turned = with(chosen, &other.chosen);
-            let without = bench.fit(&mut turned);
+            let without = tested.fit(&mut turned);
             turned.push(first.clone());
-            let again = bench.fit(&mut turned);
-            let judge = Judge { bench: &*bench, noise, settings, accepted, tried };
+            let again = tested.fit(&mut turned);
+            let judge = Judge { tested: &*tested, noise, settings, accepted, tried };
             let Some(own) = judge.judge(&without, &again, &turned) else { continue };
             other.rivals = rivals(&seconds, rank, &two);
-            let two = bench.fit(&mut both);
+            let two = tested.fit(&mut both);
             return Some(([own, other], both, two));
         }
     }
-    bench.hold = held;
+    tested.regulariser = held;
     None
 }
 
 /// The equivalent cause of the whole robot, where there is one.
 pub(super) fn equivalent_robot_cause(
-    bench: &ModelUnderTest<'_>,
+    tested: &ModelUnderTest<'_>,
     chosen: &Chosen,
     terms: &[crate::diagnose::hypotheses::Term],
 ) -> Option<Chosen> {
-    let cause = chosen.cause.equivalent_robot_cause(&bench.scene, &chosen.place, terms, &chosen.x)?;
+    let cause = chosen.cause.equivalent_robot_cause(&tested.scene, &chosen.place, terms, &chosen.x)?;
     Some(Chosen { cause, place: Vec::new(), ..chosen.clone() })
 }
 
 /// Wrong links can't be seen where all base parameters are unknown.
-pub(super) fn makes_sense(bench: &ModelUnderTest<'_>, cause: &dyn Hypothesis) -> bool {
-    bench.mode == Mode::Trusted || !cause.within_links()
+pub(super) fn makes_sense(tested: &ModelUnderTest<'_>, cause: &dyn Hypothesis) -> bool {
+    tested.mode == Mode::Trusted || !cause.within_links()
 }

@@ -19,7 +19,7 @@ use dh_codegen::robot::effects;
 
 /// A model whose causes get probabilities.
 pub(in crate::diagnose) struct Attribution<'a> {
-    pub(in crate::diagnose) bench: &'a ModelUnderTest<'a>,
+    pub(in crate::diagnose) tested: &'a ModelUnderTest<'a>,
     pub(in crate::diagnose) fitted: &'a Fitted,
     pub(in crate::diagnose) uncertainty: &'a Uncertainty,
     pub(in crate::diagnose) accepted: &'a [Accepted],
@@ -44,7 +44,8 @@ impl Attribution<'_> {
         interval: [f64; 2],
         on: &'static str,
     ) -> Cause {
-        let Self { bench, fitted, uncertainty, accepted: all, rivals: plain_rivals, noise, own_validation, .. } = *self;
+        let Self { tested, fitted, uncertainty, accepted: all, rivals: plain_rivals, noise, own_validation, .. } =
+            *self;
         let keys = self.keys(item);
         let joint = item.place.first().map(|j| j + 1);
         let parameters: Vec<Quantity> = keys.iter().map(|key| key.of_joint(joint)).collect();
@@ -81,14 +82,14 @@ impl Attribution<'_> {
                 on: measured_on(on, own_validation),
                 confirmed: accepted.map(|a| a.confirmed),
             }) + &elsewhere.collect::<String>(),
-            curve: item.accepted.and_then(|index| evidence::curve(bench, fitted, index, &all[index].chosen)),
+            curve: item.accepted.and_then(|index| evidence::curve(tested, fitted, index, &all[index].chosen)),
             parameters,
             keys,
             interval,
             rms_before: without.rms.clone(),
             rms_after: with.rms.clone(),
             on,
-            not_distinguished_from: confusable(bench, item, accepted, plain_rivals),
+            not_distinguished_from: confusable(tested, item, accepted, plain_rivals),
             shown_by: item.hypothesis.shown_by(),
         }
     }
@@ -97,10 +98,10 @@ impl Attribution<'_> {
 impl Attribution<'_> {
     /// Parameters of an item under the keys of a robot file.
     fn keys(&self, item: &Item) -> Vec<Named> {
-        let Self { bench, fitted, uncertainty, accepted: all, .. } = *self;
-        let friction = friction_values(bench, fitted, &uncertainty.covariance, item);
+        let Self { tested, fitted, uncertainty, accepted: all, .. } = *self;
+        let friction = friction_values(tested, fitted, &uncertainty.covariance, item);
         let Some(index) = item.accepted else { return friction };
-        let mut keys = parameters(bench, fitted, uncertainty, index, &all[index].chosen);
+        let mut keys = parameters(tested, fitted, uncertainty, index, &all[index].chosen);
         for named in friction {
             if keys.iter().all(|k| k.symbol != named.symbol) {
                 keys.push(named);
@@ -186,13 +187,13 @@ pub(in crate::diagnose) fn near<'a>(
 
 /// Causes that this data, or any data, can't separate from a cause.
 pub(in crate::diagnose) fn confusable(
-    bench: &ModelUnderTest<'_>,
+    tested: &ModelUnderTest<'_>,
     item: &Item,
     accepted: Option<&Accepted>,
     plain: &[BaselineFriction],
 ) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = near(item, accepted, plain).iter().map(|r| r.0).collect();
-    names.extend(item.hypothesis.indistinguishable(&bench.scene, &item.place));
+    names.extend(item.hypothesis.indistinguishable(&tested.scene, &item.place));
     // One cause in the place of several plain ones.
     if item.accepted.is_none() && item.friction.len() > 1 {
         names.extend(item.friction.iter().map(|k| [&VISCOUS, &COULOMB, &OFFSET][k % 3].name()));

@@ -12,7 +12,7 @@ use super::result::Cause;
 use crate::diagnose::fit::model::given_friction;
 use crate::diagnose::hypotheses::{Named, by_name};
 use crate::diagnose::select::measure::share;
-use crate::diagnose::select::refine_and_select::Settled;
+use crate::diagnose::select::refine_and_select::Selected;
 use crate::diagnose::windows::torque_noise::autocorrelation_time;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
@@ -60,8 +60,8 @@ fn measured(scene: &WindowedData<'_>, j: usize) -> Option<Vec<f64>> {
 }
 
 /// Springs of joints whose error they make, as causes with what is left of each joint's error.
-pub(in crate::diagnose) fn deflections(model: &Settled<'_>, noise: &[f64]) -> Vec<Cause> {
-    let (scene, residual) = (&model.bench.scene, &model.fitted.residual);
+pub(in crate::diagnose) fn deflections(model: &Selected<'_>, noise: &[f64]) -> Vec<Cause> {
+    let (scene, residual) = (&model.tested.scene, &model.fitted.residual);
     let joint = |j: usize| {
         let states = &scene.states[scene.seen[j]];
         let acceleration = &states.ddq[j * scene.len..(j + 1) * scene.len];
@@ -71,7 +71,7 @@ pub(in crate::diagnose) fn deflections(model: &Settled<'_>, noise: &[f64]) -> Ve
         let second = scene.rate_of(&rate);
         let velocity = &states.dq[j * scene.len..(j + 1) * scene.len];
         let friction = |which: usize| {
-            let given = given_friction(model.bench.plant)[j][which].unwrap_or(0.0);
+            let given = given_friction(model.tested.plant)[j][which].unwrap_or(0.0);
             given + model.fitted.solution.x[model.fitted.friction + 3 * j + which]
         };
         let (compliance, viscous, dry) = (found.compliance[0], friction(0), friction(1));
@@ -91,7 +91,7 @@ pub(in crate::diagnose) fn deflections(model: &Settled<'_>, noise: &[f64]) -> Ve
 }
 
 /// A spring as a cause: of the joint's squared error on the fitted logs it leaves this share.
-fn cause(model: &Settled<'_>, j: usize, found: &Spring, left: f64, noise: &[f64]) -> Cause {
+fn cause(model: &Selected<'_>, j: usize, found: &Spring, left: f64, noise: &[f64]) -> Cause {
     let before = model.after_fit.rms.clone();
     let mut after = before.clone();
     after[j] *= left.sqrt();

@@ -99,12 +99,12 @@ fn most_affected(dof: usize, terms: &[Term], x: &[f64]) -> Option<usize> {
 
 /// The error without a cause against what the cause says, averaged over what shows it best.
 pub(in crate::diagnose) fn curve(
-    bench: &ModelUnderTest<'_>,
+    tested: &ModelUnderTest<'_>,
     fitted: &Fitted,
     index: usize,
     chosen: &Chosen,
 ) -> Option<Evidence> {
-    let scene = &bench.scene;
+    let scene = &tested.scene;
     let terms = &fitted.terms[index];
     let joint = chosen.place.first().copied().or_else(|| most_affected(scene.dof(), terms, &chosen.x))?;
     let mut says = vec![0.0; scene.len];
@@ -148,19 +148,19 @@ pub(in crate::diagnose) fn curve(
 /// Joints whose own base parameters are more than five standard deviations from the file's: of
 /// their links, and of their rotors alone.
 pub(in crate::diagnose) fn changed_links(
-    bench: &ModelUnderTest<'_>,
+    tested: &ModelUnderTest<'_>,
     fitted: &Fitted,
     covariance: &nalgebra::DMatrix<f64>,
 ) -> [Vec<usize>; 2] {
-    let base = bench.plant.base_parameters();
-    let Some(given) = bench.plant.given() else { return Default::default() };
+    let base = tested.plant.base_parameters();
+    let Some(given) = tested.plant.given() else { return Default::default() };
     let mut changed: [Vec<usize>; 2] = Default::default();
     let wanted: Vec<usize> = (0..base.len()).filter(|&b| !base[b].leader.is_friction()).collect();
     for (at, &b) in wanted.iter().enumerate() {
         let file: f64 = base[b].coefficients.iter().map(|(i, k)| k * given[*i]).sum();
         let std = covariance[(at, at)].max(0.0).sqrt();
         let (StandardParameter::Link(row, _) | StandardParameter::Drive(row, _)) = base[b].leader else { continue };
-        let joint = bench.plant.rows().iter().position(|r| *r == row);
+        let joint = tested.plant.rows().iter().position(|r| *r == row);
         if let Some(j) = joint
             && std > 0.0
             && (fitted.solution.x[at] - file).abs() > 5.0 * std

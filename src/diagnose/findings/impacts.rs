@@ -14,7 +14,7 @@ use super::structure::Structure;
 use crate::diagnose::hypotheses::{Named, by_name};
 use crate::diagnose::select::excess::EXCESS;
 use crate::diagnose::select::measure::Measured;
-use crate::diagnose::select::refine_and_select::Settled;
+use crate::diagnose::select::refine_and_select::Selected;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use dh_codegen::robot::effects;
 
@@ -188,8 +188,8 @@ fn of_joint(joint: usize, crossings: &[Crossing], spikes: &[Spike]) -> Option<Im
 }
 
 /// Impacts in the errors that a model leaves on the fitted logs.
-pub(in crate::diagnose) fn impacts(model: &Settled<'_>) -> Option<Impacts> {
-    let (scene, left) = (&model.bench.scene, &model.after_fit);
+pub(in crate::diagnose) fn impacts(model: &Selected<'_>) -> Option<Impacts> {
+    let (scene, left) = (&model.tested.scene, &model.after_fit);
     let spikes = spikes(&left.error, &left.time, &left.runs);
     if spikes.len() < FEWEST || left.runs.len() != scene.runs.len() {
         return None;

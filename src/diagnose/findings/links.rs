@@ -12,7 +12,7 @@ use crate::diagnose::search::judge::chosen_of;
 use crate::diagnose::search::merge_bodies::single_bodies;
 use crate::diagnose::select::measure::{Measured, Meter, bootstrap, matters, root_mean_square, share, taken_of};
 use crate::diagnose::select::model_choice::LeftOut;
-use crate::diagnose::select::refine_and_select::{Session, Settled};
+use crate::diagnose::select::refine_and_select::{Selected, Session};
 use crate::model::{DriveTerm, StandardParameter};
 use dh_codegen::robot::effects;
 
@@ -32,15 +32,15 @@ struct Body {
 impl Session<'_> {
     /// The causes, where base parameters differ from the file's, and the file's beside everything
     /// else that was found are worse.
-    pub(in crate::diagnose) fn links(&self, model: &Settled<'_>) -> Vec<Cause> {
-        let [links, rotors] = evidence::changed_links(&model.bench, &model.fitted, &model.fitted.covariance());
+    pub(in crate::diagnose) fn links(&self, model: &Selected<'_>) -> Vec<Cause> {
+        let [links, rotors] = evidence::changed_links(&model.tested, &model.fitted, &model.fitted.covariance());
         if links.is_empty() && rotors.is_empty() {
             return Vec::new();
         }
         // Residual of the file's links beside all other causes.
-        let delays = &model.bench.scene.delays;
+        let delays = &model.tested.scene.delays;
         let mut believed = ModelUnderTest::new(self.plant, self.fit, self.settings.rate, Mode::Trusted, delays, false);
-        believed.frozen = model.bench.frozen.clone();
+        believed.frozen = model.tested.frozen.clone();
         let mut others = chosen_of(&model.accepted);
         let trusting = believed.fit(&mut others);
         let without = Meter::new(self.plant, self.validate, &believed).of(&believed, &trusting, &others, true);
@@ -94,7 +94,7 @@ impl Session<'_> {
     }
 
     /// Common part of all causes of refitted parameters.
-    fn refitted(&self, model: &Settled<'_>, without: &Measured) -> Cause {
+    fn refitted(&self, model: &Selected<'_>, without: &Measured) -> Cause {
         Cause {
             cause: effects::LinkInertiaError::NAME,
             evidence: String::new(),
@@ -117,8 +117,8 @@ impl Session<'_> {
     }
 
     /// A rotor (of joint `j`, from 1) that the file has otherwise, or not at all.
-    fn rotor(&self, model: &Settled<'_>, without: &Measured, j: usize, probability: f64) -> Cause {
-        let plant = model.bench.plant;
+    fn rotor(&self, model: &Selected<'_>, without: &Measured, j: usize, probability: f64) -> Cause {
+        let plant = model.tested.plant;
         let rotor = StandardParameter::Drive(plant.rows()[j - 1], DriveTerm::IA);
         let at = plant.standard_parameters().iter().position(|p| *p == rotor);
         let value = at.and_then(|at| model.fitted.standard.as_ref().map(|s| s[at])).unwrap_or(0.0);

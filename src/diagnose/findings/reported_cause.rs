@@ -28,7 +28,7 @@ pub(in crate::diagnose) fn place_of(place: &[usize]) -> String {
 }
 
 /// The accepted causes, and the friction parameters that changed and belong to none of them.
-pub(in crate::diagnose) fn items(bench: &ModelUnderTest<'_>, accepted: &[Accepted], fitted: &Fitted) -> Vec<Item> {
+pub(in crate::diagnose) fn items(tested: &ModelUnderTest<'_>, accepted: &[Accepted], fitted: &Fitted) -> Vec<Item> {
     let mut items: Vec<Item> = accepted
         .iter()
         .enumerate()
@@ -39,11 +39,11 @@ pub(in crate::diagnose) fn items(bench: &ModelUnderTest<'_>, accepted: &[Accepte
             friction: Vec::new(),
         })
         .collect();
-    let given = given_friction(bench.plant);
-    for j in 0..bench.scene.dof() {
+    let given = given_friction(tested.plant);
+    for j in 0..tested.scene.dof() {
         for (which, hypothesis) in [&VISCOUS, &COULOMB, &OFFSET].into_iter().enumerate() {
             let k = 3 * j + which;
-            if bench.frozen[k] || bench.quiet[k] {
+            if tested.frozen[k] || tested.quiet[k] {
                 continue;
             }
             // If a friction law was found, the plain terms of the file are part of it.
@@ -58,7 +58,7 @@ pub(in crate::diagnose) fn items(bench: &ModelUnderTest<'_>, accepted: &[Accepte
             }
         }
     }
-    one_for_two(items, bench, fitted)
+    one_for_two(items, tested, fitted)
 }
 
 /// Of a level and an offset, neither next to nothing beside the other, the smaller is taken for
@@ -67,8 +67,12 @@ pub(in crate::diagnose) const BESIDE: f64 = 0.15;
 
 /// A changed Coulomb level and an offset on one joint are, with as many unknowns, one cause: levels
 /// that differ with the direction. It takes their place where both levels are of friction.
-pub(in crate::diagnose) fn one_for_two(mut items: Vec<Item>, bench: &ModelUnderTest<'_>, fitted: &Fitted) -> Vec<Item> {
-    let given = given_friction(bench.plant);
+pub(in crate::diagnose) fn one_for_two(
+    mut items: Vec<Item>,
+    tested: &ModelUnderTest<'_>,
+    fitted: &Fitted,
+) -> Vec<Item> {
+    let given = given_friction(tested.plant);
     for (j, given) in given.iter().enumerate() {
         let plain = |which: usize| {
             let here = |i: &Item| i.accepted.is_none() && i.friction == [3 * j + which];
@@ -95,12 +99,12 @@ const PLAIN: [Key; 3] = [effects::ViscousFriction::FV, effects::CoulombFriction:
 
 /// Values of the friction parameters that belong to an item.
 pub(in crate::diagnose) fn friction_values(
-    bench: &ModelUnderTest<'_>,
+    tested: &ModelUnderTest<'_>,
     fitted: &Fitted,
     covariance: &nalgebra::DMatrix<f64>,
     item: &Item,
 ) -> Vec<Named> {
-    let given = given_friction(bench.plant);
+    let given = given_friction(tested.plant);
     item.friction
         .iter()
         .map(|&k| {
@@ -113,10 +117,10 @@ pub(in crate::diagnose) fn friction_values(
 }
 
 /// Friction that is in the model but no news, for the file.
-pub(in crate::diagnose) fn quiet(bench: &ModelUnderTest<'_>, fitted: &Fitted) -> Vec<Cause> {
+pub(in crate::diagnose) fn quiet(tested: &ModelUnderTest<'_>, fitted: &Fitted) -> Vec<Cause> {
     let covariance = fitted.covariance();
-    (0..bench.quiet.len())
-        .filter(|&k| bench.quiet[k] && !bench.frozen[k])
+    (0..tested.quiet.len())
+        .filter(|&k| tested.quiet[k] && !tested.frozen[k])
         .map(|k| {
             let hypothesis: &'static dyn Hypothesis = [&VISCOUS, &COULOMB, &OFFSET][k % 3];
             let item = Item { hypothesis, place: vec![k / 3], accepted: None, friction: vec![k] };
@@ -124,7 +128,7 @@ pub(in crate::diagnose) fn quiet(bench: &ModelUnderTest<'_>, fitted: &Fitted) ->
                 cause: hypothesis.name(),
                 joints: vec![k / 3 + 1],
                 probability: 0.0,
-                keys: friction_values(bench, fitted, &covariance, &item),
+                keys: friction_values(tested, fitted, &covariance, &item),
                 parameters: Vec::new(),
                 support: 0.0,
                 margin: 0.0,

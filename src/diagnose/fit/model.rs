@@ -155,7 +155,7 @@ pub struct ModelUnderTest<'a> {
     pub quiet: Vec<bool>,
     /// Prior on directions that the motion does not show, at the file's values; made at the first
     /// fit.
-    pub hold: Option<Regulariser>,
+    pub regulariser: Option<Regulariser>,
     /// Torque errors of each joint due to errors of the recorded motion, N m; empty: unknown.
     pub motion_error: Vec<f64>,
     /// Whether every window counts.
@@ -184,7 +184,7 @@ impl<'a> ModelUnderTest<'a> {
         let scene = WindowedData::new(plant, recordings, rate, delays, all);
         let (frozen, quiet) = (vec![false; 3 * plant.dof()], vec![false; 3 * plant.dof()]);
         let (base, friction, y) = Default::default();
-        let mut bench = Self {
+        let mut tested = Self {
             plant,
             recordings,
             rate,
@@ -192,7 +192,7 @@ impl<'a> ModelUnderTest<'a> {
             scene,
             frozen,
             quiet,
-            hold: None,
+            regulariser: None,
             motion_error: Vec::new(),
             all,
             known: Mutex::default(),
@@ -201,9 +201,9 @@ impl<'a> ModelUnderTest<'a> {
             friction,
             y,
         };
-        bench.scene.set_model(given_base(plant), plant.given().map(|s| without_friction(plant, s)));
-        bench.prepare();
-        bench
+        tested.scene.set_model(given_base(plant), plant.given().map(|s| without_friction(plant, s)));
+        tested.prepare();
+        tested
     }
 
     /// Columns that do not depend on what is found.
@@ -326,14 +326,14 @@ impl<'a> ModelUnderTest<'a> {
     /// difference quotients are recomputed about the estimate until it converges; so is everything
     /// that depends on the rigid model.
     pub fn fit(&mut self, chosen: &mut [Chosen]) -> Fitted {
-        if self.hold.is_none() {
-            self.hold = Some(self.held(&[]));
+        if self.regulariser.is_none() {
+            self.regulariser = Some(self.held(&[]));
         }
         let mut weights: Option<Vec<f64>> = None;
         for round in 0.. {
             let fitted = self.fit_once(chosen, weights.as_deref());
             weights = Some(fitted.solution.weights.clone());
-            let mut settled = true;
+            let mut converged = true;
             for (i, c) in chosen.iter_mut().enumerate() {
                 let before = c.x.clone();
                 c.x = (0..fitted.terms[i].len()).map(|t| fitted.solution.x[fitted.first[i] + t]).collect();
@@ -342,24 +342,24 @@ impl<'a> ModelUnderTest<'a> {
                     if c.cause.moves_time() {
                         // Smaller parts are taken on lines.
                         if x.abs() > LINEAR && x.is_finite() {
-                            settled = false;
+                            converged = false;
                             self.delay(&c.place, x.clamp(-0.05, 0.05));
                             c.shape[0] = 1e-3;
                         }
                     } else if x != 0.0 && (x / c.shape[0] - 1.0).abs() > 1e-3 {
                         c.shape[0] = x;
-                        settled = false;
+                        converged = false;
                     }
                 }
                 if c.cause.rests_on_model() && !c.cause.moves_time() && before != c.x {
                     let size = c.x.iter().map(|x| x.abs()).fold(1e-12, f64::max);
                     let change = before.iter().zip(&c.x).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                    settled &= before.len() == c.x.len() && change < 1e-3 * size;
+                    converged &= before.len() == c.x.len() && change < 1e-3 * size;
                 }
             }
             self.update_model(&fitted);
             let rests = self.mode == Mode::Refitted && chosen.iter().any(|c| c.cause.rests_on_model());
-            if (settled && !(rests && round < 2)) || round >= 6 {
+            if (converged && !(rests && round < 2)) || round >= 6 {
                 return fitted;
             }
         }
@@ -448,14 +448,14 @@ impl<'a> ModelUnderTest<'a> {
         }
         let free = |k: usize| k.checked_sub(self.base.len()).is_some_and(|k| self.frozen.get(k) == Some(&true));
         let mut moments = ground.without(free).with(&columns);
-        moments.held_by(self.holding());
+        moments.regularised_by(self.holding());
         (moments, first, terms)
     }
 
     /// Parameters that are fixed while some friction is fixed.
     fn holding(&self) -> Regulariser {
         let frozen = |k: usize| k.checked_sub(self.base.len()).is_some_and(|k| self.frozen.get(k) == Some(&true));
-        self.hold.as_ref().map_or_else(Regulariser::none, |hold| hold.without(frozen))
+        self.regulariser.as_ref().map_or_else(Regulariser::none, |regulariser| regulariser.without(frozen))
     }
 
     /// Holds nothing of these joints' friction. Beside a slow error the data seem to determine
@@ -463,15 +463,15 @@ impl<'a> ModelUnderTest<'a> {
     pub fn release_joints(&mut self, joints: &[usize]) {
         let base = self.base.len();
         let own = |k: usize| k.checked_sub(base).is_some_and(|k| joints.contains(&(k / 3)));
-        self.hold = self.hold.take().map(|hold| hold.without(own));
+        self.regulariser = self.regulariser.take().map(|regulariser| regulariser.without(own));
     }
 
     /// Fits with the directions regularised that the data do not determine beside these causes. The
     /// error of a cause that is not yet in the model is slow, and beside it a joint seems to show
     /// little.
     pub fn fit_regularised_beside(&mut self, chosen: &mut [Chosen]) -> Fitted {
-        self.hold = Some(Regulariser::none());
-        self.hold = Some(self.held(chosen));
+        self.regulariser = Some(Regulariser::none());
+        self.regulariser = Some(self.held(chosen));
         self.fit(chosen)
     }
 
@@ -485,7 +485,7 @@ impl<'a> ModelUnderTest<'a> {
             .iter()
             .map(|y| (y.iter().map(|y| y * y).sum::<f64>() / y.len().max(1) as f64).sqrt())
             .collect();
-        let Some(belief) = prior(self.plant, &wanted, &torque) else { return Regulariser::none() };
+        let Some(prior) = prior(self.plant, &wanted, &torque) else { return Regulariser::none() };
         let free = self.fit_once(chosen, None);
         let weights = &free.solution.weights;
         let thinned: Vec<f64> = weights.iter().zip(&free.memory).map(|(w, m)| w / m).collect();
@@ -494,12 +494,13 @@ impl<'a> ModelUnderTest<'a> {
         let counts = stretches.counts();
         let ground: Vec<f64> = torque.iter().map(|t| 0.004 * t).collect();
         let mut best: Option<(Regulariser, LeftOut)> = None;
-        for hold in STRENGTHS.iter().filter_map(|firm| Regulariser::new(&belief, &full, &thinned, *firm)) {
-            stretches.held_by(hold.clone());
+        for regulariser in STRENGTHS.iter().filter_map(|strength| Regulariser::new(&prior, &full, &thinned, *strength))
+        {
+            stretches.regularised_by(regulariser.clone());
             let sums = stretches.cross_validated_without(&free.solution, &[], &local(chosen, &free));
             let left = LeftOut::new(&sums, &counts);
             if best.as_ref().is_none_or(|(_, known)| left.less(known, &ground).gain > 0.0) {
-                best = Some((hold, left));
+                best = Some((regulariser, left));
             }
         }
         best.map_or_else(Regulariser::none, |b| b.0)
@@ -560,7 +561,7 @@ impl<'a> ModelUnderTest<'a> {
         }
     }
 
-    /// Takes over the rigid model and the friction that another bench found.
+    /// Takes over the rigid model and the friction that another model found.
     pub fn adopt(&mut self, other: &ModelUnderTest<'_>, fitted: &Fitted) {
         self.scene.set_model(other.scene.beta.clone(), other.scene.standard.clone());
         let keep = self.mode;

@@ -44,7 +44,7 @@ pub struct Moments {
     /// Of the whole data.
     whole: Vec<Part>,
     /// Prior of the first unknowns.
-    hold: Regulariser,
+    regulariser: Regulariser,
 }
 
 /// A least-squares solution.
@@ -118,7 +118,7 @@ impl Moments {
             y: Arc::new(y.to_vec()),
             pieces: Arc::new(pieces),
             whole: Vec::new(),
-            hold: Regulariser::none(),
+            regulariser: Regulariser::none(),
         };
         bare.with(columns)
     }
@@ -209,18 +209,18 @@ impl Moments {
                 }
             }
         }
-        let n = self.hold.mean.len();
+        let n = self.regulariser.mean.len();
         let mut corner = matrix.view_mut((0, 0), (n, n));
-        corner += &self.hold.precision;
+        corner += &self.regulariser.precision;
         let mut top = rhs.rows_mut(0, n);
-        top += &self.hold.precision * &self.hold.mean;
+        top += &self.regulariser.precision * &self.regulariser.mean;
         (matrix, rhs)
     }
 
-    /// Values at which the hold pulls, of all unknowns.
+    /// Values at which the regulariser pulls, of all unknowns.
     fn held(&self) -> DVector<f64> {
         let mut x = DVector::zeros(self.unknowns);
-        x.rows_mut(0, self.hold.mean.len()).copy_from(&self.hold.mean);
+        x.rows_mut(0, self.regulariser.mean.len()).copy_from(&self.regulariser.mean);
         x
     }
 
@@ -260,7 +260,7 @@ impl Moments {
         loop {
             let (matrix, rhs) = self.assemble(sums, &weights);
             let inverse = pseudo_inverse(&matrix);
-            // From where the hold pulls, so that what the equations leave open stays there.
+            // From where the regulariser pulls, so that what the equations leave open stays there.
             let held = self.held();
             let x = &inverse * (&rhs - &matrix * &held) + held;
             let rss = self.residuals(sums, &x);
@@ -276,7 +276,7 @@ impl Moments {
         }
     }
 
-    /// Normal matrix and right-hand side of the whole data with these weights, the hold included.
+    /// Normal matrix and right-hand side of the whole data with these weights, the regulariser included.
     pub fn normal(&self, weights: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
         self.assemble(&self.whole, weights)
     }
@@ -356,9 +356,9 @@ impl Moments {
             .collect()
     }
 
-    /// The same equations with another hold.
-    pub fn held_by(&mut self, hold: Regulariser) {
-        self.hold = hold;
+    /// The same equations with another regulariser.
+    pub fn regularised_by(&mut self, regulariser: Regulariser) {
+        self.regulariser = regulariser;
     }
 
     /// Windows per part and joint.
@@ -493,9 +493,9 @@ impl Moments {
         let weights: Vec<f64> = at.weights.iter().zip(inflation).map(|(w, l)| w * l).collect();
         let mut middle = self.information(&weights);
         // The file may be wrong where the prior holds.
-        let n = self.hold.mean.len();
+        let n = self.regulariser.mean.len();
         let mut corner = middle.view_mut((0, 0), (n, n));
-        corner += &self.hold.spread;
+        corner += &self.regulariser.spread;
         let mut covariance = &at.inverse * middle * &at.inverse;
         let seen = self.pulled_to_and_fro(at);
         let by: Vec<f64> = (0..self.unknowns)

@@ -61,7 +61,7 @@ impl Limits {
 }
 
 impl ModelUnderTest<'_> {
-    /// A fit of this bench moved to the least-squares solution inside the limits; unchanged if
+    /// A fit of this model moved to the least-squares solution inside the limits; unchanged if
     /// nothing of it lies outside and no link is unknown. The scene has its model afterwards.
     ///
     /// A law whose size is in its shape has the coefficient 1, as in a robot file. A fit that may

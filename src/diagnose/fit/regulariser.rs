@@ -16,11 +16,11 @@ use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
 use crate::model::{Inertial, PerturbableArm, StandardParameter};
 
-/// How many times less than that of the belief the data's variance has to be for a direction to be
+/// How many times less than that of the prior the data's variance has to be for a direction to be
 /// taken by half: what is tried.
 pub const STRENGTHS: [f64; 3] = [30.0, 10.0, 3.0];
 
-/// The firmest hold, as a multiple of the belief's own weight.
+/// The strongest regulariser, as a multiple of the prior's own weight.
 const FIRMEST: f64 = 1e3;
 
 /// Prior of the first unknowns of a fit.
@@ -30,7 +30,7 @@ pub struct Regulariser {
     pub precision: DMatrix<f64>,
     /// Values at which it pulls.
     pub mean: DVector<f64>,
-    /// Variance of what the hold adds to the right-hand side if the belief is true.
+    /// Variance of what the regulariser adds to the right-hand side if the prior is true.
     pub spread: DMatrix<f64>,
 }
 
@@ -43,9 +43,9 @@ impl Regulariser {
     /// From the prior and the data: the normal matrix of the first unknowns with all windows
     /// counted (`full`), and with windows counted as far as they are independent (`thinned`).
     /// `firm`: see [`STRENGTHS`].
-    pub fn new(belief: &Prior, full: &DMatrix<f64>, thinned: &DMatrix<f64>, firm: f64) -> Option<Self> {
-        let n = belief.mean.len();
-        let root = &belief.root;
+    pub fn new(prior: &Prior, full: &DMatrix<f64>, thinned: &DMatrix<f64>, strength: f64) -> Option<Self> {
+        let n = prior.mean.len();
+        let root = &prior.root;
         let white = |matrix: &DMatrix<f64>| root.transpose() * matrix.view((0, 0), (n, n)) * root;
         let information = white(thinned);
         let information = 0.5 * (&information + information.transpose());
@@ -60,12 +60,12 @@ impl Regulariser {
             let mu = mu.max(1e-12);
             // The solver counts every window.
             let dependence = (v.dot(&(&all * v)) / mu).clamp(1.0, 1e4);
-            let weight = (firm.powi(4) / mu.powi(3)).min(FIRMEST) * dependence;
+            let weight = (strength.powi(4) / mu.powi(3)).min(FIRMEST) * dependence;
             let axis = inverse.transpose() * v;
             precision.ger(weight, &axis, &axis, 1.0);
             spread.ger((TYPICAL * weight).powi(2), &axis, &axis, 1.0);
         }
-        Some(Self { precision, mean: belief.mean.clone(), spread })
+        Some(Self { precision, mean: prior.mean.clone(), spread })
     }
 
     /// Without the unknowns that are out of the question, which then have the value 0.
@@ -91,8 +91,8 @@ pub struct Prior {
     root: DMatrix<f64>,
 }
 
-/// The belief is as wide as errors may be; as a share of it, what they typically are: of this size
-/// is the error that a hold leaves.
+/// The prior is as wide as errors may be; as a share of it, what they typically are: of this size
+/// is the error that a regulariser leaves.
 const TYPICAL: f64 = 0.2;
 
 /// Least size of a body, m.
@@ -175,17 +175,17 @@ mod tests {
 
     #[test]
     fn what_is_told_is_left_alone_and_what_is_not_stays() {
-        let belief = Prior { mean: DVector::from_vec(vec![1.0, 2.0]), root: DMatrix::from_diagonal_element(2, 2, 0.5) };
-        // The data say (3, 7): the first ten thousand times as sharply as the belief, the second a
+        let prior = Prior { mean: DVector::from_vec(vec![1.0, 2.0]), root: DMatrix::from_diagonal_element(2, 2, 0.5) };
+        // The data say (3, 7): the first ten thousand times as sharply as the prior, the second a
         // hundredth of that.
         let information = DMatrix::from_diagonal(&DVector::from_vec(vec![1e4 / 0.25, 1e-2 / 0.25]));
-        let hold = Regulariser::new(&belief, &information, &information, 10.0).unwrap();
-        let right = &information * DVector::from_vec(vec![3.0, 7.0]) + &hold.precision * &hold.mean;
-        let x = (&information + &hold.precision).lu().solve(&right).unwrap();
+        let regulariser = Regulariser::new(&prior, &information, &information, 10.0).unwrap();
+        let right = &information * DVector::from_vec(vec![3.0, 7.0]) + &regulariser.precision * &regulariser.mean;
+        let x = (&information + &regulariser.precision).lu().solve(&right).unwrap();
         assert!((x[0] - 3.0).abs() < 1e-4, "{x}");
         assert!((x[1] - 2.0).abs() < 1e-3, "{x}");
         // One that is out of the question does not pull at the others.
-        let without = hold.without(|k| k == 1);
+        let without = regulariser.without(|k| k == 1);
         assert_eq!((without.precision[(1, 1)], without.precision[(0, 1)], without.mean[1]), (0.0, 0.0, 0.0));
     }
 }

@@ -21,7 +21,7 @@ pub struct Uncertainty {
 impl Uncertainty {
     /// Of a fit. A number of a shape is an unknown too, and its column is the derivative of what
     /// its cause says.
-    pub fn of(bench: &ModelUnderTest<'_>, fitted: &Fitted, chosen: &[Chosen]) -> Self {
+    pub fn of(tested: &ModelUnderTest<'_>, fitted: &Fitted, chosen: &[Chosen]) -> Self {
         let (mut shapes, mut more, mut integer_priors) = (Vec::new(), Vec::new(), Vec::new());
         for (index, c) in chosen.iter().enumerate() {
             let places = c.cause.shape().iter().enumerate().map(|(k, number)| {
@@ -30,7 +30,7 @@ impl Uncertainty {
                     number.step.filter(|_| number.named() && !(integer && c.cause.integer_prior_std().is_none()))?;
                 let step = if first > 0.0 { 1e-2 * first * c.shape[k] } else { -1e-2 * first };
                 let step = Some(step).filter(|s| *s != 0.0)?;
-                let column = derivative(bench, fitted, index, c, k, step)?;
+                let column = derivative(tested, fitted, index, c, k, step)?;
                 more.push(column);
                 let at = fitted.solution.x.len() + more.len() - 1;
                 integer_priors.extend(c.cause.integer_prior_std().filter(|_| integer).map(|std| (at, std)));
@@ -57,13 +57,13 @@ impl Uncertainty {
     /// below zero it may be none. With the shape that was found they must exceed a level that
     /// chance reaches once in some 150,000 times (a normal number beyond 4.5), for that shape was
     /// the best of many. With the shape unknown the level is once in a hundred (beyond 2.5).
-    pub fn stands_out(&self, bench: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
+    pub fn stands_out(&self, tested: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
         let first = fitted.first[index];
         if chosen.x.is_empty() {
             // Its columns are gone: of what is known now it is nothing.
             return f64::NEG_INFINITY;
         }
-        let x = DVector::from_vec(chosen.cause.above_resolution(&bench.scene, &chosen.place, &chosen.x));
+        let x = DVector::from_vec(chosen.cause.above_resolution(&tested.scene, &chosen.place, &chosen.x));
         let unknowns = x.len() as f64;
         let wald = |covariance: &DMatrix<f64>| {
             let own = covariance.view((first, first), (x.len(), x.len())).into_owned();
@@ -88,7 +88,7 @@ fn measure(covariance: &mut DMatrix<f64>, at: usize, std: f64) {
 
 /// Difference quotient of what a cause adds, by a number of its shape.
 pub(in crate::diagnose) fn derivative(
-    bench: &ModelUnderTest<'_>,
+    tested: &ModelUnderTest<'_>,
     fitted: &Fitted,
     index: usize,
     chosen: &Chosen,
@@ -98,7 +98,7 @@ pub(in crate::diagnose) fn derivative(
     let sides = [step, -step].map(|by| {
         let mut shape = chosen.shape.clone();
         shape[k] += by;
-        bench.family(chosen.cause, &chosen.place, &shape)
+        tested.family(chosen.cause, &chosen.place, &shape)
     });
     if sides.iter().any(|s| s.len() != fitted.terms[index].len()) {
         return None;
@@ -121,21 +121,21 @@ pub(in crate::diagnose) fn derivative(
 
 /// Values of a chosen cause's parameters with standard deviations, under the names of a robot file.
 pub fn parameters(
-    bench: &ModelUnderTest<'_>,
+    tested: &ModelUnderTest<'_>,
     fitted: &Fitted,
     uncertainty: &Uncertainty,
     index: usize,
     chosen: &Chosen,
 ) -> Vec<Named> {
     let joint = chosen.place.first().copied().unwrap_or(0);
-    let given = given_friction(bench.plant)[joint];
+    let given = given_friction(tested.plant)[joint];
     let level = |which: usize| fitted.friction + 3 * joint + which;
     let at: Vec<usize> = (0..chosen.x.len()).map(|k| fitted.first[index] + k).chain((0..3).map(level)).collect();
     let whole = &uncertainty.covariance;
     let variance = |k: usize| whole[(k, k)].max(0.0).sqrt();
     let mut x = DVector::from_column_slice(&chosen.x);
     let mut covariance = DMatrix::from_fn(at.len(), at.len(), |i, k| whole[(at[i], at[k])]);
-    if let Some(std) = chosen.cause.beliefs(&bench.scene, &chosen.place, &fitted.terms[index]) {
+    if let Some(std) = chosen.cause.beliefs(&tested.scene, &chosen.place, &fitted.terms[index]) {
         let information = fitted.moments.information(&fitted.solution.weights);
         let own = information.view((fitted.first[index], fitted.first[index]), (x.len(), x.len()));
         let loose = undetermined(&own.into_owned(), &std);
@@ -147,7 +147,7 @@ pub fn parameters(
         corner += &scale * (&loose * loose.transpose()) * &scale;
     }
     chosen.cause.named(&Estimate {
-        scene: &bench.scene,
+        scene: &tested.scene,
         place: &chosen.place,
         shape: &chosen.shape,
         shape_std: uncertainty.shapes[index].iter().map(|k| k.map(variance)).collect(),
@@ -161,7 +161,7 @@ pub fn parameters(
 /// Directions, one a column, of unknowns in units of their prior deviation (`std`), on which the
 /// data (`information`, their normal matrix) have less information than that prior. Of a mass on the axis
 /// and a first moment along it, for example, often only a sum is determined. There the least change
-/// is as good as any other, and as uncertain as the belief.
+/// is as good as any other, and as uncertain as the prior.
 fn undetermined(information: &DMatrix<f64>, std: &[f64]) -> DMatrix<f64> {
     let n = std.len();
     let white = DMatrix::from_fn(n, n, |i, k| information[(i, k)] * std[i] * std[k]);

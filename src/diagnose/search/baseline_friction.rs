@@ -24,15 +24,15 @@ pub struct BaselineFriction {
 /// cause of the joint is tried in its place. One that says more with its unknowns takes the place;
 /// those that say nearly as much are rivals.
 pub fn reconsider(
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
     mut fitted: Fitted,
     noise: &[f64],
     settings: &SearchSettings,
 ) -> (Fitted, Vec<BaselineFriction>) {
     let mut all = Vec::new();
-    for j in 0..bench.scene.dof() {
-        let free: Vec<usize> = (3 * j..3 * j + 3).filter(|k| !bench.frozen[*k]).collect();
+    for j in 0..tested.scene.dof() {
+        let free: Vec<usize> = (3 * j..3 * j + 3).filter(|k| !tested.frozen[*k]).collect();
         // A joint whose friction went back to the file's, and left more than noise, is looked at
         // once more.
         let left = fitted.solution.rss[j] > fitted.solution.counts[j] * (0.7 * noise[j]).powi(2);
@@ -40,12 +40,12 @@ pub fn reconsider(
             continue;
         }
         let chosen = chosen_of(accepted);
-        let delays = bench.scene.delays.clone();
-        free.iter().for_each(|&k| bench.frozen[k] = true);
+        let delays = tested.scene.delays.clone();
+        free.iter().for_each(|&k| tested.frozen[k] = true);
         let mut without = chosen.clone();
-        let reduced = bench.fit(&mut without);
-        let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| place == [j] && makes_sense(bench, cause);
-        let ranked = candidates(bench, &reduced, &wanted);
+        let reduced = tested.fit(&mut without);
+        let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| place == [j] && makes_sense(tested, cause);
+        let ranked = candidates(tested, &reduced, &wanted);
         let total: f64 = reduced.solution.counts.iter().sum();
         let raw: f64 =
             logs(&reduced.solution.rss, &fitted.solution.rss).zip(&reduced.solution.counts).map(|(l, n)| n * l).sum();
@@ -55,8 +55,8 @@ pub fn reconsider(
         if let Some(best) = ranked.first().filter(|c| is_better(c, plain, free.len(), memory)) {
             let mut trial = without.clone();
             trial.push(best.chosen());
-            let next = bench.fit(&mut trial);
-            let judge = Judge { bench, noise, settings, accepted: accepted.as_slice(), tried: ranked.len() };
+            let next = tested.fit(&mut trial);
+            let judge = Judge { tested, noise, settings, accepted: accepted.as_slice(), tried: ranked.len() };
             if let Some(mut judged) = judge.judge(&reduced, &next, &trial) {
                 judged.rivals = rivals(&ranked, 0, &next);
                 let margin = (best.score - plain) / memory;
@@ -72,10 +72,10 @@ pub fn reconsider(
         if replaced {
             continue;
         }
-        free.iter().for_each(|&k| bench.frozen[k] = false);
-        if delays != bench.scene.delays {
-            let by = bench.scene.delays.iter().zip(&delays).map(|(a, b)| b - a).collect::<Vec<_>>();
-            bench.undo_delay(&by);
+        free.iter().for_each(|&k| tested.frozen[k] = false);
+        if delays != tested.scene.delays {
+            let by = tested.scene.delays.iter().zip(&delays).map(|(a, b)| b - a).collect::<Vec<_>>();
+            tested.undo_delay(&by);
         }
         let near = |c: &&Candidate| plain - c.score < (10.0 * memory).max(0.015 * plain);
         let rivals = ranked.iter().filter(near).take(4);
@@ -83,7 +83,7 @@ pub fn reconsider(
         all.push(BaselineFriction { joint: j, rivals });
     }
     let mut chosen = chosen_of(accepted);
-    fitted = bench.fit(&mut chosen);
+    fitted = tested.fit(&mut chosen);
     adopt(accepted, &chosen);
     (fitted, all)
 }

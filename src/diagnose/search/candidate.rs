@@ -37,16 +37,16 @@ pub(in crate::diagnose) fn unknowns(cause: &dyn Hypothesis, shape: &[f64], terms
 
 /// Evaluates one shape.
 pub(in crate::diagnose) fn evaluate(
-    bench: &ModelUnderTest<'_>,
+    tested: &ModelUnderTest<'_>,
     fitted: &Fitted,
     cause: &'static dyn Hypothesis,
     place: &[usize],
     shape: &[f64],
 ) -> Option<Candidate> {
-    if !cause.shows(&bench.scene, place, shape) {
+    if !cause.shows(&tested.scene, place, shape) {
         return None;
     }
-    let terms = bench.family(cause, place, shape);
+    let terms = tested.family(cause, place, shape);
     if terms.is_empty() {
         return None;
     }
@@ -56,7 +56,7 @@ pub(in crate::diagnose) fn evaluate(
         Sign::Any => true,
         Sign::Positive => *x > 0.0,
     });
-    if !signed || !gain.x.iter().all(|x| x.is_finite()) || !cause.plausible(&bench.scene, place, shape, &gain.x) {
+    if !signed || !gain.x.iter().all(|x| x.is_finite()) || !cause.plausible(&tested.scene, place, shape, &gain.x) {
         return None;
     }
     let total: f64 = fitted.solution.counts.iter().sum();
@@ -72,13 +72,13 @@ pub(in crate::diagnose) fn logs<'a>(before: &'a [f64], after: &'a [f64]) -> impl
 
 /// The best shape of every cause in every place, best first.
 pub fn candidates(
-    bench: &ModelUnderTest<'_>,
+    tested: &ModelUnderTest<'_>,
     fitted: &Fitted,
     wanted: &(dyn Fn(&'static dyn Hypothesis, &[usize]) -> bool + Sync),
 ) -> Vec<Candidate> {
     let mut tasks: Vec<(&'static dyn Hypothesis, Vec<usize>)> = Vec::new();
     for cause in causes() {
-        tasks.extend(cause.places(&bench.scene).into_iter().filter(|p| wanted(cause, p)).map(|p| (cause, p)));
+        tasks.extend(cause.places(&tested.scene).into_iter().filter(|p| wanted(cause, p)).map(|p| (cause, p)));
     }
     let next = AtomicUsize::new(0);
     let work = || {
@@ -86,9 +86,9 @@ pub fn candidates(
         loop {
             let at = next.fetch_add(1, Ordering::Relaxed);
             let Some((cause, place)) = tasks.get(at) else { return found };
-            let shapes = cause.grid(&bench.scene, place, &fitted.residual);
-            let tried = shapes.iter().filter_map(|shape| evaluate(bench, fitted, *cause, place, shape));
-            found.extend(best_of(bench, fitted, tried).map(|b| (at, b)));
+            let shapes = cause.grid(&tested.scene, place, &fitted.residual);
+            let tried = shapes.iter().filter_map(|shape| evaluate(tested, fitted, *cause, place, shape));
+            found.extend(best_of(tested, fitted, tried).map(|b| (at, b)));
         }
     };
     let threads = std::thread::available_parallelism().map_or(1, |n| n.get()).min(4);
@@ -101,18 +101,18 @@ pub fn candidates(
     all.sort_by(|a, b| b.score.total_cmp(&a.score));
     let refined = all.len().min(10);
     for candidate in &mut all[..refined] {
-        refine(bench, fitted, candidate);
+        refine(tested, fitted, candidate);
     }
     all.retain(|c| !at_edge(c.cause, &c.shape));
     all.sort_by(|a, b| b.score.total_cmp(&a.score));
     simplest_first(&mut all, fitted);
-    least_change_first(&mut all, bench);
+    least_change_first(&mut all, tested);
     all
 }
 
 /// The best of the shapes of one cause. If they belong to several laws each law's best is refined
 /// first: a coarse grid does not decide which of them holds.
-fn best_of(bench: &ModelUnderTest<'_>, fitted: &Fitted, tried: impl Iterator<Item = Candidate>) -> Option<Candidate> {
+fn best_of(tested: &ModelUnderTest<'_>, fitted: &Fitted, tried: impl Iterator<Item = Candidate>) -> Option<Candidate> {
     let mut best: Vec<Candidate> = Vec::new();
     for next in tried {
         let law = |c: &Candidate| c.cause.law(&c.shape);
@@ -123,7 +123,7 @@ fn best_of(bench: &ModelUnderTest<'_>, fitted: &Fitted, tried: impl Iterator<Ite
         }
     }
     if best.len() > 1 {
-        best.iter_mut().for_each(|candidate| refine(bench, fitted, candidate));
+        best.iter_mut().for_each(|candidate| refine(tested, fitted, candidate));
     }
     best.into_iter().max_by(|a, b| a.score.total_cmp(&b.score))
 }
@@ -140,13 +140,13 @@ const SAME: f64 = 0.002;
 
 /// Of wrong links that gain nearly the same (a neighbour's mass on the common axis is the link's
 /// own) the one with the least change goes first.
-fn least_change_first(all: &mut [Candidate], bench: &ModelUnderTest<'_>) {
+fn least_change_first(all: &mut [Candidate], tested: &ModelUnderTest<'_>) {
     let change = |c: &Candidate| {
-        let terms = bench.family(c.cause, &c.place, &c.shape);
-        let std = c.cause.beliefs(&bench.scene, &c.place, &terms)?;
+        let terms = tested.family(c.cause, &c.place, &c.shape);
+        let std = c.cause.beliefs(&tested.scene, &c.place, &terms)?;
         Some(c.gain.x.iter().zip(std).map(|(x, s)| (x / s).powi(2)).sum::<f64>().sqrt())
     };
-    let last = |c: &Candidate| c.place.first().is_some_and(|j| j + 1 == bench.scene.dof());
+    let last = |c: &Candidate| c.place.first().is_some_and(|j| j + 1 == tested.scene.dof());
     let Some(best) = all.first().filter(|c| !last(c)) else { return };
     let Some(mut least) = change(best) else { return };
     let near = SAME * best.score;
@@ -160,11 +160,11 @@ fn least_change_first(all: &mut [Candidate], bench: &ModelUnderTest<'_>) {
 }
 
 /// Of candidates on one joint that gain nearly the same, the one beside which fewest terms of plain
-/// friction are needed goes first. Whether models were fitted for that, so that the bench is left
+/// friction are needed goes first. Whether models were fitted for that, so that the model under test is left
 /// with another.
 pub(in crate::diagnose) fn sparest_first(
     all: &mut [Candidate],
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     others: &[Chosen],
     fitted: &Fitted,
 ) -> bool {
@@ -178,13 +178,13 @@ pub(in crate::diagnose) fn sparest_first(
     }
     let mut needed = |c: &Candidate| {
         let mut trial = [others, &[c.chosen()]].concat();
-        let fitted = bench.fit(&mut trial);
+        let fitted = tested.fit(&mut trial);
         let covariance = fitted.covariance();
         let sure = |k: &usize| {
             let at = fitted.friction + k;
             fitted.solution.x[at].powi(2) > SURE.powi(2) * covariance[(at, at)]
         };
-        let friction = (3 * joint..3 * joint + 3).filter(|k| !bench.frozen[*k]).filter(sure).count();
+        let friction = (3 * joint..3 * joint + 3).filter(|k| !tested.frozen[*k]).filter(sure).count();
         unknowns(c.cause, &c.shape, c.gain.x.len()) + friction as f64
     };
     let counts: Vec<f64> = near.iter().map(|&i| needed(&all[i])).collect();
@@ -220,7 +220,7 @@ fn simplest_first(all: &mut [Candidate], fitted: &Fitted) {
 }
 
 /// Walks each number of the shape up and down with shrinking steps.
-pub(in crate::diagnose) fn refine(bench: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate) {
+pub(in crate::diagnose) fn refine(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate) {
     let shape = candidate.cause.shape();
     if candidate.cause.finite_difference() && shape.first().is_some_and(|s| s.step.is_none()) {
         // The step follows the coefficient.
@@ -232,7 +232,7 @@ pub(in crate::diagnose) fn refine(bench: &ModelUnderTest<'_>, fitted: &Fitted, c
             }
             let mut next = candidate.shape.clone();
             next[0] = step;
-            match evaluate(bench, fitted, candidate.cause, &candidate.place, &next) {
+            match evaluate(tested, fitted, candidate.cause, &candidate.place, &next) {
                 Some(better) => *candidate = better,
                 None => break,
             }
@@ -252,7 +252,7 @@ pub(in crate::diagnose) fn refine(bench: &ModelUnderTest<'_>, fitted: &Fitted, c
                 if next[k] < number.range[0] || next[k] > number.range[1] {
                     continue;
                 }
-                if let Some(better) = evaluate(bench, fitted, candidate.cause, &candidate.place, &next)
+                if let Some(better) = evaluate(tested, fitted, candidate.cause, &candidate.place, &next)
                     && better.score > candidate.score
                 {
                     *candidate = better;
@@ -268,7 +268,7 @@ pub(in crate::diagnose) fn refine(bench: &ModelUnderTest<'_>, fitted: &Fitted, c
     if let Some(k) = candidate.cause.integer_shape() {
         let mut next = candidate.shape.clone();
         next[k] = next[k].round().max(1.0);
-        if let Some(better) = evaluate(bench, fitted, candidate.cause, &candidate.place, &next)
+        if let Some(better) = evaluate(tested, fitted, candidate.cause, &candidate.place, &next)
             && better.score > candidate.score
         {
             *candidate = better;

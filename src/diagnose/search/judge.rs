@@ -45,7 +45,7 @@ const THROUGHOUT: f64 = 1.0;
 
 /// By what a cause is judged.
 pub(in crate::diagnose) struct Judge<'a> {
-    pub(in crate::diagnose) bench: &'a ModelUnderTest<'a>,
+    pub(in crate::diagnose) tested: &'a ModelUnderTest<'a>,
     pub(in crate::diagnose) noise: &'a [f64],
     pub(in crate::diagnose) settings: &'a SearchSettings,
     /// Accepted before.
@@ -64,7 +64,7 @@ impl Judge<'_> {
     /// Least that a cause takes of a joint's squared error, (N m)^2: a share of the noise, and more
     /// than errors of the recorded motion can make.
     fn least(&self, joint: usize) -> f64 {
-        let motion = self.bench.motion_error.get(joint).copied().unwrap_or(0.0);
+        let motion = self.tested.motion_error.get(joint).copied().unwrap_or(0.0);
         (self.settings.least_effect * self.noise[joint]).max(motion).powi(2)
     }
 
@@ -79,7 +79,7 @@ impl Judge<'_> {
         if joints.is_empty() || last.cause.local() || last.cause.moves_time() {
             return false;
         }
-        let [a, b] = [(others, before), (trial, after)].map(|(chosen, fitted)| self.bench.left_out(chosen, fitted));
+        let [a, b] = [(others, before), (trial, after)].map(|(chosen, fitted)| self.tested.left_out(chosen, fitted));
         joints.into_iter().any(|j| b.nearly_all(&a, j, NEARLY))
     }
 
@@ -95,17 +95,17 @@ impl Judge<'_> {
         if gain > cost {
             return Some(gain - cost);
         }
-        let stands_out = || autoregressive_gain(&before.residual, &after.residual, &self.bench.scene.live) > cost;
+        let stands_out = || autoregressive_gain(&before.residual, &after.residual, &self.tested.scene.live) > cost;
         (self.throughout(before, after, trial) || stands_out()).then_some(THROUGHOUT)
     }
 
     /// Whether the last of `trial` is worth having.
     pub(in crate::diagnose) fn judge(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> Option<Accepted> {
-        let Self { bench, settings, accepted, .. } = *self;
+        let Self { tested, settings, accepted, .. } = *self;
         let last = trial.last()?;
         let terms = after.terms.last()?;
         let Chosen { cause, place, shape, x } = last;
-        if terms.is_empty() || at_edge(*cause, shape) || !cause.plausible(&bench.scene, place, shape, x) {
+        if terms.is_empty() || at_edge(*cause, shape) || !cause.plausible(&tested.scene, place, shape, x) {
             return None;
         }
         if terms.iter().zip(&last.x).any(|(t, x)| t.sign == Sign::Positive && *x <= 0.0) {
@@ -134,7 +134,7 @@ impl Judge<'_> {
         if overshadowed {
             return None;
         }
-        let stands: Vec<bool> = (0..counts.len()).map(|j| last.place.is_empty() && stands(bench, j)).collect();
+        let stands: Vec<bool> = (0..counts.len()).map(|j| last.place.is_empty() && stands(tested, j)).collect();
         let Confirmation { confirmed, predicted, spoilt, stirred } = confirmation(before, after, &stands);
         if last.cause.local() {
             // No other part can vouch for it: it must stand out by itself.
@@ -155,9 +155,9 @@ impl Judge<'_> {
 
 /// Whether a joint stands most of the time: the motion does not show the file's errors of that
 /// joint, and a cause of the whole robot can make them seem larger.
-pub(in crate::diagnose) fn stands(bench: &ModelUnderTest<'_>, j: usize) -> bool {
+pub(in crate::diagnose) fn stands(tested: &ModelUnderTest<'_>, j: usize) -> bool {
     let (mut moving, mut all) = (0, 0);
-    for sign in bench.scene.own[j].iter().flat_map(|own| &own.sign) {
+    for sign in tested.scene.own[j].iter().flat_map(|own| &own.sign) {
         moving += usize::from(*sign != 0.0);
         all += 1;
     }

@@ -11,10 +11,10 @@ use dh_codegen::robot::EffectKind;
 const NEARLY_ALL: f64 = 0.97;
 
 /// Each link of the arm as a wrong body, the fit still to come.
-pub(in crate::diagnose) fn single_bodies(bench: &ModelUnderTest<'_>) -> Vec<Chosen> {
+pub(in crate::diagnose) fn single_bodies(tested: &ModelUnderTest<'_>) -> Vec<Chosen> {
     let cause = hypothesis(EffectKind::LinkInertiaError);
     let of = |place| Chosen { cause, place, shape: Vec::new(), x: Vec::new() };
-    cause.places(&bench.scene).into_iter().map(of).collect()
+    cause.places(&tested.scene).into_iter().map(of).collect()
 }
 
 /// A body that was found first as its neighbour, for the columns of links are alike, leaves a rest
@@ -22,7 +22,7 @@ pub(in crate::diagnose) fn single_bodies(bench: &ModelUnderTest<'_>) -> Vec<Chos
 /// all of its mass, if it costs less than the unknowns that it saves, or explains nearly all that
 /// they explain.
 pub(in crate::diagnose) fn merge_bodies(
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
     fitted: &mut Fitted,
 ) {
@@ -33,13 +33,13 @@ pub(in crate::diagnose) fn merge_bodies(
     }
     let mut kept: Vec<Accepted> = accepted.iter().filter(|a| !is_body(a)).cloned().collect();
     let others = chosen_of(&kept);
-    let without = bench.fit(&mut others.clone());
+    let without = tested.fit(&mut others.clone());
     let misfit = |f: &Fitted| f.solution.rss.iter().zip(&fitted.solution.weights).map(|(r, w)| r * w).sum::<f64>();
     let mut best: Option<(f64, Vec<Chosen>, Fitted)> = None;
-    for body in single_bodies(bench) {
+    for body in single_bodies(tested) {
         let mut trial = others.clone();
         trial.push(body);
-        let next = bench.fit(&mut trial);
+        let next = tested.fit(&mut trial);
         let left = misfit(&next);
         if best.as_ref().is_none_or(|b| left < b.0) {
             best = Some((left, trial, next));
@@ -57,12 +57,12 @@ pub(in crate::diagnose) fn merge_bodies(
     });
     let Some((_, mut trial, mut next)) = one else {
         let mut chosen = chosen_of(accepted);
-        *fitted = bench.fit(&mut chosen);
+        *fitted = tested.fit(&mut chosen);
         adopt(accepted, &chosen);
         return;
     };
     let terms = next.terms.last().map_or(&[][..], |t| t.as_slice());
-    if let Some(named) = trial.last().and_then(|body| equivalent_robot_cause(bench, body, terms))
+    if let Some(named) = trial.last().and_then(|body| equivalent_robot_cause(tested, body, terms))
         && let Some(last) = trial.last_mut()
     {
         *last = named;
@@ -72,7 +72,7 @@ pub(in crate::diagnose) fn merge_bodies(
     whole.variance = bodies.iter().map(|b| b.variance).sum();
     whole.rivals.clear();
     kept.push(whole);
-    next = bench.fit(&mut trial);
+    next = tested.fit(&mut trial);
     adopt(&mut kept, &trial);
     (*accepted, *fitted) = (kept, next);
 }

@@ -8,7 +8,7 @@ use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
 /// clock, or a bus. It takes their place where the data do not speak against it: where it costs
 /// less than the unknowns that it saves.
 pub(in crate::diagnose) fn merge_common_delay(
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
     fitted: &mut Fitted,
 ) {
@@ -23,8 +23,8 @@ pub(in crate::diagnose) fn merge_common_delay(
     // Joint, delay, variance: at least that of half a sample.
     let of = |i: usize| {
         let (joint, at) = (accepted[i].chosen.place[0], fitted.first[i]);
-        let sampled = (0.5 * bench.scene.period).powi(2) / 3.0;
-        (joint, bench.scene.delays[joint], covariance[(at, at)].max(0.0) + sampled)
+        let sampled = (0.5 * tested.scene.period).powi(2) / 3.0;
+        (joint, tested.scene.delays[joint], covariance[(at, at)].max(0.0) + sampled)
     };
     let alike = |i: usize, k: usize| {
         let ((_, a, va), (_, b, vb)) = (of(i), of(k));
@@ -37,11 +37,11 @@ pub(in crate::diagnose) fn merge_common_delay(
     let mean = group.iter().map(|&i| of(i).1 / of(i).2).sum::<f64>() / weight;
     let own: Vec<usize> = late.iter().map(|&i| of(i).0).collect();
     let members: Vec<usize> = group.iter().map(|&i| of(i).0).collect();
-    let before = bench.scene.delays.clone();
+    let before = tested.scene.delays.clone();
     for (j, was) in before.iter().enumerate() {
         let wanted = if own.contains(&j) && !members.contains(&j) { *was } else { mean };
         if wanted != *was {
-            bench.delay(&[j], wanted - was);
+            tested.delay(&[j], wanted - was);
         }
     }
     let mut kept: Vec<Accepted> =
@@ -53,7 +53,7 @@ pub(in crate::diagnose) fn merge_common_delay(
     one.variance = group.iter().map(|&i| accepted[i].variance).sum();
     kept.insert(group[0].min(kept.len()), one);
     let mut chosen = chosen_of(&kept);
-    let next = bench.fit(&mut chosen);
+    let next = tested.fit(&mut chosen);
     let (lost, independent) = lost_by(fitted, &next);
     let saved = (group.len() - 1) as f64 * independent.max(2.0).ln();
     if lost < saved {
@@ -62,13 +62,13 @@ pub(in crate::diagnose) fn merge_common_delay(
         return;
     }
     for (j, was) in before.iter().enumerate() {
-        let now = bench.scene.delays[j];
+        let now = tested.scene.delays[j];
         if *was != now {
-            bench.delay(&[j], was - now);
+            tested.delay(&[j], was - now);
         }
     }
     let mut chosen = chosen_of(accepted);
-    *fitted = bench.fit(&mut chosen);
+    *fitted = tested.fit(&mut chosen);
     adopt(accepted, &chosen);
 }
 

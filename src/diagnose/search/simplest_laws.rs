@@ -12,29 +12,29 @@ use crate::diagnose::hypotheses::at_edge;
 
 /// Puts a simpler law of the same effect in the place of each cause whose further terms do not pay.
 pub(in crate::diagnose) fn simplest_laws(
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     accepted: &mut [Accepted],
     fitted: &mut Fitted,
 ) {
     let mut changed = false;
     for index in 0..accepted.len() {
         let own = accepted[index].chosen.clone();
-        let laws = own.cause.simpler(&bench.scene, &own.place, &own.shape);
+        let laws = own.cause.simpler(&tested.scene, &own.place, &own.shape);
         if laws.is_empty() {
             continue;
         }
         changed = true;
         let mut rest = chosen_of(accepted);
         rest.remove(index);
-        let without = bench.fit(&mut rest);
+        let without = tested.fit(&mut rest);
         for (cause, shapes) in laws {
-            let of = |shape: &Vec<f64>| evaluate(bench, &without, cause, &own.place, shape);
+            let of = |shape: &Vec<f64>| evaluate(tested, &without, cause, &own.place, shape);
             let best = shapes.iter().filter_map(of).max_by(|a, b| a.score.total_cmp(&b.score));
             let Some(mut simpler) = best else { continue };
-            refine(bench, &without, &mut simpler);
+            refine(tested, &without, &mut simpler);
             let mut trial = chosen_of(accepted);
             trial[index] = simpler.chosen();
-            let next = bench.fit(&mut trial);
+            let next = tested.fit(&mut trial);
             if !at_edge(cause, &simpler.shape) && suffices(&simpler, &next, &own, fitted) {
                 adopt(accepted, &trial);
                 *fitted = next;
@@ -44,7 +44,7 @@ pub(in crate::diagnose) fn simplest_laws(
     }
     if changed {
         let mut chosen = chosen_of(accepted);
-        *fitted = bench.fit(&mut chosen);
+        *fitted = tested.fit(&mut chosen);
         adopt(accepted, &chosen);
     }
 }

@@ -10,7 +10,7 @@ use crate::diagnose::windows::torque_noise::autocorrelation_time;
 /// Takes each cause out in turn: goes without it where it is not missed, and puts another in its
 /// place that does better now that the rest is known.
 pub(in crate::diagnose) fn stepwise_exchange(
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
     fitted: &mut Fitted,
     noise: &[f64],
@@ -27,25 +27,25 @@ pub(in crate::diagnose) fn stepwise_exchange(
         }
         let mut without = chosen_of(accepted);
         let removed = without.remove(index);
-        let turned = reshape(bench, &mut without, &removed.place);
-        let reduced = bench.fit(&mut without);
+        let turned = reshape(tested, &mut without, &removed.place);
+        let reduced = tested.fit(&mut without);
         let others: Vec<Accepted> =
             accepted.iter().enumerate().filter(|(i, _)| *i != index).map(|(_, a)| a.clone()).collect();
         let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| {
             (place == removed.place.as_slice() || place.is_empty())
                 && !cause.moves_time()
-                && makes_sense(bench, cause)
+                && makes_sense(tested, cause)
                 && without.iter().filter(|c| c.cause.name() == cause.name() && c.place == place).count() < cause.most()
         };
-        let mut ranked = candidates(bench, &reduced, &wanted);
-        let moved = sparest_first(&mut ranked, bench, &without, &reduced);
-        let reduced = if moved { bench.fit(&mut without) } else { reduced };
+        let mut ranked = candidates(tested, &reduced, &wanted);
+        let moved = sparest_first(&mut ranked, tested, &without, &reduced);
+        let reduced = if moved { tested.fit(&mut without) } else { reduced };
         let mut replaced = false;
         for (rank, candidate) in ranked.iter().take(2).enumerate() {
             let mut trial = without.clone();
             trial.push(candidate.chosen());
-            let next = bench.fit(&mut trial);
-            let judge = Judge { bench, noise, settings, accepted: &others, tried: ranked.len() };
+            let next = tested.fit(&mut trial);
+            let judge = Judge { tested, noise, settings, accepted: &others, tried: ranked.len() };
             if let Some(mut judged) = judge.judge(&reduced, &next, &trial) {
                 judged.rivals = rivals(&ranked, rank, &next);
                 if turned && judged.chosen.cause.name() == removed.cause.name() {
@@ -73,14 +73,14 @@ pub(in crate::diagnose) fn stepwise_exchange(
         }
     }
     let mut chosen = chosen_of(accepted);
-    *fitted = bench.fit(&mut chosen);
+    *fitted = tested.fit(&mut chosen);
     adopt(accepted, &chosen);
-    fitted.memory = fitted.residual.iter().zip(&bench.scene.live).map(|(e, l)| autocorrelation_time(e, l)).collect();
+    fitted.memory = fitted.residual.iter().zip(&tested.scene.live).map(|(e, l)| autocorrelation_time(e, l)).collect();
 }
 
 /// Refines the shapes of the causes on a joint again, each beside the others: their first shapes
 /// may have covered for another cause. Whether there are any.
-fn reshape(bench: &mut ModelUnderTest<'_>, chosen: &mut [Chosen], place: &[usize]) -> bool {
+fn reshape(tested: &mut ModelUnderTest<'_>, chosen: &mut [Chosen], place: &[usize]) -> bool {
     let shaped = |c: &Chosen| c.cause.shape().iter().any(|number| number.step.is_some());
     let peers: Vec<usize> = (0..chosen.len())
         .filter(|&k| {
@@ -90,9 +90,9 @@ fn reshape(bench: &mut ModelUnderTest<'_>, chosen: &mut [Chosen], place: &[usize
     for &k in &peers {
         let mut rest = chosen.to_vec();
         let own = rest.remove(k);
-        let reduced = bench.fit(&mut rest);
-        if let Some(mut candidate) = evaluate(bench, &reduced, own.cause, &own.place, &own.shape) {
-            refine(bench, &reduced, &mut candidate);
+        let reduced = tested.fit(&mut rest);
+        if let Some(mut candidate) = evaluate(tested, &reduced, own.cause, &own.place, &own.shape) {
+            refine(tested, &reduced, &mut candidate);
             chosen[k] = candidate.chosen();
         }
     }

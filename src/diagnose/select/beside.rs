@@ -76,7 +76,7 @@ fn share_within(span: Range<usize>, errors: [&Measured; 2], noise: &[f64]) -> f6
 
 /// Measures a model beside the same without one of its causes.
 pub(in crate::diagnose) struct Beside<'c, 'a> {
-    pub(in crate::diagnose) case: &'c Session<'a>,
+    pub(in crate::diagnose) session: &'c Session<'a>,
     pub(in crate::diagnose) far: Meter<'a>,
     pub(in crate::diagnose) near: Meter<'a>,
     pub(in crate::diagnose) after: &'c Measured,
@@ -88,23 +88,23 @@ impl<'a> Beside<'_, 'a> {
     /// can't refute it.
     pub(in crate::diagnose) fn without(
         &mut self,
-        bench: &mut ModelUnderTest<'a>,
+        tested: &mut ModelUnderTest<'a>,
         chosen: &[Chosen],
         item: &Item,
     ) -> Without {
         let near = here(item, self.after);
-        let found = self.on(near, bench, chosen, item);
+        let found = self.on(near, tested, chosen, item);
         if near || !found.differs(&item.place) {
             return found;
         }
-        let far = share(&found.measured.steady, &self.after.steady, self.case.noise, &item.place);
-        Without { apart: found.apart, far_share: Some(far), ..self.on(true, bench, chosen, item) }
+        let far = share(&found.measured.steady, &self.after.steady, self.session.noise, &item.place);
+        Without { apart: found.apart, far_share: Some(far), ..self.on(true, tested, chosen, item) }
     }
 
-    fn on(&mut self, near: bool, bench: &mut ModelUnderTest<'a>, chosen: &[Chosen], item: &Item) -> Without {
-        let Session { plant, fit, noise, own_validation, .. } = *self.case;
+    fn on(&mut self, near: bool, tested: &mut ModelUnderTest<'a>, chosen: &[Chosen], item: &Item) -> Without {
+        let Session { plant, fit, noise, own_validation, .. } = *self.session;
         let (meter, with) = if near { (&mut self.near, self.after_fit) } else { (&mut self.far, self.after) };
-        let measured = leave_out(plant, fit, meter, bench, chosen, item, !near);
+        let measured = leave_out(plant, fit, meter, tested, chosen, item, !near);
         let apart = |j: usize| {
             let both = self.after.steady[j].min(measured.steady[j]);
             own_validation && !near && both > CHANGED * self.after_fit.steady[j].max(EXCESS * noise[j])

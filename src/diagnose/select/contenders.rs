@@ -5,7 +5,7 @@ use super::excess::{by_log, excess, with_excess};
 use super::measure::Meter;
 use super::model_choice::LeftOut;
 use super::prune::Pruned;
-use super::refine_and_select::{Session, Settled};
+use super::refine_and_select::{Selected, Session};
 use crate::diagnose::findings::result::Errors;
 use crate::diagnose::findings::structure::{Structure, structure};
 use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
@@ -17,7 +17,7 @@ use crate::model::PerturbableArm;
 /// A refit of all base parameters and friction, without any further cause: what remains is
 /// structure.
 pub(in crate::diagnose) struct Refit<'a> {
-    pub(in crate::diagnose) bench: ModelUnderTest<'a>,
+    pub(in crate::diagnose) tested: ModelUnderTest<'a>,
     /// Errors on stretches of the fitted logs that are left out in turn.
     pub(in crate::diagnose) left_out: LeftOut,
     pub(in crate::diagnose) errors: Errors,
@@ -33,13 +33,13 @@ impl<'a> Refit<'a> {
         own_validation: bool,
         settings: &Settings,
     ) -> Result<Self, DiagnoseError> {
-        let mut bench = ModelUnderTest::new(plant, fit, settings.rate, Mode::Refitted, &plant.delays(), false);
-        let (plain, left_out) = plainly(&mut bench)?;
-        let after = Meter::new(plant, validate, &bench).of(&bench, &plain, &[], true);
-        let fitted = Meter::new(plant, fit, &bench).of(&bench, &plain, &[], false).rms;
-        let by_log = if own_validation { by_log(plant, validate, &bench, &plain, &[]) } else { Vec::new() };
+        let mut tested = ModelUnderTest::new(plant, fit, settings.rate, Mode::Refitted, &plant.delays(), false);
+        let (plain, left_out) = plainly(&mut tested)?;
+        let after = Meter::new(plant, validate, &tested).of(&tested, &plain, &[], true);
+        let fitted = Meter::new(plant, fit, &tested).of(&tested, &plain, &[], false).rms;
+        let by_log = if own_validation { by_log(plant, validate, &tested, &plain, &[]) } else { Vec::new() };
         let errors = Errors { fit: fitted, validate: after.rms, moving: after.steady };
-        Ok(Self { bench, left_out, errors, by_log })
+        Ok(Self { tested, left_out, errors, by_log })
     }
 }
 
@@ -63,8 +63,8 @@ fn plainly(refit: &mut ModelUnderTest<'_>) -> Result<(Fitted, LeftOut), Diagnose
 impl<'a> Session<'a> {
     /// Part of a model's residual that is not noise. `torque`: root mean square of each joint's, N
     /// m.
-    pub(in crate::diagnose) fn left(&self, model: &Settled<'_>, torque: &[f64]) -> Vec<Structure> {
-        let found = structure(&model.bench.scene, &model.fitted.residual, self.noise, torque);
+    pub(in crate::diagnose) fn left(&self, model: &Selected<'_>, torque: &[f64]) -> Vec<Structure> {
+        let found = structure(&model.tested.scene, &model.fitted.residual, self.noise, torque);
         with_excess(found, excess(model, self.noise))
     }
 
@@ -74,14 +74,14 @@ impl<'a> Session<'a> {
         has_links: bool,
         refit: &Refit<'_>,
         torque: &[f64],
-    ) -> Result<(Vec<Settled<'a>>, Vec<String>), ConsistentError> {
+    ) -> Result<(Vec<Selected<'a>>, Vec<String>), ConsistentError> {
         let (mut models, mut said) = (Vec::new(), Vec::new());
         if has_links {
             (self.progress)("the file's links unchanged");
             models.push(self.searched(Mode::Trusted)?);
         }
         let refit_is_better =
-            |m: &Settled<'_>| refit.left_out.less(&m.left_out, self.ground).worth_refit() || self.worse_than(m, refit);
+            |m: &Selected<'_>| refit.left_out.less(&m.left_out, self.ground).worth_refit() || self.worse_than(m, refit);
         if !models.iter().any(|m| self.left(m, torque).is_empty() && !refit_is_better(m)) {
             (self.progress)("all base parameters refitted");
             match self.searched(Mode::Refitted) {
@@ -93,7 +93,7 @@ impl<'a> Session<'a> {
             let file = self.file_by_log()?;
             let mut holding = Vec::new();
             for model in models {
-                let without = if model.bench.mode == Mode::Trusted { &file } else { &refit.by_log };
+                let without = if model.tested.mode == Mode::Trusted { &file } else { &refit.by_log };
                 match self.pruned(model, &|model| self.fails_on(model, without))? {
                     Pruned::Holds(model) => holding.push(*model),
                     Pruned::Fails(sentence) => said.push(sentence),
@@ -110,12 +110,12 @@ impl<'a> Session<'a> {
 
     /// Refitted links go where they err more than the unchanged file on every validating log, and
     /// there is a model of the file's links with causes: the fitted logs show too little of them.
-    fn without_poor_links(&self, models: &mut Vec<Settled<'a>>, file: &[Vec<f64>], said: &mut Vec<String>) {
-        if !models.iter().any(|m| m.bench.mode == Mode::Trusted && !m.causes.is_empty()) {
+    fn without_poor_links(&self, models: &mut Vec<Selected<'a>>, file: &[Vec<f64>], said: &mut Vec<String>) {
+        if !models.iter().any(|m| m.tested.mode == Mode::Trusted && !m.causes.is_empty()) {
             return;
         }
         let before = models.len();
-        models.retain(|m| m.bench.mode == Mode::Trusted || !self.worse_as_a_whole(m, file));
+        models.retain(|m| m.tested.mode == Mode::Trusted || !self.worse_as_a_whole(m, file));
         if models.len() < before {
             said.push("Refitted links err more than the file's on every validating log, and are not offered.".into());
         }
@@ -127,24 +127,24 @@ impl<'a> Session<'a> {
     }
 
     /// Errors of a model without causes on each validating log, where joints move, N m.
-    pub(in crate::diagnose) fn by_log_of(&self, model: &Settled<'_>) -> Vec<Vec<f64>> {
-        by_log(self.plant, self.validate, &model.bench, &model.fitted, &[])
+    pub(in crate::diagnose) fn by_log_of(&self, model: &Selected<'_>) -> Vec<Vec<f64>> {
+        by_log(self.plant, self.validate, &model.tested, &model.fitted, &[])
     }
 
     /// Whether a model errs more than a plain refit on a validating log.
-    pub(in crate::diagnose) fn worse_than(&self, model: &Settled<'_>, refit: &Refit<'_>) -> bool {
+    pub(in crate::diagnose) fn worse_than(&self, model: &Selected<'_>, refit: &Refit<'_>) -> bool {
         self.own_validation && !self.worse_on(model, &refit.by_log).is_empty()
     }
 
     /// Says so where a model errs more with further causes than without them on a validating log:
     /// `without`, errors of the same links without any, per log and joint, N m. Logs of different
     /// robots refute no model.
-    fn fails_on(&self, model: &Settled<'_>, without: &[Vec<f64>]) -> Option<String> {
+    fn fails_on(&self, model: &Selected<'_>, without: &[Vec<f64>]) -> Option<String> {
         let logs = self.worse_on(model, without);
         let holds = model.accepted.is_empty() || logs.is_empty() || !self.changed(model, self.noise).is_empty();
         (!holds).then(|| {
             let (count, logs) = (model.accepted.len(), logs.join(", "));
-            let links = if model.bench.mode == Mode::Trusted { "the file's links" } else { "refitted links" };
+            let links = if model.tested.mode == Mode::Trusted { "the file's links" } else { "refitted links" };
             format!("A model of {links} with {count} further causes errs more on {logs} than without them, and is not offered.")
         })
     }

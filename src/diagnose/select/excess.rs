@@ -2,7 +2,7 @@
 //! have not.
 
 use super::measure::{Measured, Meter, root_mean_square, taken_of};
-use super::refine_and_select::{Session, Settled};
+use super::refine_and_select::{Selected, Session};
 use crate::diagnose::findings::evidence::short;
 use crate::diagnose::findings::result::Cause;
 use crate::diagnose::findings::structure::Structure;
@@ -46,7 +46,7 @@ fn swift(measured: &Measured, j: usize) -> f64 {
 
 /// Joints that the model misses by more than the floor explains, on fitted and validating logs
 /// alike. `floor`: error of each joint's torque where a model is right, N m.
-pub(in crate::diagnose) fn excess(model: &Settled<'_>, floor: &[f64]) -> Vec<Structure> {
+pub(in crate::diagnose) fn excess(model: &Selected<'_>, floor: &[f64]) -> Vec<Structure> {
     let joint = |j: usize| {
         let least = |of: &dyn Fn(&Measured) -> f64| of(&model.after).min(of(&model.after_fit));
         let rms = least(&|m| swift(m, j)).max(least(&|m| m.steady[j]) * EXCESS / ABOUT_REVERSALS);
@@ -81,12 +81,12 @@ pub(in crate::diagnose) fn explained(left: Vec<Structure>, by: &[Cause]) -> Vec<
 pub(in crate::diagnose) fn by_log(
     plant: &dyn PerturbableArm,
     logs: &[Recording],
-    bench: &ModelUnderTest<'_>,
+    tested: &ModelUnderTest<'_>,
     fitted: &Fitted,
     chosen: &[Chosen],
 ) -> Vec<Vec<f64>> {
     let of =
-        |log: &Recording| Meter::new(plant, std::slice::from_ref(log), bench).of(bench, fitted, chosen, true).steady;
+        |log: &Recording| Meter::new(plant, std::slice::from_ref(log), tested).of(tested, fitted, chosen, true).steady;
     logs.iter().map(of).collect()
 }
 
@@ -94,18 +94,24 @@ impl Session<'_> {
     /// Joints, from 0, that differ between fitted and validating logs. They are missed far more on
     /// the latter than on any left-out stretch of the former, also by one model that is fitted to
     /// both. Without that second test a joint that the fitted logs hardly show would count.
-    pub(in crate::diagnose) fn changed(&self, model: &Settled<'_>, floor: &[f64]) -> Vec<usize> {
+    pub(in crate::diagnose) fn changed(&self, model: &Selected<'_>, floor: &[f64]) -> Vec<usize> {
         let elsewhere = |j: usize| model.left_out.worst(j).max(model.after_fit.steady[j]).max(EXCESS * floor[j]);
         let missed: Vec<usize> = (0..floor.len()).filter(|&j| model.after.steady[j] > CHANGED * elsewhere(j)).collect();
         if missed.is_empty() {
             return missed;
         }
         let all = [self.fit, self.validate].concat();
-        let mut bench =
-            ModelUnderTest::new(self.plant, &all, self.settings.rate, Mode::Refitted, &model.bench.scene.delays, false);
+        let mut tested = ModelUnderTest::new(
+            self.plant,
+            &all,
+            self.settings.rate,
+            Mode::Refitted,
+            &model.tested.scene.delays,
+            false,
+        );
         let mut chosen = chosen_of(&model.accepted);
-        let fitted = bench.fit(&mut chosen);
-        let of = |logs| Meter::new(self.plant, logs, &bench).of(&bench, &fitted, &chosen, true).steady;
+        let fitted = tested.fit(&mut chosen);
+        let of = |logs| Meter::new(self.plant, logs, &tested).of(&tested, &fitted, &chosen, true).steady;
         let [fit, validate] = [of(self.fit), of(self.validate)];
         missed.into_iter().filter(|&j| fit[j].max(validate[j]) > APART * elsewhere(j)).collect()
     }
@@ -113,8 +119,8 @@ impl Session<'_> {
     /// Validating logs, by name, on which a model errs more than a plain refit (its errors by log).
     /// The limit is a fiftieth over all joints in units of `scale`, or on one joint a tenth and the
     /// noise.
-    pub(in crate::diagnose) fn worse_on(&self, model: &Settled<'_>, refit: &[Vec<f64>]) -> Vec<String> {
-        let own = by_log(self.plant, self.validate, &model.bench, &model.fitted, &chosen_of(&model.accepted));
+    pub(in crate::diagnose) fn worse_on(&self, model: &Selected<'_>, refit: &[Vec<f64>]) -> Vec<String> {
+        let own = by_log(self.plant, self.validate, &model.tested, &model.fitted, &chosen_of(&model.accepted));
         let pairs = own.iter().zip(refit).zip(self.validate);
         let worse = pairs.filter(|((own, refit), _)| worse(own, refit, self.scale, self.noise));
         worse.map(|(_, log)| log.name.clone()).collect()
@@ -122,8 +128,8 @@ impl Session<'_> {
 
     /// Whether a model errs more than another (its errors by log) on every validating log, over all
     /// joints.
-    pub(super) fn worse_as_a_whole(&self, model: &Settled<'_>, other: &[Vec<f64>]) -> bool {
-        let own = by_log(self.plant, self.validate, &model.bench, &model.fitted, &chosen_of(&model.accepted));
+    pub(super) fn worse_as_a_whole(&self, model: &Selected<'_>, other: &[Vec<f64>]) -> bool {
+        let own = by_log(self.plant, self.validate, &model.tested, &model.fitted, &chosen_of(&model.accepted));
         own.iter().zip(other).all(|(own, other)| taken_of(own, other, self.scale) > WORSE)
     }
 }

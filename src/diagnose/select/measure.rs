@@ -29,13 +29,13 @@ pub(in crate::diagnose) struct Meter<'a> {
 }
 
 impl<'a> Meter<'a> {
-    /// For models with the mode and the delays of `bench`.
+    /// For models with the mode and the delays of `tested`.
     pub(in crate::diagnose) fn new(
         plant: &'a dyn PerturbableArm,
         recordings: &'a [Recording],
-        bench: &ModelUnderTest<'_>,
+        tested: &ModelUnderTest<'_>,
     ) -> Self {
-        Self { fine: ModelUnderTest::new(plant, recordings, RAW, bench.mode, &bench.scene.delays, true) }
+        Self { fine: ModelUnderTest::new(plant, recordings, RAW, tested.mode, &tested.scene.delays, true) }
     }
 
     /// Errors of the unchanged file.
@@ -48,12 +48,12 @@ impl<'a> Meter<'a> {
     /// what acted in a part of them does not act here.
     pub(in crate::diagnose) fn of(
         &mut self,
-        bench: &ModelUnderTest<'_>,
+        tested: &ModelUnderTest<'_>,
         fitted: &Fitted,
         chosen: &[Chosen],
         elsewhere: bool,
     ) -> Measured {
-        self.fine.adopt(bench, fitted);
+        self.fine.adopt(tested, fitted);
         let mut x = fitted.solution.x.clone();
         for (c, first) in chosen.iter().zip(&fitted.first).filter(|(c, _)| elsewhere && c.cause.local()) {
             (0..c.x.len()).for_each(|k| x[first + k] = 0.0);
@@ -99,33 +99,33 @@ pub(in crate::diagnose) fn here(item: &Item, after: &Measured) -> bool {
     item.hypothesis.local() || item.accepted.is_some_and(|index| !after.shown[index])
 }
 
-/// Errors of the model that is fitted without one of its causes; the bench is left with that.
+/// Errors of the model that is fitted without one of its causes; the model under test is left with that.
 pub(in crate::diagnose) fn leave_out<'a>(
     plant: &'a dyn PerturbableArm,
     fit: &'a [Recording],
     meter: &mut Meter<'a>,
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     chosen: &[Chosen],
     item: &Item,
     elsewhere: bool,
 ) -> Measured {
     if item.hypothesis.moves_time() {
-        let (mut reduced, mut others, fitted) = reduced(plant, fit, bench, chosen, item);
+        let (mut reduced, mut others, fitted) = reduced(plant, fit, tested, chosen, item);
         let fitted = reduced.possible(&mut others, &fitted).unwrap_or(fitted);
         return Meter::new(plant, meter.fine.recordings, &reduced).of(&reduced, &fitted, &others, elsewhere);
     }
-    let frozen = bench.frozen.clone();
-    item.friction.iter().for_each(|&k| bench.frozen[k] = true);
+    let frozen = tested.frozen.clone();
+    item.friction.iter().for_each(|&k| tested.frozen[k] = true);
     let mut others: Vec<Chosen> =
         chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
-    let fitted = bench.fit(&mut others);
-    let fitted = bench.possible(&mut others, &fitted).unwrap_or(fitted);
-    let measured = match bench.scene.delays == meter.fine.scene.delays {
-        true => meter.of(bench, &fitted, &others, elsewhere),
+    let fitted = tested.fit(&mut others);
+    let fitted = tested.possible(&mut others, &fitted).unwrap_or(fitted);
+    let measured = match tested.scene.delays == meter.fine.scene.delays {
+        true => meter.of(tested, &fitted, &others, elsewhere),
         // Without this the delay is another.
-        false => Meter::new(plant, meter.fine.recordings, bench).of(bench, &fitted, &others, elsewhere),
+        false => Meter::new(plant, meter.fine.recordings, tested).of(tested, &fitted, &others, elsewhere),
     };
-    bench.frozen = frozen;
+    tested.frozen = frozen;
     measured
 }
 
@@ -133,20 +133,21 @@ pub(in crate::diagnose) fn leave_out<'a>(
 pub(in crate::diagnose) fn reduced<'a>(
     plant: &'a dyn PerturbableArm,
     fit: &'a [Recording],
-    bench: &ModelUnderTest<'_>,
+    tested: &ModelUnderTest<'_>,
     chosen: &[Chosen],
     item: &Item,
 ) -> (ModelUnderTest<'a>, Vec<Chosen>, Fitted) {
-    let mut delays = bench.scene.delays.clone();
+    let mut delays = tested.scene.delays.clone();
     if item.hypothesis.moves_time() {
         // The delay's own part of the shift goes.
         let own: Vec<usize> = if item.place.is_empty() { (0..delays.len()).collect() } else { item.place.clone() };
         let given = plant.delays();
         own.iter().for_each(|&j| delays[j] = given[j]);
     }
-    let mut reduced = ModelUnderTest::new(plant, fit, bench.rate, bench.mode, &delays, false);
-    (reduced.frozen, reduced.quiet, reduced.hold) = (bench.frozen.clone(), bench.quiet.clone(), bench.hold.clone());
-    reduced.motion_error.clone_from(&bench.motion_error);
+    let mut reduced = ModelUnderTest::new(plant, fit, tested.rate, tested.mode, &delays, false);
+    (reduced.frozen, reduced.quiet, reduced.regulariser) =
+        (tested.frozen.clone(), tested.quiet.clone(), tested.regulariser.clone());
+    reduced.motion_error.clone_from(&tested.motion_error);
     item.friction.iter().for_each(|&k| reduced.frozen[k] = true);
     let mut others: Vec<Chosen> =
         chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();

@@ -4,7 +4,7 @@
 
 use super::measure::{Meter, leave_out, taken_of};
 use super::reduction::without;
-use super::refine_and_select::{Session, Settled};
+use super::refine_and_select::{Selected, Session};
 use crate::diagnose::findings::reported_cause::{Item, items, place_of};
 use crate::diagnose::search::judge::chosen_of;
 use crate::identify::ConsistentError;
@@ -14,7 +14,7 @@ const MOST: usize = 6;
 
 /// What is left of a model on validating logs.
 pub(super) enum Pruned<'a> {
-    Holds(Box<Settled<'a>>),
+    Holds(Box<Selected<'a>>),
     /// A sentence on why.
     Fails(String),
 }
@@ -24,23 +24,23 @@ impl<'a> Session<'a> {
     /// other, first the one without which the validating logs are missed least.
     pub(super) fn pruned(
         &self,
-        mut model: Settled<'a>,
-        fails: &dyn Fn(&Settled<'a>) -> Option<String>,
+        mut model: Selected<'a>,
+        fails: &dyn Fn(&Selected<'a>) -> Option<String>,
     ) -> Result<Pruned<'a>, ConsistentError> {
         let Some(sentence) = fails(&model) else { return Ok(Pruned::Holds(Box::new(model))) };
         for _ in 0..MOST {
             (self.progress)("without what does not carry over to the validating logs");
             let Some(item) = self.least_missed(&mut model) else { return Ok(Pruned::Fails(sentence)) };
-            let Settled { mut bench, mut accepted, rivals, mut why, .. } = model;
+            let Selected { mut tested, mut accepted, rivals, mut why, .. } = model;
             why.push(format!(
                 "{} {} is not in the model: the validating logs are predicted better without it.",
                 item.hypothesis.name(),
                 place_of(&item.place)
             ));
-            item.friction.iter().for_each(|&k| bench.frozen[k] = true);
+            item.friction.iter().for_each(|&k| tested.frozen[k] = true);
             let out: Vec<usize> = item.accepted.into_iter().collect();
-            let fitted = without(&mut bench, &mut accepted, &out);
-            model = self.hold(bench, accepted, fitted, rivals, why)?;
+            let fitted = without(&mut tested, &mut accepted, &out);
+            model = self.validated(tested, accepted, fitted, rivals, why)?;
             if model.accepted.is_empty() {
                 return Ok(Pruned::Fails(sentence));
             }
@@ -52,19 +52,19 @@ impl<'a> Session<'a> {
     }
 
     /// The cause without which the validating logs are missed least; the model is left as it was.
-    fn least_missed(&self, model: &mut Settled<'a>) -> Option<Item> {
-        let Settled { bench, accepted, fitted, after, .. } = model;
+    fn least_missed(&self, model: &mut Selected<'a>) -> Option<Item> {
+        let Selected { tested, accepted, fitted, after, .. } = model;
         let chosen = chosen_of(accepted);
-        let mut meter = Meter::new(self.plant, self.validate, bench);
+        let mut meter = Meter::new(self.plant, self.validate, tested);
         let mut best: Option<(f64, Item)> = None;
-        for item in items(bench, accepted, fitted) {
-            let other = leave_out(self.plant, self.fit, &mut meter, bench, &chosen, &item, true);
+        for item in items(tested, accepted, fitted) {
+            let other = leave_out(self.plant, self.fit, &mut meter, tested, &chosen, &item, true);
             let gain = taken_of(&after.steady, &other.steady, self.scale);
             if best.as_ref().is_none_or(|(most, _)| gain > *most) {
                 best = Some((gain, item));
             }
         }
-        bench.fit(&mut chosen_of(accepted));
+        tested.fit(&mut chosen_of(accepted));
         best.map(|(_, item)| item)
     }
 }

@@ -13,24 +13,24 @@ use crate::model::PerturbableArm;
 
 /// The model without some of its accepted causes, fitted.
 pub(in crate::diagnose) fn without(
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
     out: &[usize],
 ) -> Fitted {
-    let given = bench.plant.delays();
-    let mut late = vec![0.0; bench.scene.dof()];
+    let given = tested.plant.delays();
+    let mut late = vec![0.0; tested.scene.dof()];
     for c in out.iter().map(|&i| &accepted[i].chosen).filter(|c| c.cause.moves_time()) {
         let own: Vec<usize> = if c.place.is_empty() { (0..late.len()).collect() } else { c.place.clone() };
-        own.iter().for_each(|&j| late[j] = given[j] - bench.scene.delays[j]);
+        own.iter().for_each(|&j| late[j] = given[j] - tested.scene.delays[j]);
     }
-    bench.undo_delay(&late);
+    tested.undo_delay(&late);
     let mut index = 0;
     accepted.retain(|_| {
         index += 1;
         !out.contains(&(index - 1))
     });
     let mut chosen = chosen_of(accepted);
-    let fitted = bench.fit(&mut chosen);
+    let fitted = tested.fit(&mut chosen);
     adopt(accepted, &chosen);
     fitted
 }
@@ -40,7 +40,7 @@ pub(in crate::diagnose) fn without(
 pub(in crate::diagnose) fn backward_eliminate(
     plant: &dyn PerturbableArm,
     fit: &[Recording],
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
     mut fitted: Fitted,
     ground: &[f64],
@@ -48,8 +48,8 @@ pub(in crate::diagnose) fn backward_eliminate(
 ) -> Fitted {
     for round in 0..12 {
         let chosen = chosen_of(accepted);
-        let items = items(bench, accepted, &fitted);
-        let stretches = bench.stretches(&chosen);
+        let items = items(tested, accepted, &fitted);
+        let stretches = tested.stretches(&chosen);
         let (counts, local) = (stretches.counts(), local(&chosen, &fitted));
         let with = LeftOut::new(&stretches.cross_validated_without(&fitted.solution, &[], &local), &counts);
         let mut worst = None;
@@ -58,7 +58,7 @@ pub(in crate::diagnose) fn backward_eliminate(
                 if round > 0 {
                     continue;
                 }
-                let (reduced, others, fitted) = reduced(plant, fit, bench, &chosen, item);
+                let (reduced, others, fitted) = reduced(plant, fit, tested, &chosen, item);
                 reduced.left_out(&others, &fitted)
             } else {
                 let mut out: Vec<usize> = item.friction.iter().map(|k| fitted.friction + k).collect();
@@ -85,9 +85,9 @@ pub(in crate::diagnose) fn backward_eliminate(
             -200.0 * paired.gain,
             200.0 * paired.error
         ));
-        item.friction.iter().for_each(|&k| bench.frozen[k] = true);
+        item.friction.iter().for_each(|&k| tested.frozen[k] = true);
         let out: Vec<usize> = item.accepted.into_iter().collect();
-        fitted = without(bench, accepted, &out);
+        fitted = without(tested, accepted, &out);
     }
     fitted
 }
@@ -95,51 +95,51 @@ pub(in crate::diagnose) fn backward_eliminate(
 /// Takes out, the least sure first, causes whose coefficients do not stand out of their
 /// uncertainty, that of the shape included.
 pub(in crate::diagnose) fn drop_insignificant(
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
     mut fitted: Fitted,
     noise: &[f64],
 ) -> Fitted {
     loop {
         let chosen = chosen_of(accepted);
-        let uncertainty = Uncertainty::of(bench, &fitted, &chosen);
+        let uncertainty = Uncertainty::of(tested, &fitted, &chosen);
         let least = (0..chosen.len())
-            .map(|index| (index, uncertainty.stands_out(bench, &fitted, index, &chosen[index])))
+            .map(|index| (index, uncertainty.stands_out(tested, &fitted, index, &chosen[index])))
             .min_by(|a, b| a.1.total_cmp(&b.1));
         let Some((index, _)) = least.filter(|l| l.1 < 0.0) else { return fitted };
         let gone = accepted.remove(index).chosen;
         // Plain friction may have given way to it.
-        gone.place.iter().for_each(|j| bench.frozen[3 * j..3 * j + 3].fill(false));
+        gone.place.iter().for_each(|j| tested.frozen[3 * j..3 * j + 3].fill(false));
         if gone.cause.moves_time() {
-            let all: Vec<usize> = (0..bench.scene.dof()).collect();
+            let all: Vec<usize> = (0..tested.scene.dof()).collect();
             for &j in if gone.place.is_empty() { &all } else { &gone.place } {
-                let given = bench.plant.delays()[j];
-                bench.delay(&[j], given - bench.scene.delays[j]);
+                let given = tested.plant.delays()[j];
+                tested.delay(&[j], given - tested.scene.delays[j]);
             }
         }
-        fitted = fix_friction(bench, accepted, noise);
+        fitted = fix_friction(tested, accepted, noise);
     }
 }
 
 /// Friction parameters whose change the data do not support go back to the file's values.
 pub(in crate::diagnose) fn fix_friction(
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     accepted: &mut [Accepted],
     noise: &[f64],
 ) -> Fitted {
     let mut chosen = chosen_of(accepted);
-    let mut fitted = bench.fit(&mut chosen);
-    let given = given_friction(bench.plant);
+    let mut fitted = tested.fit(&mut chosen);
+    let given = given_friction(tested.plant);
     for _ in 0..4 {
         let covariance = fitted.covariance();
         let mut changed = false;
-        for j in 0..bench.scene.dof() {
+        for j in 0..tested.scene.dof() {
             // One at a time: of two that say nearly the same, neither seems to be wanted while the
             // other is there.
             let mut least: Option<(usize, f64)> = None;
             for which in 0..3 {
                 let k = 3 * j + which;
-                if bench.frozen[k] {
+                if tested.frozen[k] {
                     continue;
                 }
                 let at = fitted.friction + k;
@@ -156,28 +156,28 @@ pub(in crate::diagnose) fn fix_friction(
                 let drives = which < 2 && file <= 0.0 && file + value < 0.0;
                 let mut sure = if std > 0.0 { value.abs() / std } else { 0.0 };
                 if sure < SURE && effect >= 0.2 * noise[j] && !small && !drives {
-                    sure = sure.max(beside_slow(bench, &fitted, at));
+                    sure = sure.max(beside_slow(tested, &fitted, at));
                 }
                 if (sure < SURE || effect < 0.2 * noise[j] || small || drives) && least.is_none_or(|(_, s)| sure < s) {
                     least = Some((k, sure));
                 }
             }
             if let Some((k, _)) = least {
-                bench.frozen[k] = true;
+                tested.frozen[k] = true;
                 changed = true;
             }
         }
         if !changed {
             break;
         }
-        fitted = bench.fit(&mut chosen);
+        fitted = tested.fit(&mut chosen);
     }
     adopt(accepted, &chosen);
     fitted
 }
 
 /// Standard deviations from 0 of an unknown where errors are autoregressive.
-fn beside_slow(bench: &ModelUnderTest<'_>, fitted: &Fitted, at: usize) -> f64 {
+fn beside_slow(tested: &ModelUnderTest<'_>, fitted: &Fitted, at: usize) -> f64 {
     let inverse = &fitted.solution.inverse;
     let own = inverse[(at, at)];
     if own <= 0.0 {
@@ -185,7 +185,7 @@ fn beside_slow(bench: &ModelUnderTest<'_>, fitted: &Fitted, at: usize) -> f64 {
     }
     // The solution with this unknown at 0.
     let x = &fitted.solution.x - inverse.column(at) * (fitted.solution.x[at] / own);
-    gain(&fitted.moments.residual(&x), &fitted.residual, &bench.scene.live).max(0.0).sqrt()
+    gain(&fitted.moments.residual(&x), &fitted.residual, &tested.scene.live).max(0.0).sqrt()
 }
 
 /// If all base parameters are unknown so is friction. Terms that went back to the file's values
@@ -193,18 +193,18 @@ fn beside_slow(bench: &ModelUnderTest<'_>, fitted: &Fitted, at: usize) -> f64 {
 /// is never less than a plain refit. Friction that would drive a joint ends at zero in the fit
 /// inside the limits.
 pub(in crate::diagnose) fn free_friction(
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     accepted: &mut [Accepted],
     fitted: Fitted,
 ) -> Fitted {
-    if bench.mode != Mode::Refitted {
+    if tested.mode != Mode::Refitted {
         return fitted;
     }
-    let frozen = bench.frozen.clone();
+    let frozen = tested.frozen.clone();
     let mut chosen = chosen_of(accepted);
-    bench.quiet.clone_from(&frozen);
-    bench.frozen.iter_mut().for_each(|f| *f = false);
-    let fitted = bench.fit(&mut chosen);
+    tested.quiet.clone_from(&frozen);
+    tested.frozen.iter_mut().for_each(|f| *f = false);
+    let fitted = tested.fit(&mut chosen);
     adopt(accepted, &chosen);
     fitted
 }

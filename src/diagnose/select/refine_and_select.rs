@@ -48,7 +48,7 @@ pub(in crate::diagnose) struct Choice<'a> {
     pub(in crate::diagnose) changed: Vec<usize>,
     /// [`Diagnosis::file_holds`](crate::diagnose::findings::result::Diagnosis::file_holds).
     pub(in crate::diagnose) file_holds: bool,
-    pub(in crate::diagnose) model: Settled<'a>,
+    pub(in crate::diagnose) model: Selected<'a>,
 }
 
 /// Least share of a joint's squared error that a cause takes where it acts, if that is a part of a
@@ -57,19 +57,19 @@ const LOCAL_SHARE: f64 = 0.25;
 
 /// The fit inside what is possible; the accepted causes have its values.
 fn inside(
-    bench: &mut ModelUnderTest<'_>,
+    tested: &mut ModelUnderTest<'_>,
     accepted: &mut [Accepted],
     fitted: &Fitted,
 ) -> Result<Fitted, ConsistentError> {
     let mut chosen = chosen_of(accepted);
-    let fitted = bench.possible(&mut chosen, fitted)?;
+    let fitted = tested.possible(&mut chosen, fitted)?;
     adopt(accepted, &chosen);
     Ok(fitted)
 }
 
 /// A model of which everything holds.
-pub(in crate::diagnose) struct Settled<'a> {
-    pub(in crate::diagnose) bench: ModelUnderTest<'a>,
+pub(in crate::diagnose) struct Selected<'a> {
+    pub(in crate::diagnose) tested: ModelUnderTest<'a>,
     pub(in crate::diagnose) accepted: Vec<Accepted>,
     pub(in crate::diagnose) fitted: Fitted,
     /// Errors on the validating data.
@@ -86,88 +86,89 @@ pub(in crate::diagnose) struct Settled<'a> {
 }
 
 impl<'a> Session<'a> {
-    fn bench(&self, mode: Mode) -> ModelUnderTest<'a> {
-        let mut bench =
+    fn tested(&self, mode: Mode) -> ModelUnderTest<'a> {
+        let mut tested =
             ModelUnderTest::new(self.plant, self.fit, self.settings.rate, mode, &self.plant.delays(), false);
-        bench.motion_error = self.motion.to_vec();
-        bench
+        tested.motion_error = self.motion.to_vec();
+        tested
     }
 
     /// The model with all causes that hold.
-    pub(in crate::diagnose) fn searched(&self, mode: Mode) -> Result<Settled<'a>, ConsistentError> {
-        let mut bench = self.bench(mode);
-        let accepted = search(&mut bench, self.noise, &self.settings.search, self.progress);
-        self.settle(bench, accepted)
+    pub(in crate::diagnose) fn searched(&self, mode: Mode) -> Result<Selected<'a>, ConsistentError> {
+        let mut tested = self.tested(mode);
+        let accepted = search(&mut tested, self.noise, &self.settings.search, self.progress);
+        self.select(tested, accepted)
     }
 
     /// All parameters refitted, and no further cause.
-    pub(in crate::diagnose) fn plain(&self) -> Result<Settled<'a>, ConsistentError> {
-        let mut bench = self.bench(Mode::Refitted);
-        let fitted = fix_friction(&mut bench, &mut [], self.noise);
-        let fitted = free_friction(&mut bench, &mut [], fitted);
-        self.hold(bench, Vec::new(), fitted, Vec::new(), Vec::new())
+    pub(in crate::diagnose) fn plain(&self) -> Result<Selected<'a>, ConsistentError> {
+        let mut tested = self.tested(Mode::Refitted);
+        let fitted = fix_friction(&mut tested, &mut [], self.noise);
+        let fitted = free_friction(&mut tested, &mut [], fitted);
+        self.validated(tested, Vec::new(), fitted, Vec::new(), Vec::new())
     }
 
     /// The unchanged file.
-    pub(in crate::diagnose) fn file(&self) -> Result<Settled<'a>, ConsistentError> {
-        let mut bench = self.bench(Mode::Trusted);
-        bench.frozen.iter_mut().for_each(|f| *f = true);
-        let fitted = bench.fit(&mut []);
-        self.hold(bench, Vec::new(), fitted, Vec::new(), Vec::new())
+    pub(in crate::diagnose) fn file(&self) -> Result<Selected<'a>, ConsistentError> {
+        let mut tested = self.tested(Mode::Trusted);
+        tested.frozen.iter_mut().for_each(|f| *f = true);
+        let fitted = tested.fit(&mut []);
+        self.validated(tested, Vec::new(), fitted, Vec::new(), Vec::new())
     }
 
-    fn settle(
+    fn select(
         &self,
-        mut bench: ModelUnderTest<'a>,
+        mut tested: ModelUnderTest<'a>,
         mut accepted: Vec<Accepted>,
-    ) -> Result<Settled<'a>, ConsistentError> {
+    ) -> Result<Selected<'a>, ConsistentError> {
         if accepted.iter().any(|a| a.chosen.cause.unit()) {
             let mut chosen = chosen_of(&accepted);
-            bench.polish(&mut chosen);
+            tested.polish(&mut chosen);
             accepted.iter_mut().zip(chosen).for_each(|(a, c)| a.chosen = c);
         }
-        let fitted = fix_friction(&mut bench, &mut accepted, self.noise);
+        let fitted = fix_friction(&mut tested, &mut accepted, self.noise);
         (self.progress)("what else plain friction might be");
-        let (fitted, rivals) = reconsider(&mut bench, &mut accepted, fitted, self.noise, &self.settings.search);
-        let fitted = drop_insignificant(&mut bench, &mut accepted, fitted, self.noise);
-        let fitted = free_friction(&mut bench, &mut accepted, fitted);
+        let (fitted, rivals) = reconsider(&mut tested, &mut accepted, fitted, self.noise, &self.settings.search);
+        let fitted = drop_insignificant(&mut tested, &mut accepted, fitted, self.noise);
+        let fitted = free_friction(&mut tested, &mut accepted, fitted);
         (self.progress)("what holds on stretches that were left out");
         let mut why = Vec::new();
-        let fitted = backward_eliminate(self.plant, self.fit, &mut bench, &mut accepted, fitted, self.ground, &mut why);
-        self.hold(bench, accepted, fitted, rivals, why)
+        let fitted =
+            backward_eliminate(self.plant, self.fit, &mut tested, &mut accepted, fitted, self.ground, &mut why);
+        self.validated(tested, accepted, fitted, rivals, why)
     }
 
     /// Takes out what does not hold on data that were not used, and measures; all of it of the
     /// model inside what is possible.
-    pub(super) fn hold(
+    pub(super) fn validated(
         &self,
-        mut bench: ModelUnderTest<'a>,
+        mut tested: ModelUnderTest<'a>,
         mut accepted: Vec<Accepted>,
         mut fitted: Fitted,
         rivals: Vec<BaselineFriction>,
         why: Vec<String>,
-    ) -> Result<Settled<'a>, ConsistentError> {
+    ) -> Result<Selected<'a>, ConsistentError> {
         for round in 0.. {
             (self.progress)("measuring on data that was not used");
-            fitted = inside(&mut bench, &mut accepted, &fitted)?;
+            fitted = inside(&mut tested, &mut accepted, &fitted)?;
             let chosen = chosen_of(&accepted);
-            let items = items(&bench, &accepted, &fitted);
-            let [mut far, mut near] = [self.validate, self.fit].map(|data| Meter::new(self.plant, data, &bench));
-            let after = far.of(&bench, &fitted, &chosen, true);
-            let after_fit = near.of(&bench, &fitted, &chosen, false);
-            let mut beside = Beside { case: self, far, near, after: &after, after_fit: &after_fit };
-            let others: Vec<Without> = items.iter().map(|item| beside.without(&mut bench, &chosen, item)).collect();
-            fitted = without(&mut bench, &mut accepted, &[]);
-            fitted = inside(&mut bench, &mut accepted, &fitted)?;
+            let items = items(&tested, &accepted, &fitted);
+            let [mut far, mut near] = [self.validate, self.fit].map(|data| Meter::new(self.plant, data, &tested));
+            let after = far.of(&tested, &fitted, &chosen, true);
+            let after_fit = near.of(&tested, &fitted, &chosen, false);
+            let mut beside = Beside { session: self, far, near, after: &after, after_fit: &after_fit };
+            let others: Vec<Without> = items.iter().map(|item| beside.without(&mut tested, &chosen, item)).collect();
+            fitted = without(&mut tested, &mut accepted, &[]);
+            fitted = inside(&mut tested, &mut accepted, &fitted)?;
             let weighing = Attribution {
-                bench: &bench,
+                tested: &tested,
                 fitted: &fitted,
-                uncertainty: &Uncertainty::of(&bench, &fitted, &chosen_of(&accepted)),
+                uncertainty: &Uncertainty::of(&tested, &fitted, &chosen_of(&accepted)),
                 accepted: &accepted,
                 rivals: &rivals,
                 noise: self.noise,
                 own_validation: self.own_validation,
-                stretches: &bench.stretches(&chosen_of(&accepted)),
+                stretches: &tested.stretches(&chosen_of(&accepted)),
             };
             let causes: Vec<Cause> = items
                 .iter()
@@ -192,15 +193,15 @@ impl<'a> Session<'a> {
             let failed: Vec<usize> =
                 (0..causes.len()).filter(|&i| if causes[i].on == "fit" { !stands(i) } else { !holds(i) }).collect();
             if failed.is_empty() || round >= 3 {
-                let left_out = bench.possible_left_out(&chosen_of(&accepted), &fitted)?;
-                return Ok(Settled { bench, accepted, fitted, after, after_fit, causes, left_out, rivals, why });
+                let left_out = tested.possible_left_out(&chosen_of(&accepted), &fitted)?;
+                return Ok(Selected { tested, accepted, fitted, after, after_fit, causes, left_out, rivals, why });
             }
             for &k in failed.iter().flat_map(|&i| &items[i].friction) {
-                let which = if bench.mode == Mode::Refitted { &mut bench.quiet } else { &mut bench.frozen };
+                let which = if tested.mode == Mode::Refitted { &mut tested.quiet } else { &mut tested.frozen };
                 which[k] = true;
             }
             let out: Vec<usize> = failed.iter().filter_map(|&i| items[i].accepted).collect();
-            fitted = without(&mut bench, &mut accepted, &out);
+            fitted = without(&mut tested, &mut accepted, &out);
         }
         unreachable!("the loop returns")
     }
@@ -210,14 +211,14 @@ impl<'a> Session<'a> {
     /// refitted, either or both; `file`: errors of the unchanged file.
     pub(in crate::diagnose) fn choose(
         &self,
-        models: Vec<Settled<'a>>,
+        models: Vec<Selected<'a>>,
         file: &LeftOut,
         refitted: &Refit<'_>,
     ) -> Result<Choice<'a>, ConsistentError> {
         let refit = &refitted.left_out;
         let [mut believing, mut free] = [None, None];
         for model in models {
-            match model.bench.mode {
+            match model.tested.mode {
                 Mode::Trusted => believing = Some(model),
                 Mode::Refitted => free = Some(model),
             }
@@ -233,8 +234,8 @@ impl<'a> Session<'a> {
             free = Some(self.plain()?);
         }
         let mut model = self.better_links(believing, free, refitted, &mut said)?;
-        let refitted = model.bench.mode == Mode::Refitted;
-        let changed = refitted || !model.accepted.is_empty() || model.bench.frozen.iter().any(|f| !f);
+        let refitted = model.tested.mode == Mode::Refitted;
+        let changed = refitted || !model.accepted.is_empty() || model.tested.frozen.iter().any(|f| !f);
         let mut offered = match (changed, refitted && model.accepted.is_empty()) {
             (false, _) => Offered::File,
             (_, true) => Offered::Refitted,
@@ -246,7 +247,7 @@ impl<'a> Session<'a> {
         if changed && !local && !model.left_out.less(file, self.ground).sure() {
             said.push(self.says("nothing predicts surely better than the unchanged file", &model.left_out, file));
             let why = std::mem::take(&mut model.why);
-            (offered, model) = (Offered::File, Settled { why, ..self.file()? });
+            (offered, model) = (Offered::File, Selected { why, ..self.file()? });
         } else if let Some((file, sentence)) = self.holding_file(changed, &model)? {
             let differ = self.changed(&model, self.noise);
             said.push(sentence);
@@ -272,8 +273,8 @@ impl<'a> Session<'a> {
     fn holding_file(
         &self,
         changed: bool,
-        model: &Settled<'a>,
-    ) -> Result<Option<(Settled<'a>, String)>, ConsistentError> {
+        model: &Selected<'a>,
+    ) -> Result<Option<(Selected<'a>, String)>, ConsistentError> {
         if !changed || !self.own_validation {
             return Ok(None);
         }
@@ -296,11 +297,11 @@ impl<'a> Session<'a> {
     /// The file's links with further causes, or all base parameters refitted with further causes.
     fn better_links(
         &self,
-        believing: Option<Settled<'a>>,
-        free: Option<Settled<'a>>,
+        believing: Option<Selected<'a>>,
+        free: Option<Selected<'a>>,
         refit: &Refit<'_>,
         said: &mut Vec<String>,
-    ) -> Result<Settled<'a>, ConsistentError> {
+    ) -> Result<Selected<'a>, ConsistentError> {
         Ok(match (believing, free) {
             (Some(few), Some(all)) if all.left_out.less(&few.left_out, self.ground).worth_refit() => {
                 said.push(self.says(

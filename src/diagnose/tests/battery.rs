@@ -95,13 +95,13 @@ fn a_law_whose_size_is_in_its_shape_is_not_scaled() {
     let log = [record("fit", &world.log(6.0, &mut Random::new(5)), robot.dof())];
     let plant = PerturbableRobot::new(&robot);
     let delays = plant.delays();
-    let mut bench = ModelUnderTest::new(&plant, &log, 100.0, Mode::Refitted, &delays, false);
+    let mut tested = ModelUnderTest::new(&plant, &log, 100.0, Mode::Refitted, &delays, false);
     // A spring that is twice as stiff as one at 3 Hz would be: the free fit scales its swing.
     let cause = causes().find(|c| c.unit()).unwrap();
     let mut chosen = vec![Chosen { cause, place: vec![1], shape: vec![8e3, 40.0], x: Vec::new() }];
-    let free = bench.fit(&mut chosen);
+    let free = tested.fit(&mut chosen);
     assert!((free.solution.x[free.first[0]] - 1.0).abs() > 0.05, "{}", free.solution.x[free.first[0]]);
-    let fitted = bench.possible(&mut chosen, &free).unwrap();
+    let fitted = tested.possible(&mut chosen, &free).unwrap();
     assert_eq!(fitted.solution.x[fitted.first[0]], 1.0);
     assert_eq!(chosen[0].x, [1.0]);
 }

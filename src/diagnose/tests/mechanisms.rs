@@ -235,15 +235,15 @@ fn what_a_log_shows_is_judged_beside_the_causes_found() {
     });
     let recordings = [record("log", &bytes, 2)];
     let plant = PerturbableRobot::new(&robot);
-    let mut bench = ModelUnderTest::new(&plant, &recordings, 100.0, Mode::Trusted, &[0.0; 2], false);
-    let offset = |bench: &ModelUnderTest<'_>| bench.hold.as_ref().unwrap().precision[(5, 5)];
-    bench.fit(&mut []);
-    let before = offset(&bench);
+    let mut tested = ModelUnderTest::new(&plant, &recordings, 100.0, Mode::Trusted, &[0.0; 2], false);
+    let offset = |tested: &ModelUnderTest<'_>| tested.regulariser.as_ref().unwrap().precision[(5, 5)];
+    tested.fit(&mut []);
+    let before = offset(&tested);
     // One motor, its dry friction alone (the third bit).
     let cause = by_name("gear_coupling").unwrap();
     let mut coupling = [Chosen { cause, place: vec![1, 0], shape: vec![1.0, 4.0], x: vec![1.5] }];
-    let fitted = bench.fit_regularised_beside(&mut coupling);
-    assert!(offset(&bench) < 0.01 * before, "{} {before}", offset(&bench));
+    let fitted = tested.fit_regularised_beside(&mut coupling);
+    assert!(offset(&tested) < 0.01 * before, "{} {before}", offset(&tested));
     assert!((coupling[0].x[0] - 1.5).abs() < 0.1 && (fitted.solution.x[fitted.friction + 5] - 0.4).abs() < 0.05);
 }
 
