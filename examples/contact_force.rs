@@ -5,7 +5,7 @@
 
 use std::error::Error;
 
-use denavit::control::estimate::{Known, Linear, NoisePass, NoiseSource, Run, Settings, Uncertainty};
+use denavit::control::estimate::{EstimationSettings, Known, Linear, NoisePass, NoiseSource, Run, Uncertainty};
 use denavit::data::log::Replay;
 use denavit::data::signal::{Prepare, each_motion};
 use denavit::model::interpreted::Interpreted;
@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let known =
         Known { arm: &arm, standard: &standard, torques: &torques, uncertainty: &uncertainty, torque_limits: &[] };
     let mut tool = arm.bodies(&standard);
-    let mut run = Run::new("pushed", known, &mut tool, Settings { free, ..Settings::default() })?;
+    let mut run = Run::new("pushed", known, &mut tool, EstimationSettings { free, ..EstimationSettings::default() })?;
     each_motion(&mut Replay::new(&log), n, &prepare, |motion| run.absorb(motion))?;
     let found = run.finish();
 

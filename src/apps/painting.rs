@@ -34,7 +34,7 @@ pub mod wall;
 
 pub use coverage::Coverage;
 pub use joint_torques::joint_torques;
-pub use motion::Motion;
+pub use motion::PaintingMotion;
 pub use plan::{Infeasible, Moment, Plan, Side, Span, plan};
 pub use search::Progress;
 pub use strokes::{Leg, Pattern, Phase, Strokes};

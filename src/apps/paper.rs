@@ -31,7 +31,7 @@ mod tests;
 pub use error::{DesignObstacle, ReproduceError};
 pub use excitation::{Excitation, ExcitationSettings, excitation};
 pub use force::{Force, ForceSettings, force};
-pub use identification::{Experiment, Settings, identification};
+pub use identification::{Experiment, IdentificationSettings, identification};
 pub use painting::{Painting, PaintingSettings, painting};
 pub use share::Share;
 pub use verdict::Verdict;

@@ -16,8 +16,8 @@ use super::motors;
 use super::prepare::{Preparation, against_limits, pass, warned};
 use super::provenance::Provenance;
 use crate::control::estimate::{
-    self, Bias, BiasPass, COMPONENTS, Effected, Known, Linear, MOST_JOINTS, Method, NoisePass, NoiseSource, Run,
-    Series, Torques, Uncertainty,
+    self, Bias, BiasPass, COMPONENTS, Effected, EstimationSettings, Known, Linear, MOST_JOINTS, Method, NoisePass,
+    NoiseSource, Run, Series, Torques, Uncertainty,
 };
 use crate::data::signal::{Motion, Prepare};
 use crate::model::Arm;
@@ -154,20 +154,7 @@ impl Force {
         let torques: &dyn Torques = effected.as_ref().map_or(&linear, |e| e);
         let prepare = self.preparation.prepare(&file.robot)?;
         let prepare = Prepare { raw_torque: true, margins: true, wrench: true, temperature: true, ..prepare };
-        let mut settings = estimate::Settings { filter: prepare.filter, ..estimate::Settings::default() };
-        settings.gain = self.gain.unwrap_or(settings.gain);
-        settings.method = match self.estimator {
-            Estimator::Residual => Method::Residual,
-            Estimator::Plain => Method::Plain,
-            Estimator::Momentum => Method::Momentum,
-            Estimator::Kalman => Method::Kalman,
-        };
-        if let Some([force, moment]) = self.wander {
-            settings.wander = estimate::Scale { force, moment };
-        }
-        settings.free.clone_from(&self.free);
-        settings.nothing_touches = self.against == Some(Against::Nothing);
-        settings.bias = self.bias_of(&arm, torques, &prepare)?;
+        let settings = EstimationSettings { bias: self.bias_of(&arm, torques, &prepare)?, ..self.settings(&prepare) };
         let (uncertainty, known_from) = self.uncertainty(&arm, torques, &prepare)?;
 
         let joints = file.robot.moving().into_iter().map(|row| &file.robot.joints[row]);
@@ -210,6 +197,24 @@ impl Force {
             .with("low-pass", Preparation::low_pass(&prepare))
             .with("errors of the model", &known_from);
         self.deliver(&outcome, &prepared, &provenance)
+    }
+
+    /// How to estimate, as the options say.
+    fn settings(&self, prepare: &Prepare) -> EstimationSettings {
+        let mut settings = EstimationSettings { filter: prepare.filter, ..EstimationSettings::default() };
+        settings.gain = self.gain.unwrap_or(settings.gain);
+        settings.method = match self.estimator {
+            Estimator::Residual => Method::Residual,
+            Estimator::Plain => Method::Plain,
+            Estimator::Momentum => Method::Momentum,
+            Estimator::Kalman => Method::Kalman,
+        };
+        if let Some([force, moment]) = self.wander {
+            settings.wander = estimate::Scale { force, moment };
+        }
+        settings.free.clone_from(&self.free);
+        settings.nothing_touches = self.against == Some(Against::Nothing);
+        settings
     }
 
     /// Refuses options that are out of range, or would change nothing beside the others.

@@ -10,9 +10,11 @@ use super::Failure;
 use super::delivery::deliver;
 use super::files;
 use super::provenance::Provenance;
-use crate::apps::paper::diagnosis::Settings as DiagnosisSettings;
+use crate::apps::paper::diagnosis::DiagnosisSettings;
 use crate::apps::paper::diagnosis::real::{self, ARMS, ArmData, RealBattery, RealSettings, Recorded};
-use crate::apps::paper::{self, ExcitationSettings, ForceSettings, PaintingSettings, ReproduceError, Settings};
+use crate::apps::paper::{
+    self, ExcitationSettings, ForceSettings, IdentificationSettings, PaintingSettings, ReproduceError,
+};
 use crate::report::{self, Parts};
 
 /// Run the paper's experiments on the simulated robot and print each table and figure beside the
@@ -30,7 +32,7 @@ pub(super) struct Reproduce {
     #[arg(value_enum)]
     part: Option<Part>,
     /// Runs with other noise, to see whether standard deviations are honest; 0 for none.
-    #[arg(long, value_name = "N", default_value_t = Settings::default().runs)]
+    #[arg(long, value_name = "N", default_value_t = IdentificationSettings::default().runs)]
     runs: usize,
     /// Longest motion of Fig. 5, s.
     #[arg(long, value_name = "S", default_value_t = ExcitationSettings::default().longest, value_parser = longest)]
@@ -65,7 +67,7 @@ pub(super) struct Reproduce {
     #[arg(long)]
     quick: bool,
     /// Of motions and noise: the same seed gives the same figures.
-    #[arg(long, value_name = "N", default_value_t = Settings::default().seed)]
+    #[arg(long, value_name = "N", default_value_t = IdentificationSettings::default().seed)]
     seed: u64,
     /// Write rows and figures as JSON; `-` for standard output.
     #[arg(long, value_name = "FILE")]
@@ -124,7 +126,7 @@ impl Reproduce {
             parts.excitation = Some(watched("excitation", |watch| paper::excitation(&settings, watch))?);
         }
         if asked(Part::Identification) {
-            let settings = Settings { runs: self.runs, seed: self.seed };
+            let settings = IdentificationSettings { runs: self.runs, seed: self.seed };
             parts.identification = Some(watched("identification", |watch| paper::identification(&settings, watch))?);
         }
         if asked(Part::Painting) {

@@ -1,7 +1,7 @@
 //! The force on the tool without a force sensor: from joint torques, the identified model and what
 //! is known of its errors.
 //!
-//! A [`ForceEstimator`] takes a [`Sample`]: measured torques and the identified model's torque,
+//! A [`ForceEstimator`] takes a [`EstimatorInput`]: measured torques and the identified model's torque,
 //! mass matrix, Jacobian and covariance. It gives an [`Estimate`]: the wrench that the surroundings
 //! exert on the tool, in the tool's axes about its origin, with its covariance. Three ways:
 //! [`Residual`] (the paper's equation 14), [`Momentum`] (De Luca's observer, no acceleration),
@@ -47,8 +47,8 @@ pub use method::{MOST_JOINTS, Method};
 pub use momentum::Momentum;
 pub use noise::NoisePass;
 pub use residual::Residual;
-pub use run::{Known, Run, Settings, TooManyJoints};
-pub use sample::{Estimate, ForceEstimator, NINETY_FIVE, Sample, Scale};
+pub use run::{EstimationSettings, Known, Run, TooManyJoints};
+pub use sample::{Estimate, EstimatorInput, ForceEstimator, NINETY_FIVE, Scale};
 pub use series::{COMPONENTS, Comparison, Series};
 pub use state_variable_filter::StateVariableFilter;
 pub use torques::{Effected, Linear, Torques};

@@ -18,7 +18,7 @@ const RATE: f64 = 100.0;
 /// The wipe from a posture in contact and back to it, in the last seconds of a settling time;
 /// towards where the plan goes. `None` where there is no time for it, or no posture.
 pub(super) fn wipe<const N: usize>(
-    lent: &mut RobotModel<'_>,
+    model: &mut RobotModel<'_>,
     first: &[f64; N],
     postures: &[[f64; N]],
     normal: &[f64; 3],
@@ -27,13 +27,13 @@ pub(super) fn wipe<const N: usize>(
     if settle < BEFORE + TIME + REST {
         return None;
     }
-    let start = lent.contact(first);
+    let start = model.contact(first);
     let axis: [f64; 3] = std::array::from_fn(|i| start.rotation[i][0]);
     let out: f64 = (0..3).map(|i| axis[i] * normal[i]).sum();
     let axis: [f64; 3] = std::array::from_fn(|i| axis[i] - out * normal[i]);
     let mut ahead = 0.0;
     for q in postures {
-        let there = lent.contact(q).origin;
+        let there = model.contact(q).origin;
         ahead += (0..3).map(|i| axis[i] * (there[i] - start.origin[i])).sum::<f64>();
     }
     let count = (TIME * RATE) as usize;
@@ -42,7 +42,7 @@ pub(super) fn wipe<const N: usize>(
         let s = k as f64 / count as f64;
         // There and back, at rest and without acceleration at both ends.
         let way = FAR.copysign(ahead) * 64.0 * (s * (1.0 - s)).powi(3);
-        near = lent.displaced(first, &axis.map(|a| a * way), &near)?;
+        near = model.displaced(first, &axis.map(|a| a * way), &near)?;
         t.push(settle - REST - TIME + TIME * s);
         rows.push(near);
     }

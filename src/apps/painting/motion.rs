@@ -14,7 +14,7 @@ use crate::numerics::chebyshev::Chebyshev;
 /// order through position, velocity and acceleration at both (a B-spline whose inner knots count
 /// three times).
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Motion {
+pub struct PaintingMotion {
     /// Knots, s, ascending from 0.
     pub times: Vec<f64>,
     /// Positions at the knots, rad or m: one row per knot.
@@ -41,7 +41,7 @@ pub(super) enum RoughBranch {
     },
 }
 
-impl Motion {
+impl PaintingMotion {
     /// Number of joints.
     pub fn dof(&self) -> usize {
         self.q.first().map_or(0, Vec::len)

@@ -2,7 +2,7 @@
 
 use crate::data::trajectory::times;
 
-use super::motion::Motion;
+use super::motion::PaintingMotion;
 use super::search::{Progress, Search};
 use super::strokes::{Phase, Strokes, rest_to_rest};
 use super::surface::{Roller, Surface};
@@ -53,7 +53,7 @@ pub struct Plan {
     /// The legs, in order.
     pub spans: Vec<Span>,
     /// The joints.
-    pub motion: Motion,
+    pub motion: PaintingMotion,
     /// `T_C`: time in contact, s.
     pub contact: f64,
     /// Integral of the squared joint jerks over it, rad^2/s^5.
@@ -150,7 +150,8 @@ pub fn plan(task: &Task<'_>, progress: Progress<'_>) -> Result<Plan, Infeasible>
         return Err(search.infeasible(&best));
     }
     progress("knots", 0.0);
-    let motion = Motion::new(task, &best).map_err(|e| Infeasible { reasons: vec![e.to_string()], too_weak: false })?;
+    let motion =
+        PaintingMotion::new(task, &best).map_err(|e| Infeasible { reasons: vec![e.to_string()], too_weak: false })?;
     let mut begin = 0.0;
     let spans = best
         .legs

@@ -3,18 +3,21 @@
 //! The arm starts 2 cm before the wall, comes to it, and presses at the plan's first point until
 //! the force has settled. If drag is to be predicted it wipes 4 cm there and back. Then it paints.
 
+mod recorder;
+mod settings;
+mod target;
+
 use dh_codegen::robot::{Robot, Tool};
 
+use self::recorder::{FilteredWallSensor, Forces, Recorder};
+use self::target::{PlannedMotion, TargetSchedule};
 use super::Plan;
-use super::tune::{Demands, TuneError, Tuning, plant, tune};
-use super::wall::{RollerWall, WallSensor};
+use super::tune::{TuneError, Tuning, plant, tune};
+use super::wall::RollerWall;
 use crate::apps::painting::drag_calibration_stroke::wipe;
 use crate::control::iterative_learning::{Learned, learned};
-use crate::control::law::{
-    Controller, ControllerError, Estimator, EstimatorSettings, ForceSettings, JointLoop, Limits, Model, Sample,
-    Settings, Status, Target,
-};
-use crate::control::robot::{RobotModel, STANDING};
+use crate::control::law::{Controller, ControllerError, Estimator, Model, Sample, Status};
+use crate::control::robot::RobotModel;
 use crate::model::Dynamics;
 use crate::model::interpreted::Interpreted;
 use crate::model::inverse_kinematics::{Kinematics, MOST};
@@ -36,7 +39,7 @@ pub struct Known<'a> {
     pub spread: Vec<f64>,
     /// Largest error of each joint's friction just after a reversal, N m; infinite where nothing is
     /// known of it, 0 where noise explains all torque errors: [`EstimatorSettings::turning`].
-    pub doubt: Vec<f64>,
+    pub turning: Vec<f64>,
 }
 
 /// Force in the feedback.
@@ -71,7 +74,7 @@ impl Law {
 
 /// The task.
 #[derive(Debug, Clone)]
-pub struct Task<'a> {
+pub struct RunTask<'a> {
     /// The planned joint motion, along which the tool touches the wall.
     pub motion: &'a Trajectory,
     /// The wall; its normal says where to press.
@@ -118,7 +121,7 @@ pub struct Trace {
 
 /// Root mean squares of differences, N.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Accuracy {
+pub struct ForceErrors {
     /// Estimated less measured.
     pub estimated_measured: f64,
     /// Estimated less desired.
@@ -133,7 +136,7 @@ pub struct Run {
     /// Recording.
     pub trace: Trace,
     /// Table IV.
-    pub accuracy: Accuracy,
+    pub accuracy: ForceErrors,
     /// Distance in the plane of the wall between plan and contact, root mean square, m.
     pub tracking: f64,
     /// Seconds in which it did not press.
@@ -202,29 +205,18 @@ pub fn in_contact(plan: &Plan) -> Result<Trajectory, TrajectoryError> {
 
 /// How finely the arm is integrated.
 const TOLERANCE: f64 = 1e-5;
-/// Pole of the force aside, rad/s: what comes faster is predicted, and a fast one rings at 3 Hz
-/// with the estimate's low-pass and soft joints.
-const ASIDE_POLE: f64 = 4.0;
-/// How far from the wall it begins, m, and how long it rests there, comes, and presses before it
-/// paints, s.
+/// How far from the wall it begins, m.
 const AWAY: f64 = 0.02;
-const REST: f64 = 0.3;
-const COME: f64 = 1.5;
-/// Time of a stop along the path, s.
-const STOP: f64 = 0.25;
-/// Share of its torque limit that a joint's spring may have while its position does not change by a
-/// bit: above static friction.
-const STUCK: f64 = 0.15;
 /// Between postures in which what is learned has its own linear model, s.
 const APART: f64 = 1.0;
-/// The last of these by default.
+/// How long it presses before it paints, s, by default.
 pub const SETTLE: f64 = 4.0;
 
 /// Runs it. `progress` receives the share that is done.
 pub fn run(
     known: &Known<'_>,
     real: &Simulator,
-    task: &Task<'_>,
+    task: &RunTask<'_>,
     progress: &mut dyn FnMut(f64),
 ) -> Result<Run, RunError> {
     match known.robot.dof() {
@@ -240,224 +232,79 @@ pub fn run(
     }
 }
 
-/// Limits of torque (N m) and speed (rad/s) of the file, and what stands for those that it has not.
-fn strength<const N: usize>(robot: &Robot) -> [[f64; N]; 2] {
-    let limits: Vec<_> = robot.moving().iter().map(|&row| &robot.joints[row].limits).collect();
-    [
-        std::array::from_fn(|j| limits[j].torque.unwrap_or(1e3)),
-        std::array::from_fn(|j| limits[j].velocity.unwrap_or(2.0)),
-    ]
-}
-
-/// Limits of the file; what it has not is libfranka's for the tool (its jerk is what takes 2 ms to
-/// the full acceleration, for joints too), and for the torques a wide one, their range
-/// in 2 ms: where the displacement begins to move, the joints' loops answer its speed at once.
-fn limits_of<const N: usize>(robot: &Robot, kp: &[f64; N], torque: &[f64; N]) -> Limits<N> {
-    let limits: Vec<_> = robot.moving().iter().map(|&row| &robot.joints[row].limits).collect();
-    let acceleration: [f64; N] = std::array::from_fn(|j| limits[j].acceleration.unwrap_or(f64::INFINITY));
-    Limits {
-        position: std::array::from_fn(|j| limits[j].position.unwrap_or([f64::NEG_INFINITY, f64::INFINITY])),
-        acceleration,
-        jerk: std::array::from_fn(|j| limits[j].jerk.unwrap_or(acceleration[j] / 2e-3)),
-        tool: [1.7, 13.0, 6500.0],
-        torque_rate: torque.map(|most| most / 1e-3),
-        saturated: 0.1,
-        frozen: std::array::from_fn(|j| STUCK * torque[j] / kp[j].max(1e-6)),
-        stuck: [2e-3, 0.2],
-    }
-}
-
 fn run_n<const N: usize>(
     known: &Known<'_>,
     real: &Simulator,
-    task: &Task<'_>,
+    task: &RunTask<'_>,
     progress: &mut dyn FnMut(f64),
 ) -> Result<Run, RunError> {
-    let span = task.motion.span();
-    let seconds = span.end - span.start;
-    let period = 1.0 / task.sensors.rate;
     let press = task.wall.normal.map(|n| -n);
     let kinematics = Kinematics::new(known.robot, known.arm.model());
     let kinematics = kinematics.as_ref().filter(|k| k.inverse().exact);
-    let bodies = || -> Box<dyn Dynamics + '_> { Box::new(known.arm.bodies(known.standard)) };
-    let lend = || RobotModel::new(known.robot, bodies(), kinematics, known.drives.clone());
-    let mut lent = lend();
-
-    let [torque, velocity] = strength(known.robot);
-    let mut hint = 0;
-    let mut points = vec![[0.0; 3]; N];
-    let mut moment = |t: f64| -> [[f64; N]; 3] {
-        task.motion.at(t, &mut hint, &mut points);
-        std::array::from_fn(|d| std::array::from_fn(|j| points[j][d]))
+    let robot_model = || {
+        let bodies: Box<dyn Dynamics + '_> = Box::new(known.arm.bodies(known.standard));
+        RobotModel::new(known.robot, bodies, kinematics, known.drives.clone())
     };
-    let [first, ..] = moment(span.start);
-    let off = press.map(|p| -AWAY * p);
-    let start = lent.displaced(&first, &off, &first).ok_or(RunError::Reach)?;
-
-    let postures: Vec<[f64; N]> = (0..9).map(|k| moment(span.start + seconds * f64::from(k) / 8.0)[0]).collect();
+    let mut model = robot_model();
+    let mut plan = PlannedMotion::<N>::new(task.motion);
+    let first = plan.at(0.0)[0];
+    let start = model.displaced(&first, &press.map(|p| -AWAY * p), &first).ok_or(RunError::Reach)?;
+    let postures: Vec<[f64; N]> = (0..9).map(|k| plan.at(plan.seconds() * f64::from(k) / 8.0)[0]).collect();
+    let demands = settings::demands(known, real, task);
     let viscous: [f64; N] = std::array::from_fn(|j| known.drives[j].plain.viscous.max(0.0));
-    let demands = Demands {
-        period,
-        corner: task.corner,
-        stiffness: task.wall.stiffness,
-        damping: task.wall.damping_at(task.force),
-        drives: real
-            .drives()
-            .iter()
-            .zip(&known.drives)
-            .map(|(is, known)| {
-                let [spring, loss] = is.elasticity.map_or([f64::INFINITY, 0.0], |e| [e.stiffness, e.damping]);
-                [(is.rotor - known.rotor).max(0.0), spring, loss]
-            })
-            .collect(),
-    };
-    let wiped = (task.law.drag > 0.0).then(|| wipe(&mut lent, &first, &postures, &press, task.settle)).flatten();
-    let tuning = tune(&mut lent, &postures, &viscous, &press, &demands)?;
+    let wiped = (task.law.drag > 0.0).then(|| wipe(&mut model, &first, &postures, &press, task.settle)).flatten();
+    let tuning = tune(&mut model, &postures, &viscous, &press, &demands)?;
 
-    let settings = Settings {
-        period,
-        joints: JointLoop {
-            kp: std::array::from_fn(|j| tuning.joints[j].kp),
-            kd: std::array::from_fn(|j| tuning.joints[j].kd),
-        },
-        force: ForceSettings { kp: tuning.force.kp, ki: tuning.force.ki, range: [-AWAY, 0.3], rate: 0.2 },
-        torque,
-        velocity,
-        patience: 5,
-        contact: 0.1 * task.force,
-        lost_after: 0.05,
-        regain: 0.03,
-        give_up: 2.0,
-        most: 4.0 * task.force + 50.0,
-        carry: task.law.carry,
-        feed: task.law.feed,
-        aside: task.law.aside,
-        aside_pole: ASIDE_POLE,
-        drag: task.law.drag,
-        corner: task.corner,
-        limits: limits_of(known.robot, &std::array::from_fn(|j| tuning.joints[j].kp), &torque),
-        stop: STOP,
-    };
-    let mut controller = Controller::new(lend(), settings)?;
-    let estimator = EstimatorSettings {
-        period,
-        corner: task.corner,
-        weights: std::array::from_fn(|j| 1.0 / (known.spread[j] * known.spread[j]).max(1e-12)),
-        damping: 1e-4,
-        moment: task.moment,
-        turning: std::array::from_fn(|j| known.doubt[j]),
-        rest: [STANDING; N],
-    };
-    let mut estimator = Estimator::new(lend(), estimator);
-    let (mut sensor, mut low) = (WallSensor::new(task.seed), [0.0; 3]);
-    let turn = std::f64::consts::TAU * task.corner * period;
-    let share = turn / (1.0 + turn);
-    let (mut trace, mut pace) = (Trace::default(), Vec::new());
-    let (mut status, mut idle, mut wiping) = (Status::Free, 0.0, 0);
-    let paints = REST + COME + task.settle.max(0.0);
+    let mut controller = Controller::new(robot_model(), settings::controller(known, task, &tuning))?;
+    let mut estimator = Estimator::new(robot_model(), settings::estimator(known, task));
+    let mut sensor = FilteredWallSensor::new(task);
+    let mut recorder = Recorder::new(task, robot_model());
+    let mut targets = TargetSchedule::new(task, start, plan, wiped);
     let run = Sampled {
         start: start.to_vec(),
-        seconds: paints + seconds,
+        seconds: targets.painting_begins() + targets.plan.seconds(),
         sensors: task.sensors.clone(),
         solver: Solver { tolerance: TOLERANCE, ..Solver::default() },
         seed: task.seed,
     };
     let external: [&dyn External; 1] = [&task.wall];
-    let mut planned = lend();
     real.run_sampled(&run, &external, &mut |seen, is, torque| {
         let q: [f64; N] = std::array::from_fn(|j| seen.q[j]);
         let tau: [f64; N] = std::array::from_fn(|j| seen.tau[j]);
         let truth: f64 = (0..3).map(|k| -press[k] * is.wrench[k]).sum();
-        let mut from = sensor.read(truth);
-        for stage in &mut low {
-            *stage += share * (from - *stage);
-            from = *stage;
-        }
-        let measured = low[2];
+        let measured = sensor.read(truth);
         let push = estimator.step(&q, &tau).map_or([f64::NAN; 3], |w| [w[0], w[1], w[2]]);
         let estimated: f64 = (0..3).map(|k| press[k] * push[k]).sum();
         let force = match task.feedback {
             Feedback::Estimated => estimated,
             Feedback::Measured => measured,
         };
-        let t = seen.t;
-        let target = if t < REST + COME {
-            let s = ((t - REST) / COME).clamp(0.0, 1.0);
-            let along = [
-                s * s * s * (10.0 + s * (6.0 * s - 15.0)),
-                30.0 * s * s * (1.0 - s) * (1.0 - s) / COME,
-                60.0 * s * (1.0 - s) * (1.0 - 2.0 * s) / (COME * COME),
-            ];
-            let [q, dq, ddq] = along.map(|s| std::array::from_fn(|j| s * (first[j] - start[j])));
-            Target { q: std::array::from_fn(|j| start[j] + q[j]), dq, ddq, normal: press, force: None, ahead: 0.0 }
-        } else if let Some(wiped) =
-            wiped.as_ref().filter(|w| (w.span().start..w.span().end).contains(&(t - REST - COME)))
-        {
-            let mut points = vec![[0.0; 3]; N];
-            wiped.at(t - REST - COME, &mut wiping, &mut points);
-            let [q, dq, ddq] = std::array::from_fn(|d| std::array::from_fn(|j| points[j][d]));
-            Target { q, dq, ddq, normal: press, force: Some(task.force), ahead: 0.0 }
-        } else {
-            let [q, dq, ddq] = moment(span.start + (t - paints).max(0.0));
-            let moves = f64::from(u8::from(t >= paints));
-            Target {
-                q,
-                dq: dq.map(|v| moves * v),
-                ddq: ddq.map(|a| moves * a),
-                normal: press,
-                force: Some(task.force),
-                ahead: task.learned.map_or(0.0, |l| l.at(t - paints)),
-            }
-        };
-        let command = controller.step(&target, &Sample { t, q, force, push });
+        let target = targets.at(seen.t);
+        let command = controller.step(&target, &Sample { t: seen.t, q, force, push });
         torque.copy_from_slice(&command.torque);
-        status = command.status;
-        if t >= paints {
-            if status != Status::Pressing {
-                idle += period;
-            }
-            pace.push(target.dq.iter().fold(0.0_f64, |most, v| most.max(v.abs())));
-            trace.t.push(t - paints);
-            trace.estimated.push(estimated);
-            trace.measured.push(measured);
-            trace.truth.push(truth);
-            trace.displacement.push(command.displacement);
-            trace.planned.push(planned.contact(&target.q).origin);
-            trace.actual.push(std::array::from_fn(|i| {
-                is.pose[4 * i + 3] + (0..3).map(|k| is.pose[4 * i + k] * task.wall.contact[k]).sum::<f64>()
-            }));
+        recorder.status = command.status;
+        if seen.t >= targets.painting_begins() {
+            let t = seen.t - targets.painting_begins();
+            let forces = Forces { estimated, measured, truth };
+            recorder.absorb(t, forces, command.displacement, &target, is);
         }
-        if trace.t.len() % 64 == 0 {
-            progress(t / run.seconds);
+        if recorder.trace.t.len().is_multiple_of(64) {
+            progress(seen.t / run.seconds);
         }
         true
     })?;
-    let rms = |difference: &dyn Fn(usize) -> f64| root_mean_square(trace.t.len(), difference);
-    let n = task.wall.normal;
-    let aside = |k: usize| {
-        let d: [f64; 3] = std::array::from_fn(|i| trace.actual[k][i] - trace.planned[k][i]);
-        let out: f64 = (0..3).map(|i| d[i] * n[i]).sum();
-        (0..3).map(|i| (d[i] - out * n[i]).powi(2)).sum::<f64>().sqrt()
-    };
-    let accuracy = Accuracy {
-        estimated_measured: rms(&|k| trace.estimated[k] - trace.measured[k]),
-        estimated_desired: rms(&|k| trace.estimated[k] - task.force),
-        measured_desired: rms(&|k| trace.measured[k] - task.force),
-    };
-    let fed_back = match task.feedback {
-        Feedback::Estimated => &trace.estimated,
-        Feedback::Measured => &trace.measured,
-    };
-    let next = (status == Status::Pressing && idle == 0.0).then(|| {
-        let error: Vec<f64> = fed_back.iter().map(|f| task.force - f).collect();
+    let next = recorder.pressed_throughout().then(|| {
         let gains: Vec<[f64; 2]> = tuning.joints.iter().map(|j| [j.kp, j.kd]).collect();
+        let plan = &mut targets.plan;
+        let seconds = plan.seconds();
         let count = (seconds / APART).ceil().max(1.0) as usize;
-        let at = |k: usize| moment(span.start + seconds * k as f64 / count as f64)[0];
+        let at = |k: usize| plan.at(seconds * k as f64 / count as f64)[0];
         let plants: Option<Vec<_>> =
-            (0..=count).map(at).map(|q| plant(&mut lent, &q, &viscous, &press, &demands, &gains, true)).collect();
-        learned(&plants?, [tuning.force.kp, tuning.force.ki], &error, &pace, period, task.learned)
+            (0..=count).map(at).map(|q| plant(&mut model, &q, &viscous, &press, &demands, &gains, true)).collect();
+        let (error, force) = (recorder.force_error(), [tuning.force.kp, tuning.force.ki]);
+        learned(&plants?, force, &error, &recorder.pace, demands.period, task.learned)
     });
-    Ok(Run { accuracy, tracking: rms(&aside), off: idle, status, tuning, learned: next.flatten(), trace })
+    Ok(recorder.finish(tuning, next.flatten()))
 }
 
 /// Of `len` values; no number where there is none: a run that ended before it painted has no error.

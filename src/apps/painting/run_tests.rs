@@ -1,6 +1,6 @@
 //! The prediction of the gains' tool against the simulated arm.
 
-use super::run::{Feedback, Known, Law, Run, SETTLE, Task, root_mean_square, run};
+use super::run::{Feedback, Known, Law, Run, RunTask, SETTLE, root_mean_square, run};
 use super::wall::RollerWall;
 use crate::control::iterative_learning::Learned;
 use crate::control::law::Model;
@@ -37,13 +37,13 @@ fn pressed(feedback: Feedback, law: Law) -> Run {
         standard: &standard,
         drives: real.drives().to_vec(),
         spread: vec![1.0; 3],
-        doubt: vec![f64::INFINITY; 3],
+        turning: vec![f64::INFINITY; 3],
     };
     // Elbow up, hand along x.
     let q = [0.8, -1.3, 0.5];
     let motion = Trajectory::rest(&q, 2.0).unwrap();
     let x = 0.5 * q[0].cos() + 0.4 * (q[0] + q[1]).cos() + 0.2;
-    let task = Task {
+    let task = RunTask {
         motion: &motion,
         wall: RollerWall::new([x, 0.0, 0.0], [-1.0, 0.0, 0.0], contact_point(robot.tool.as_ref())),
         force: 20.0,
@@ -81,18 +81,18 @@ fn coats(count: usize) -> Vec<Run> {
     let drives = Simulator::new(&robot, &Effects::default()).unwrap().drives().to_vec();
     let arm = Interpreted::new(&robot, &Interpreted::BODIES);
     let standard = param::standard_values(&robot).unwrap();
-    let mut lent = RobotModel::new(&robot, Box::new(arm.bodies(&standard)), None, drives.clone());
+    let mut model = RobotModel::new(&robot, Box::new(arm.bodies(&standard)), None, drives.clone());
     let known =
-        Known { robot: &robot, arm: &arm, standard: &standard, drives, spread: vec![1.0; 3], doubt: vec![0.0; 3] };
+        Known { robot: &robot, arm: &arm, standard: &standard, drives, spread: vec![1.0; 3], turning: vec![0.0; 3] };
     let first = [0.6, -1.3, 0.7];
-    let place = lent.contact(&first).origin;
+    let place = model.contact(&first).origin;
     let times: Vec<f64> = (0..=150).map(|k| 0.02 * f64::from(k)).collect();
     let (mut rows, mut height) = (vec![first], 0.0);
     for t in &times[1..] {
         let s = t / 3.0;
         let up = 0.4 * s * s * s * (10.0 + s * (6.0 * s - 15.0));
         let last = rows[rows.len() - 1];
-        rows.push(lent.displaced(&last, &[0.0, up - height, 0.0], &last).unwrap());
+        rows.push(model.displaced(&last, &[0.0, up - height, 0.0], &last).unwrap());
         height = up;
     }
     let q = (0..3).flat_map(|j| rows.iter().map(move |row| row[j])).collect();
@@ -100,7 +100,7 @@ fn coats(count: usize) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
     for coat in 0..count {
         let learned = runs.last().and_then(|run| run.learned.clone());
-        let task = Task {
+        let task = RunTask {
             motion: &motion,
             wall: RollerWall::new(place, [-1.0, 0.0, 0.0], contact_point(robot.tool.as_ref())),
             force: 20.0,

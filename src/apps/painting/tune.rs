@@ -57,13 +57,13 @@ pub enum TuneError {
 /// # Errors
 /// The margin that can't be kept.
 pub fn tune<const N: usize>(
-    lent: &mut RobotModel<'_>,
+    model: &mut RobotModel<'_>,
     postures: &[[f64; N]],
     viscous: &[f64; N],
     press: &[f64; 3],
     demands: &Demands,
 ) -> Result<Tuning, TuneError> {
-    let masses: Vec<Vec<f64>> = postures.iter().map(|q| lent.mass(q)).collect();
+    let masses: Vec<Vec<f64>> = postures.iter().map(|q| model.mass(q)).collect();
     let mut joints = Vec::new();
     for j in 0..N {
         let [rotor, stiffness, damping] = demands.drives[j];
@@ -104,7 +104,7 @@ pub fn tune<const N: usize>(
         .collect();
     let gains: Vec<[f64; 2]> = joints.iter().map(|j| [j.kp, j.kd]).collect();
     let rigid: Option<Vec<ForcePlant>> =
-        postures.iter().map(|q| plant(lent, q, viscous, press, demands, &gains, false)).collect();
+        postures.iter().map(|q| plant(model, q, viscous, press, demands, &gains, false)).collect();
     let force = propose_force(&rigid.ok_or(TuneError::Posture)?);
     let force = force.ok_or(TuneError::Force)?;
     Ok(Tuning { joints, force })
@@ -114,7 +114,7 @@ pub fn tune<const N: usize>(
 /// joints, or those that are `soft` on their springs. `None` where the posture can't be displaced
 /// along the normal.
 pub fn plant<const N: usize>(
-    lent: &mut RobotModel<'_>,
+    model: &mut RobotModel<'_>,
     q: &[f64; N],
     viscous: &[f64; N],
     press: &[f64; 3],
@@ -124,11 +124,11 @@ pub fn plant<const N: usize>(
 ) -> Option<ForcePlant> {
     let drives: Vec<[f64; 3]> =
         demands.drives.iter().map(|d| if soft { *d } else { [d[0], f64::INFINITY, 0.0] }).collect();
-    let mut mass = DMatrix::from_row_slice(N, N, &lent.mass(q));
+    let mut mass = DMatrix::from_row_slice(N, N, &model.mass(q));
     (0..N).filter(|&j| !drives[j][1].is_finite()).for_each(|j| mass[(j, j)] += drives[j][0]);
-    let along = lent.contact(q).jacobian;
+    let along = model.contact(q).jacobian;
     let step = 1e-3;
-    let moved = lent.displaced(q, &press.map(|p| p * step), q)?;
+    let moved = model.displaced(q, &press.map(|p| p * step), q)?;
     Some(ForcePlant {
         period: demands.period,
         mass,

@@ -28,8 +28,8 @@ fn stepped(stiffness: f64, factor: impl Fn(&Tuning) -> f64) -> (Tuning, Vec<f64>
     let arm = Interpreted::new(&robot, &Interpreted::BODIES);
     let standard = param::standard_values(&robot).unwrap();
     let lend = || RobotModel::new(&robot, Box::new(arm.bodies(&standard)), None, real.drives().to_vec());
-    let mut lent = lend();
-    let place = lent.contact(&POSTURE).origin;
+    let mut model = lend();
+    let place = model.contact(&POSTURE).origin;
     // Nothing but stiffness along the normal: what the linear model has at any force.
     let wall = RollerWall {
         stiffness,
@@ -47,7 +47,7 @@ fn stepped(stiffness: f64, factor: impl Fn(&Tuning) -> f64) -> (Tuning, Vec<f64>
         drives: vec![[0.0, f64::INFINITY, 0.0]; 3],
     };
     let viscous = std::array::from_fn(|j| real.drives()[j].plain.viscous);
-    let tuning = tune(&mut lent, &[POSTURE], &viscous, &press, &demands).unwrap();
+    let tuning = tune(&mut model, &[POSTURE], &viscous, &press, &demands).unwrap();
     let factor = factor(&tuning);
     let settings = Settings {
         period: PERIOD,

@@ -3,7 +3,7 @@
 
 use super::ReproduceError;
 use super::lwr::{Lwr, Unmodelled};
-use super::motions::Motion;
+use super::motions::PaperMotion;
 use crate::data::log::{Log, Replay};
 use crate::data::signal::{Prepare, each_motion};
 use crate::identify::{AccumulatorSettings, Factors, Identification, IdentifySettings, QrAccumulator, solve};
@@ -23,7 +23,7 @@ pub fn request(seed: u64) -> Request {
 }
 
 /// Plays a motion in the position loop and records it.
-pub fn play(lwr: &Lwr, motion: &Motion, which: &[Unmodelled], seed: u64) -> Result<Recording, ReproduceError> {
+pub fn play(lwr: &Lwr, motion: &PaperMotion, which: &[Unmodelled], seed: u64) -> Result<Recording, ReproduceError> {
     let simulator = Simulator::new(&lwr.robot, &lwr.effects(which)?)?;
     Ok(simulator.run(&motion.played, &request(seed), &mut |_| {})?)
 }

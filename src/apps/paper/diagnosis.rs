@@ -5,6 +5,7 @@
 //! -> diagnosis -> figures`. The diagnosis gets the robot file and the logs, nothing else.
 
 mod case;
+mod draft;
 mod hidden;
 pub mod real;
 mod score;
@@ -16,13 +17,13 @@ use super::Watch;
 use crate::simulate::Mode;
 use case::{Plants, case};
 
-pub use case::{Outcome, Task};
+pub use case::{CaseKind, Outcome};
 pub use hidden::{Hidden, Wanted};
-pub use score::{Claim, Scores, Share};
+pub use score::{Claim, Scores, Tally};
 
 /// The cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Settings {
+pub struct DiagnosisSettings {
     /// How many.
     pub cases: usize,
     /// The first seed; each case has the next.
@@ -41,7 +42,7 @@ pub struct Settings {
     pub control: Mode,
 }
 
-impl Default for Settings {
+impl Default for DiagnosisSettings {
     fn default() -> Self {
         Self {
             cases: 40,
@@ -60,7 +61,7 @@ impl Default for Settings {
 #[derive(Debug, Clone, PartialEq)]
 pub struct Battery {
     /// The kind.
-    pub settings: Settings,
+    pub settings: DiagnosisSettings,
     /// One per case.
     pub outcomes: Vec<Outcome>,
     /// The figures.
@@ -68,7 +69,7 @@ pub struct Battery {
 }
 
 /// Runs the cases, two at a time.
-pub fn battery(settings: &Settings, watch: Watch<'_>) -> Result<Battery, ReproduceError> {
+pub fn battery(settings: &DiagnosisSettings, watch: Watch<'_>) -> Result<Battery, ReproduceError> {
     let plants = Plants::default();
     let (next, done) = (AtomicUsize::new(0), AtomicUsize::new(0));
     let work = || -> Result<Vec<Outcome>, ReproduceError> {

@@ -5,7 +5,7 @@ use super::ReproduceError;
 use super::Watch;
 use super::loaded::{Loaded, loaded};
 use super::lwr::{Lwr, Unmodelled};
-use super::motions::Motion;
+use super::motions::PaperMotion;
 use super::verdict::Verdict;
 use crate::data::log::Replay;
 use crate::data::signal::{Prepare, each_motion};
@@ -40,7 +40,7 @@ impl Fig10 {
 /// together; `unloaded` is the log with an empty hand.
 pub fn fig10(
     lwr: &Lwr,
-    motion: &Motion,
+    motion: &PaperMotion,
     unloaded: &Recording,
     which: &[Unmodelled],
     seed: u64,

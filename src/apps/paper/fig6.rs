@@ -105,7 +105,7 @@ pub fn again(lwr: &Lwr, recordings: &[Recording], seed: u64, watch: Watch<'_>) -
 
 /// A criterion's row.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct Fig6Row {
     /// `cond`, `logdet`, `hadamard`.
     pub criterion: &'static str,
     /// The paper's average, N m.
@@ -121,7 +121,7 @@ pub struct Row {
     pub true_parameters: Vec<f64>,
 }
 
-impl Row {
+impl Fig6Row {
     /// Average of the noise-only case above the floor, as a share of it.
     pub fn above_floor(&self) -> f64 {
         self.noise_only.mean() / mean(&self.floor) - 1.0
@@ -156,8 +156,8 @@ pub fn mean(values: &[f64]) -> f64 {
 
 /// The criteria from best to worst, ours and the paper's; what the paper has one figure for stands
 /// there as in ours.
-pub fn order(rows: &[Row]) -> [Vec<&'static str>; 2] {
-    let mut all: Vec<&Row> = rows.iter().collect();
+pub fn order(rows: &[Fig6Row]) -> [Vec<&'static str>; 2] {
+    let mut all: Vec<&Fig6Row> = rows.iter().collect();
     all.sort_by(|a, b| a.unmodelled.mean().total_cmp(&b.unmodelled.mean()));
     let ours = all.iter().map(|r| r.criterion).collect();
     all.sort_by(|a, b| a.paper.total_cmp(&b.paper));

@@ -12,7 +12,7 @@ use super::Watch;
 use super::lwr::{Lwr, Unmodelled};
 use super::many::many;
 use crate::control::estimate::{
-    Comparison, Known, Linear, Method, NoisePass, NoiseSource, Run, Series, Settings as Estimation, Uncertainty,
+    Comparison, EstimationSettings, Known, Linear, Method, NoisePass, NoiseSource, Run, Series, Uncertainty,
 };
 use crate::data::log::{Log, Replay};
 use crate::data::signal::{Prepare, each_motion};
@@ -76,9 +76,9 @@ impl Case {
     }
 }
 
-/// Coverage over many runs.
+/// IntervalCoverage over many runs.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Coverage {
+pub struct IntervalCoverage {
     /// Name of the robot.
     pub robot: String,
     /// The estimator.
@@ -112,7 +112,7 @@ pub struct Force {
     /// Over the whole workspace.
     pub accuracy: Vec<Accuracy>,
     /// Over many runs.
-    pub coverage: Vec<Coverage>,
+    pub coverage: Vec<IntervalCoverage>,
 }
 
 /// Forces and moments of the test wrench, N and N m, each a sine of its own.
@@ -242,7 +242,7 @@ impl Stage {
         found: &Identification,
         seed: u64,
         stride: usize,
-        estimation: &Estimation,
+        estimation: &EstimationSettings,
     ) -> Result<Series, ReproduceError> {
         let beta = found.values();
         let standard = recover_standard(&self.arm, &beta, Some(&self.lwr.standard))?;
@@ -257,7 +257,7 @@ impl Stage {
         uncertainty: Option<Uncertainty>,
         seed: u64,
         stride: usize,
-        estimation: &Estimation,
+        estimation: &EstimationSettings,
     ) -> Result<Series, ReproduceError> {
         let (log, n): (Log, usize) = (self.test.seen_by(&self.sensors, seed), self.arm.dof());
         let torques = Linear::new(&self.arm, beta);
@@ -285,7 +285,7 @@ pub fn share(all: &[Comparison; 6]) -> f64 {
     all.iter().map(|c| c.inside * c.samples as f64).sum::<f64>() / observable.max(1.0)
 }
 
-/// Coverage over runs on this stage, of each method.
+/// IntervalCoverage over runs on this stage, of each method.
 pub fn coverage(
     stage: &Stage,
     methods: &[Method],
@@ -293,10 +293,10 @@ pub fn coverage(
     runs: usize,
     seed: u64,
     watch: Watch<'_>,
-) -> Result<Vec<Coverage>, ReproduceError> {
+) -> Result<Vec<IntervalCoverage>, ReproduceError> {
     let one = |run: usize| -> Result<Vec<Series>, ReproduceError> {
         let seed = seed.wrapping_add(2 * run as u64);
-        let how = |method| Estimation { method, ..Estimation::default() };
+        let how = |method| EstimationSettings { method, ..EstimationSettings::default() };
         if case == Case::FileAlone {
             let Lwr { truth, standard, .. } = &stage.lwr;
             let alone = |&method| stage.estimate_with(truth, standard, None, seed + 1, 4, &how(method));
@@ -322,7 +322,7 @@ pub fn coverage(
             let single = |run: &Vec<Series>| run[m].against_measured().map_or(0.0, |c| share(&c));
             let shares: Vec<f64> = all.iter().map(single).collect();
             let right = all.iter().filter(|run| !run[m].verdict.is_too_wrong()).count();
-            Coverage {
+            IntervalCoverage {
                 robot: stage.lwr.robot.name.clone(),
                 method,
                 case,
@@ -346,7 +346,7 @@ pub fn accuracy(postures: usize, seed: u64, watch: Watch<'_>) -> Result<Vec<Accu
     let mut rows = Vec::new();
     for (k, (name, method)) in Method::ALL.into_iter().enumerate() {
         watch(&format!("workspace, {name}"), k as f64 / Method::ALL.len() as f64);
-        let s = stage.estimate(&found, seed + 1, 5, &Estimation { method, ..Estimation::default() })?;
+        let s = stage.estimate(&found, seed + 1, 5, &EstimationSettings { method, ..EstimationSettings::default() })?;
         let standing =
             |k: usize| (s.time[k] % (MOVE[0] + MOVE[1])) > MOVE[2] && (s.time[k] % (MOVE[0] + MOVE[1])) < MOVE[1];
         let moving = |k: usize| (s.time[k] % (MOVE[0] + MOVE[1])) > MOVE[1];

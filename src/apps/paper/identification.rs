@@ -8,7 +8,7 @@ use super::fig6::{self, Bars, mean};
 use super::fig10::{Fig10, fig10};
 use super::honesty::{Honesty, honesty};
 use super::lwr::{Lwr, Unmodelled};
-use super::motions::{Motion, motions};
+use super::motions::{PaperMotion, motions};
 use super::table2;
 use super::table3;
 use crate::apps::paper::tool::{Column, PAPER_TORQUE_NOISE};
@@ -18,14 +18,14 @@ use crate::simulate::Recording;
 
 /// How to run it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Settings {
+pub struct IdentificationSettings {
     /// Runs with other noise, for the standard deviations. Default 200.
     pub runs: usize,
     /// Of motions and noise. Default 1.
     pub seed: u64,
 }
 
-impl Default for Settings {
+impl Default for IdentificationSettings {
     fn default() -> Self {
         Self { runs: 200, seed: 1 }
     }
@@ -44,19 +44,19 @@ pub struct Missing {
 #[derive(Debug, Clone)]
 pub struct Experiment {
     /// How it was run.
-    pub settings: Settings,
+    pub settings: IdentificationSettings,
     /// The motions; the last validates.
-    pub motions: Vec<Motion>,
+    pub motions: Vec<PaperMotion>,
     /// White noise of the torque sensors, N m, per joint.
     pub noise: Vec<f64>,
     /// Its remainder after the low-pass: the floor.
     pub floor: Vec<f64>,
     /// Fig. 6.
-    pub fig6: Vec<fig6::Row>,
+    pub fig6: Vec<fig6::Fig6Row>,
     /// Composition of the residuals of the second case.
     pub missing: Vec<Missing>,
     /// Table II, of the motion by log det.
-    pub table2: Vec<table2::Row>,
+    pub table2: Vec<table2::Table2Row>,
     /// Base parameters within three standard deviations of the truth where the model lacks effects:
     /// count, of so many inertial ones (friction takes up part of the effects).
     pub within_unmodelled: [usize; 2],
@@ -92,7 +92,7 @@ struct Case {
 
 fn case(
     lwr: &Lwr,
-    motions: &[Motion],
+    motions: &[PaperMotion],
     which: &[Unmodelled],
     seed: u64,
     stage: &Stage<'_>,
@@ -112,9 +112,9 @@ fn case(
 }
 
 /// Runs it. A minute or less; `watch` receives the progress.
-pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experiment, ReproduceError> {
+pub fn identification(settings: &IdentificationSettings, watch: Watch<'_>) -> Result<Experiment, ReproduceError> {
     let lwr = Lwr::new()?;
-    let Settings { runs, seed } = *settings;
+    let IdentificationSettings { runs, seed } = *settings;
     let stage = |from: f64, to: f64| Stage { watch, from, to };
     let designing = stage(0.0, 0.45);
     let motions = motions(&lwr, seed, &|what, share| designing.tell(what, share))?;
@@ -122,7 +122,7 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
     let gain = Filter::default().noise_gain(Lwr::sensors().rate);
     let floor: Vec<f64> = noise.iter().map(|s| gain * s).collect();
 
-    let robots: Vec<Motion> = motions.iter().filter(|m| m.name != "tool").cloned().collect();
+    let robots: Vec<PaperMotion> = motions.iter().filter(|m| m.name != "tool").cloned().collect();
     let plain = case(&lwr, &robots, &[], seed, &stage(0.45, 0.52))?;
     let real = case(&lwr, &robots, &Unmodelled::ALL, seed.wrapping_add(7), &stage(0.52, 0.59))?;
     let best = robots.iter().position(|m| m.name == "logdet").unwrap_or(0);
@@ -134,7 +134,7 @@ pub fn identification(settings: &Settings, watch: Watch<'_>) -> Result<Experimen
         .iter()
         .filter_map(|&(criterion, paper)| {
             let k = robots.iter().position(|m| m.name == criterion)?;
-            Some(fig6::Row {
+            Some(fig6::Fig6Row {
                 criterion,
                 paper,
                 noise_only: Bars {

@@ -6,7 +6,7 @@ use dh_codegen::robot::Tool;
 use super::ReproduceError;
 use super::chain::{factors, request};
 use super::lwr::{Lwr, Unmodelled};
-use super::motions::Motion;
+use super::motions::PaperMotion;
 use crate::data::log::Log;
 use crate::identify::Factors;
 use crate::identify::tool::{Carried, Carrying, ToolSettings, catalogue, identify_tool};
@@ -25,7 +25,7 @@ pub struct Loaded {
 /// Plays a motion with a tool of the catalogue in the hand.
 pub fn carry(
     lwr: &Lwr,
-    motion: &Motion,
+    motion: &PaperMotion,
     name: &str,
     which: &[Unmodelled],
     seed: u64,
@@ -55,7 +55,7 @@ pub fn together(lwr: &Lwr, unloaded: &[Factors], loaded: &[Factors]) -> Result<C
 /// whatever motion.
 pub fn loaded(
     lwr: &Lwr,
-    motion: &Motion,
+    motion: &PaperMotion,
     name: &str,
     unloaded: &Recording,
     which: &[Unmodelled],

@@ -13,7 +13,7 @@ use crate::simulate;
 
 /// A motion and its figures.
 #[derive(Debug, Clone)]
-pub struct Motion {
+pub struct PaperMotion {
     /// `cond`, `logdet`, `hadamard`; [`LINKS`]; `tool`; `validate`.
     pub name: &'static str,
     /// Length, s.
@@ -46,7 +46,7 @@ pub(super) const ACCELERATION_TIME: f64 = 0.5;
 /// of the hand, and last the one that validates. For the load it is log det of equation 7's loaded
 /// part, joints weighted by their noise; the paper does not say how it moved its rollers. The seed
 /// says which random motions the search starts with.
-pub fn motions(lwr: &Lwr, seed: u64, watch: Watch<'_>) -> Result<Vec<Motion>, ReproduceError> {
+pub fn motions(lwr: &Lwr, seed: u64, watch: Watch<'_>) -> Result<Vec<PaperMotion>, ReproduceError> {
     let arm = Differentiated::new(&lwr.robot);
     let asked = CRITERIA.into_iter().chain([(LINKS, Criterion::Condition), ("tool", Criterion::LogDet)]);
     let asked = asked.map(|(name, criterion)| (name, criterion, SECONDS[0], Effort::default().starts, seed));
@@ -69,7 +69,7 @@ pub(super) fn designed(
     seconds: f64,
     effort: Effort,
     tell: &(dyn Fn(f64) + Sync),
-) -> Result<Motion, ReproduceError> {
+) -> Result<PaperMotion, ReproduceError> {
     let what = format!("the motion `{name}`");
     let mut task = Task::new(arm, &lwr.robot, seconds, ACCELERATION_TIME).map_err(ReproduceError::design(&what))?;
     task.criterion = criterion;
@@ -94,7 +94,7 @@ pub(super) fn designed(
     };
     let speed = task.limits.iter().enumerate().map(|(j, limit)| largest(j) / limit.velocity).collect();
     let played = simulate::Trajectory::new(lwr.robot.dof(), t, states.q, Some(states.dq), Some(states.ddq));
-    Ok(Motion {
+    Ok(PaperMotion {
         name,
         seconds,
         condition: found.plain.condition,

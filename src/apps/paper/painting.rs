@@ -10,7 +10,7 @@ use super::Watch;
 use super::force::wandering;
 use super::lwr::{Lwr, Unmodelled};
 use super::many::many;
-use super::motions::{Motion, designed};
+use super::motions::{PaperMotion, designed};
 use super::verdict::Verdict;
 use crate::apps::painting::Plan;
 use crate::apps::painting::run::{Feedback, Law, Run};
@@ -20,7 +20,7 @@ use crate::excite::{Criterion, Effort};
 use crate::model::differentiated::Differentiated;
 use crate::numerics::prng::Random;
 use plans::Extent;
-use rig::{Roller, Stand};
+use rig::{Rig, Stand};
 
 /// How to run it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -40,7 +40,7 @@ impl Default for PaintingSettings {
 
 /// The robot and its model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Case {
+pub enum PaintingCase {
     /// The model is right up to noise.
     NoiseOnly,
     /// The robot has what no rigid-body model has.
@@ -49,7 +49,7 @@ pub enum Case {
     Extended,
 }
 
-impl Case {
+impl PaintingCase {
     /// In the order of the table.
     pub const ALL: [Self; 3] = [Self::NoiseOnly, Self::Unmodelled, Self::Extended];
 
@@ -80,11 +80,11 @@ pub const ASKED: f64 = 1.0;
 
 /// One run.
 #[derive(Debug, Clone)]
-pub struct Row {
+pub struct PaintingRow {
     /// Name of the tool.
     pub roller: &'static str,
     /// The robot.
-    pub case: Case,
+    pub case: PaintingCase,
     /// Additions of the inner loop to equation (13).
     pub law: Law,
     /// Force in the feedback.
@@ -98,7 +98,7 @@ pub struct Row {
     pub paper: [f64; 3],
 }
 
-impl Row {
+impl PaintingRow {
     /// The three figures, N.
     pub fn ours(&self) -> [f64; 3] {
         let a = &self.run.accuracy;
@@ -125,30 +125,30 @@ pub struct Painting {
     /// White noise of the torque sensors and what the low-pass leaves of it, mean, N m.
     pub noise: [f64; 2],
     /// Runs: rollers, cases, laws and feedback, the first and the last coat.
-    pub rows: Vec<Row>,
+    pub rows: Vec<PaintingRow>,
     /// Findings of the diagnosis in the logs of the second robot; none in a quick run.
     pub diagnosis: Option<Diagnosis>,
 }
 
 impl Painting {
     /// The first coat of a roller and a case under a law.
-    pub fn row(&self, roller: &str, case: Case, law: Law, feedback: Feedback) -> Option<&Row> {
-        let this = |r: &&Row| r.roller == roller && r.case == case && r.law == law && r.feedback == feedback;
+    pub fn row(&self, roller: &str, case: PaintingCase, law: Law, feedback: Feedback) -> Option<&PaintingRow> {
+        let this = |r: &&PaintingRow| r.roller == roller && r.case == case && r.law == law && r.feedback == feedback;
         self.rows.iter().find(|r| this(r) && r.coat == 1)
     }
 
     /// The last coat of a roller and a case, with the estimate in the feedback.
-    pub fn last_coat(&self, roller: &str, case: Case) -> Option<&Row> {
+    pub fn last_coat(&self, roller: &str, case: PaintingCase) -> Option<&PaintingRow> {
         self.rows.iter().find(|r| r.roller == roller && r.case == case && r.coat == COATS)
     }
 }
 
 /// A random motion.
-fn wandered(lwr: &Lwr, seed: u64) -> Result<Motion, ReproduceError> {
+fn wandered(lwr: &Lwr, seed: u64) -> Result<PaperMotion, ReproduceError> {
     let played = wandering(lwr, &mut Random::new(seed), 14, [0.7, 0.0])?;
     let seconds = played.span().end - played.span().start;
     let unknown = f64::NAN;
-    Ok(Motion { name: "random", seconds, condition: unknown, log_det: unknown, speed: Vec::new(), played })
+    Ok(PaperMotion { name: "random", seconds, condition: unknown, log_det: unknown, speed: Vec::new(), played })
 }
 
 /// Runs it. Some minutes; `watch` receives the progress.
@@ -188,16 +188,16 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
         diagnosis = Some(found);
     }
     let kinds = if settings.quick { &KINDS[1..2] } else { &KINDS[..] };
-    let mut jobs: Vec<(usize, Case, Law, Feedback, &Roller)> = Vec::new();
+    let mut jobs: Vec<(usize, PaintingCase, Law, Feedback, &Rig)> = Vec::new();
     for k in 0..plans.len() {
-        for (case, stand) in Case::ALL.into_iter().zip(&stands) {
+        for (case, stand) in PaintingCase::ALL.into_iter().zip(&stands) {
             jobs.extend(kinds.iter().map(|&(law, feedback)| (k, case, law, feedback, &stand.rollers[k])));
         }
     }
     let one = |k: usize| {
         let (of, case, law, feedback, stage) = jobs[k];
         let coats = if law == Law::FED && feedback == Feedback::Estimated && !settings.quick { COATS } else { 1 };
-        let mut rows: Vec<Row> = Vec::new();
+        let mut rows: Vec<PaintingRow> = Vec::new();
         let mut learned = None;
         for coat in 1..=coats {
             let seed = seed.wrapping_add(100 + k as u64 + 1000 * (coat as u64 - 1));
@@ -205,7 +205,7 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
             learned.clone_from(&run.learned);
             // Of the coats that have learned the last one is kept.
             rows.truncate(1);
-            rows.push(Row { roller: PAPER[of].0, case, law, feedback, coat, run, paper: PAPER[of].1 });
+            rows.push(PaintingRow { roller: PAPER[of].0, case, law, feedback, coat, run, paper: PAPER[of].1 });
         }
         Ok(rows)
     };
@@ -217,7 +217,7 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
     Ok(Painting {
         settings: *settings,
         force: rig::FORCE,
-        seconds: stands[0].rollers.iter().map(Roller::seconds).collect(),
+        seconds: stands[0].rollers.iter().map(Rig::seconds).collect(),
         torque: stands.iter().map(|s| s.torque).collect(),
         noise: [mean, gain * mean],
         rows,

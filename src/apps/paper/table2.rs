@@ -55,7 +55,7 @@ pub const TABLE_TWO: [Printed; 15] = [
 
 /// A row of ours.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct Table2Row {
     /// The paper's.
     pub printed: Printed,
     /// The standard parameter whose column it keeps.
@@ -71,7 +71,7 @@ pub struct Row {
     pub textbook: f64,
 }
 
-impl Row {
+impl Table2Row {
     /// Relative standard deviation with noise alone, percent.
     pub fn percent(&self) -> f64 {
         100.0 * self.noise_only[1] / self.noise_only[0].abs()
@@ -101,21 +101,21 @@ impl Row {
 
 /// Factor by which standard deviations that include the correlation of neighbouring samples exceed
 /// the textbook's where the model lacks effects: median over the rows.
-pub fn too_small(rows: &[Row]) -> f64 {
+pub fn too_small(rows: &[Table2Row]) -> f64 {
     let mut ratios: Vec<f64> = rows.iter().map(|r| r.unmodelled[1] / r.textbook).collect();
     ratios.sort_by(f64::total_cmp);
     ratios.get(ratios.len() / 2).copied().unwrap_or(f64::NAN)
 }
 
 /// Rows of the parameters that the paper prints and the robot has.
-pub fn rows(lwr: &Lwr, noise_only: &Identification, unmodelled: &Identification) -> Vec<Row> {
+pub fn rows(lwr: &Lwr, noise_only: &Identification, unmodelled: &Identification) -> Vec<Table2Row> {
     let estimate = |found: &Identification, c: usize| [found.parameters[c].value, found.parameters[c].std];
     TABLE_TWO
         .iter()
         .filter_map(|printed| {
             let base = lwr.arm.base_parameters();
             let c = base.iter().position(|b| b.name == printed.name)?;
-            Some(Row {
+            Some(Table2Row {
                 printed: *printed,
                 leader: base[c].leader,
                 truth: lwr.truth[c],

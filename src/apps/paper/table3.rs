@@ -9,9 +9,9 @@ use super::honesty::STRIDE;
 use super::loaded::{carry, loaded, stacked};
 use super::lwr::Lwr;
 use super::many::many;
-use super::motions::Motion;
+use super::motions::PaperMotion;
 use super::verdict::Verdict;
-use crate::apps::paper::tool::{Column, Row, TABLE_THREE};
+use crate::apps::paper::tool::{Column, TABLE_THREE, ToolRow};
 use crate::identify::tool::{Entry, Tolerance, ToolSettings, identify_tool, names};
 use crate::numerics::prng::Random;
 use crate::simulate::Recording;
@@ -22,7 +22,7 @@ pub const ASKED: [f64; 2] = [2.0, 2e-3];
 /// Both rollers on a motion that was designed for them; `unloaded`: with an empty hand.
 pub fn columns(
     lwr: &Lwr,
-    motion: &Motion,
+    motion: &PaperMotion,
     unloaded: &Recording,
     seed: u64,
     watch: Watch<'_>,
@@ -33,7 +33,7 @@ pub fn columns(
         let found = loaded(lwr, motion, paper.tool, unloaded, &[], seed.wrapping_add(100 * k as u64))?;
         let Some(entry) = Entry::new(&found.tool, None, &Tolerance::default()) else { continue };
         let (truth, carried) = (entry.values, found.carried);
-        let row = |(k, name): (usize, String)| Row {
+        let row = |(k, name): (usize, String)| ToolRow {
             name,
             paper: [paper.values[k], 0.01 * paper.percent[k] * paper.values[k].abs()],
             truth: truth[k],
@@ -55,14 +55,14 @@ pub fn columns(
 
 /// Data of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Case {
+pub struct LogCounts {
     /// Logs with an empty hand, and with the roller, 10 s each.
     pub logs: [usize; 2],
     /// Standard deviation of a scale that the roller was put on, kg.
     pub scale: Option<f64>,
 }
 
-impl std::fmt::Display for Case {
+impl std::fmt::Display for LogCounts {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} + {}", self.logs[0], self.logs[1])?;
         if self.scale.is_some() { write!(f, ", weighed") } else { Ok(()) }
@@ -75,13 +75,13 @@ pub const SCALE: f64 = 0.29e-3;
 /// One log of each kind; the logs from which the robot was identified beside it (the same robot
 /// with an empty hand); a scale; and more logs of both kinds. The paper's number of logs, twice and
 /// four times as many.
-pub const CASES: [Case; 6] = [
-    Case { logs: [1, 1], scale: None },
-    Case { logs: [4, 1], scale: None },
-    Case { logs: [1, 1], scale: Some(SCALE) },
-    Case { logs: [4, 1], scale: Some(SCALE) },
-    Case { logs: [2, 2], scale: None },
-    Case { logs: [4, 4], scale: None },
+pub const CASES: [LogCounts; 6] = [
+    LogCounts { logs: [1, 1], scale: None },
+    LogCounts { logs: [4, 1], scale: None },
+    LogCounts { logs: [1, 1], scale: Some(SCALE) },
+    LogCounts { logs: [4, 1], scale: Some(SCALE) },
+    LogCounts { logs: [2, 2], scale: None },
+    LogCounts { logs: [4, 4], scale: None },
 ];
 
 /// The large roller over many runs with other noise: whether mass and centre are as good as asked,
@@ -89,7 +89,7 @@ pub const CASES: [Case; 6] = [
 #[derive(Debug, Clone, PartialEq)]
 pub struct Repeated {
     /// Recording.
-    pub case: Case,
+    pub case: LogCounts,
     /// Runs with the mass within [`ASKED`].
     pub mass_within: Share,
     /// Root mean square of the distance from the true centre, m.
@@ -124,7 +124,7 @@ pub const RUNS: usize = 100;
 pub fn repeated(
     lwr: &Lwr,
     unloaded: &[&Recording],
-    moving: &[&Motion],
+    moving: &[&PaperMotion],
     seed: u64,
     watch: Watch<'_>,
 ) -> Result<Vec<Repeated>, ReproduceError> {
@@ -174,7 +174,7 @@ pub fn repeated(
             .collect()
     };
     let runs = many(RUNS, &one, watch)?;
-    let of = |k: usize, case: Case| {
+    let of = |k: usize, case: LogCounts| {
         let each = || runs.iter().map(move |run| run[k]);
         let mean = |f: fn(&[f64; 4]) -> f64| each().map(|r| f(&r)).sum::<f64>() / RUNS as f64;
         Repeated {
@@ -191,6 +191,6 @@ pub fn repeated(
 }
 
 /// Standard deviations in SI units: relative ones of parameters that are zero say nothing.
-pub fn verdict(row: &Row) -> Verdict {
+pub fn verdict(row: &ToolRow) -> Verdict {
     Verdict::less(row.ours[1], row.paper[1])
 }

@@ -90,7 +90,7 @@ fn standard_deviations_are_honest() {
 #[test]
 #[ignore = "the whole experiment: cargo test --release -p denavit --lib reproduce -- --ignored"]
 fn the_papers_identification() {
-    let found = identification(&Settings::default(), &|_, _| {}).unwrap();
+    let found = identification(&IdentificationSettings::default(), &|_, _| {}).unwrap();
     let honesty = found.honesty.unwrap();
     assert!(honesty.within_three >= ASKED, "{}", honesty.within_three);
     assert!(honesty.held_out <= 1.0 + fig6::ABOVE_FLOOR, "{}", honesty.held_out);
@@ -135,10 +135,16 @@ fn the_papers_identification() {
 #[test]
 #[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn hidden_effects_are_named() {
-    use super::diagnosis::{Settings, battery};
+    use super::diagnosis::{DiagnosisSettings, battery};
     use crate::simulate::Mode;
-    let settings =
-        Settings { from: 4001, seconds: [7.0, 5.0], rate: 200.0, arms: 3, control: Mode::Exact, ..Settings::default() };
+    let settings = DiagnosisSettings {
+        from: 4001,
+        seconds: [7.0, 5.0],
+        rate: 200.0,
+        arms: 3,
+        control: Mode::Exact,
+        ..DiagnosisSettings::default()
+    };
     let found = battery(&settings, &|_, _| {}).unwrap();
     let scores = &found.scores;
     let wrong: Vec<String> = found
@@ -159,6 +165,6 @@ fn hidden_effects_are_named() {
     assert!(scores.both.value().unwrap() >= 0.25, "{:?} {wrong:#?}", scores.both);
     assert!(scores.gained.value().unwrap() >= 0.7, "{:?}", scores.gained);
     // The same seeds give the same figures.
-    let again = battery(&Settings { cases: 2, ..settings }, &|_, _| {}).unwrap();
+    let again = battery(&DiagnosisSettings { cases: 2, ..settings }, &|_, _| {}).unwrap();
     assert_eq!(format!("{:?}", again.outcomes), format!("{:?}", &found.outcomes[..2]));
 }

@@ -9,7 +9,7 @@ mod waves;
 
 pub use bench::{Bench, BenchError, PAPER_TORQUE_NOISE};
 pub use recording::{Recording, SensorNoise};
-pub use table_three::{Column, PaperRoller, Row, TABLE_THREE, table_three};
+pub use table_three::{Column, PaperRoller, TABLE_THREE, ToolRow, table_three};
 pub use trials::{OTHER_SIZE, SizeTrial, TrialSettings, Trials, trials};
 pub use waves::Waves;
 

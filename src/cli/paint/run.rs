@@ -9,7 +9,7 @@ use dh_codegen::robot::{Effects, Robot};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use crate::apps::painting::Plan;
-use crate::apps::painting::run::{Feedback, Known, Law, RunError, SETTLE, Task, in_contact, roller_moment, run};
+use crate::apps::painting::run::{Feedback, Known, Law, RunError, RunTask, SETTLE, in_contact, roller_moment, run};
 use crate::apps::painting::wall::RollerWall;
 use crate::cli::delivery::deliver;
 use crate::cli::paint::plan::tool;
@@ -167,7 +167,7 @@ impl Run {
             standard: &standard,
             drives: own.drives().to_vec(),
             spread: vec![1.0; robot.dof()],
-            doubt: vec![self.doubt.unwrap_or(if self.paper { 0.0 } else { f64::INFINITY }); robot.dof()],
+            turning: vec![self.doubt.unwrap_or(if self.paper { 0.0 } else { f64::INFINITY }); robot.dof()],
         };
         let law = if self.paper {
             Law::PAPER
@@ -187,7 +187,7 @@ impl Run {
             None if self.paper => f64::INFINITY,
             None => roller_moment(robot.tool.as_ref(), self.force),
         };
-        let task = Task {
+        let task = RunTask {
             motion: &motion,
             wall,
             force: self.force,
@@ -212,7 +212,7 @@ impl Run {
             let Some(learned) = before.learned.clone() else { break };
             coats.push(before.accuracy);
             let seed = self.seed.wrapping_add(1000 * u64::from(coat));
-            let task = Task { learned: Some(&learned), seed, ..task.clone() };
+            let task = RunTask { learned: Some(&learned), seed, ..task.clone() };
             let done = f64::from(coat);
             found = run(&known, &real, &task, &mut |share| bar.set_position((1000.0 * (done + share) / of) as u64));
         }

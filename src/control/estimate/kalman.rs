@@ -7,7 +7,7 @@
 //! wrench is estimated directly, so a singular Jacobian is no special case: the direction's
 //! variance grows to that of the process, and shrinks again after.
 
-use super::sample::{Estimate, ForceEstimator, Sample, Scale};
+use super::sample::{Estimate, EstimatorInput, ForceEstimator, Scale};
 use super::stiction::least;
 use super::wrench::observable;
 use crate::control::estimate::random_walk_rate::RandomWalkRate;
@@ -37,7 +37,7 @@ pub struct Kalman<const N: usize> {
 
 #[derive(Debug, Clone, PartialEq)]
 struct State<const N: usize> {
-    before: Sample<N>,
+    before: EstimatorInput<N>,
     momentum: [f64; N],
     wrench: [f64; 6],
     /// Covariances: momentum, momentum with wrench, wrench.
@@ -71,7 +71,7 @@ impl<const N: usize> Kalman<N> {
     }
 
     /// Covariance of `M dq`.
-    fn measurement(&self, sample: &Sample<N>) -> [[f64; N]; N] {
+    fn measurement(&self, sample: &EstimatorInput<N>) -> [[f64; N]; N] {
         let mut all = [[0.0; N]; N];
         for i in 0..N {
             for j in 0..N {
@@ -86,7 +86,7 @@ impl<const N: usize> Kalman<N> {
         all
     }
 
-    fn begin(&self, sample: &Sample<N>) -> State<N> {
+    fn begin(&self, sample: &EstimatorInput<N>) -> State<N> {
         State {
             before: *sample,
             momentum: times(&sample.mass, &sample.dq),
@@ -99,7 +99,7 @@ impl<const N: usize> Kalman<N> {
         }
     }
 
-    fn advance(&self, state: &State<N>, now: &Sample<N>) -> Option<(State<N>, Estimate)> {
+    fn advance(&self, state: &State<N>, now: &EstimatorInput<N>) -> Option<(State<N>, Estimate)> {
         let dt = now.dt + self.hole;
         if !(dt > 0.0 && dt.is_finite()) {
             return None;
@@ -192,7 +192,7 @@ impl<const N: usize> Kalman<N> {
     /// The filter where nothing changes. The model's parameters stay the same from sample to sample
     /// and so are no noise. Their covariance is `A W C W' A'`, `A` the filter's steady map from
     /// torque to wrench, least squares weighted by the torques' densities.
-    fn steady(&self, now: &Sample<N>, noise: &[[f64; 6]; 6]) -> Option<Steady<N>> {
+    fn steady(&self, now: &EstimatorInput<N>, noise: &[[f64; 6]; 6]) -> Option<Steady<N>> {
         let variance: [f64; N] = core::array::from_fn(|j| self.density[j] + 1e-12);
         let sizes = self.scale.each();
         let information: [[f64; 6]; 6] = core::array::from_fn(|i| {
@@ -220,7 +220,7 @@ impl<const N: usize> Kalman<N> {
 }
 
 impl<const N: usize> ForceEstimator<N> for Kalman<N> {
-    fn step(&mut self, sample: &Sample<N>) -> Estimate {
+    fn step(&mut self, sample: &EstimatorInput<N>) -> Estimate {
         let usable = finite(&sample.tau)
             && finite(&sample.dq)
             && finite(&sample.bias)

@@ -4,7 +4,7 @@ use super::Kalman;
 use super::Momentum;
 use super::Residual;
 use super::Weights;
-use super::sample::{Estimate, ForceEstimator, Sample, Scale};
+use super::sample::{Estimate, EstimatorInput, ForceEstimator, Scale};
 
 /// The estimator.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -49,7 +49,7 @@ pub(super) struct Tuning<'a> {
     pub wander: Scale,
 }
 
-/// A sample in slices: like [`Sample`], matrices row-major.
+/// A sample in slices: like [`EstimatorInput`], matrices row-major.
 #[derive(Default, Clone)]
 pub(super) struct Row {
     pub dt: f64,
@@ -76,7 +76,7 @@ fn vector<const N: usize>(values: &[f64]) -> [f64; N] {
 
 impl<const N: usize, E: ForceEstimator<N>> Steps for Fixed<N, E> {
     fn step(&mut self, row: &Row) -> Estimate {
-        self.0.step(&Sample {
+        self.0.step(&EstimatorInput {
             dt: row.dt,
             tau: vector(&row.tau),
             dq: vector(&row.dq),

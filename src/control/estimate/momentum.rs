@@ -10,7 +10,7 @@
 //! Noise and band are those of all three, and the remaining lag (the same difference once more) is
 //! in the band.
 
-use super::sample::{Estimate, ForceEstimator, Sample, Scale};
+use super::sample::{Estimate, EstimatorInput, ForceEstimator, Scale};
 use super::stiction::{least, unit};
 use super::wrench::{Weights, total, wrench};
 use crate::control::estimate::small_matrix::{cholesky, finite, times};
@@ -27,7 +27,7 @@ pub struct Momentum<const N: usize> {
     pub velocity_noise: [f64; N],
     /// How large wrenches are.
     pub scale: Scale,
-    before: Option<Sample<N>>,
+    before: Option<EstimatorInput<N>>,
     observed: [f64; N],
     /// The observed torques through the same low-pass once more: what is between the two is about
     /// what the first is late by.
@@ -67,7 +67,7 @@ impl<const N: usize> Momentum<N> {
         &self.observed
     }
 
-    fn advance(&mut self, now: &Sample<N>) -> Option<Estimate> {
+    fn advance(&mut self, now: &EstimatorInput<N>) -> Option<Estimate> {
         let before = self.before.as_ref()?;
         if !(now.dt > 0.0 && now.dt.is_finite()) {
             return None;
@@ -185,7 +185,7 @@ fn gains(k: f64, lead: f64) -> [f64; 3] {
 }
 
 impl<const N: usize> ForceEstimator<N> for Momentum<N> {
-    fn step(&mut self, sample: &Sample<N>) -> Estimate {
+    fn step(&mut self, sample: &EstimatorInput<N>) -> Estimate {
         let usable = finite(&sample.tau) && finite(&sample.dq) && finite(&sample.bias);
         match self.advance(sample).filter(|e| finite(&e.wrench)) {
             Some(estimate) => self.last = estimate,

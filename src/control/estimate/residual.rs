@@ -1,7 +1,7 @@
 //! The paper's equation (14): what the identified inverse dynamics leaves of the measured torque,
 //! through `(J')^+`.
 
-use super::sample::{Estimate, ForceEstimator, Sample, Scale};
+use super::sample::{Estimate, EstimatorInput, ForceEstimator, Scale};
 use super::stiction::{least, unit};
 use super::wrench::{Weights, total, wrench};
 use crate::control::estimate::small_matrix::{cholesky, finite};
@@ -29,7 +29,7 @@ impl<const N: usize> Residual<N> {
 }
 
 impl<const N: usize> ForceEstimator<N> for Residual<N> {
-    fn step(&mut self, sample: &Sample<N>) -> Estimate {
+    fn step(&mut self, sample: &EstimatorInput<N>) -> Estimate {
         let external: [f64; N] = core::array::from_fn(|j| sample.model[j] - sample.tau[j]);
         let variance: [f64; N] = core::array::from_fn(|j| self.noise[j] * self.noise[j]);
         let moving = total(&variance, &sample.covariance);

@@ -20,7 +20,7 @@ use crate::model::{Arm, Dynamics, States, ToolState};
 
 /// How to estimate.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Settings {
+pub struct EstimationSettings {
     /// With which estimator.
     pub method: Method,
     /// Low-pass of what the model leaves of the torque; that of the identification, whose noise is
@@ -40,7 +40,7 @@ pub struct Settings {
     pub bias: Option<Bias>,
 }
 
-impl Default for Settings {
+impl Default for EstimationSettings {
     fn default() -> Self {
         Self {
             method: Method::Residual,
@@ -88,7 +88,7 @@ pub struct TooManyJoints(pub usize);
 pub struct Run<'a> {
     known: Known<'a>,
     tool: &'a mut dyn Dynamics,
-    settings: Settings,
+    settings: EstimationSettings,
     rows: Rows,
     /// Root of the parameters' covariance, `B x rank`, and its product with the bias' mean
     /// regressor.
@@ -100,7 +100,7 @@ pub struct Run<'a> {
     breakaway: Vec<f64>,
     estimator: Option<Box<dyn Steps>>,
     detector: ContactDetector,
-    /// The stretches of `Settings::free` without what the low-pass smears into them.
+    /// The stretches of `EstimationSettings::free` without what the low-pass smears into them.
     judged: Vec<[f64; 2]>,
     free: Checker,
     anywhere: Checker,
@@ -115,7 +115,7 @@ impl<'a> Run<'a> {
         name: &str,
         known: Known<'a>,
         tool: &'a mut dyn Dynamics,
-        settings: Settings,
+        settings: EstimationSettings,
     ) -> Result<Self, TooManyJoints> {
         let (arm, n) = (known.arm, known.arm.dof());
         if n == 0 || n > MOST_JOINTS {
@@ -258,7 +258,7 @@ impl<'a> Run<'a> {
 
     /// The estimator, for motions like this one.
     fn tuned(&self, motion: &Motion) -> Option<Box<dyn Steps>> {
-        let Settings { method, filter, gain, scale, wander, .. } = self.settings;
+        let EstimationSettings { method, filter, gain, scale, wander, .. } = self.settings;
         let noise = &self.known.uncertainty.noise;
         let left = filter.map_or(1.0, |f| f.noise_gain(motion.period.recip()));
         let density: Vec<f64> = noise.iter().map(|s| (s / left).powi(2) * motion.period).collect();

@@ -6,7 +6,7 @@ pub const NINETY_FIVE: f64 = 1.959_963_984_540_054;
 /// One sample: what was measured, and what the identified model says of it. Torques are those of
 /// the actuators on the links, N m, positive in the direction in which `q` grows; `N` joints.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sample<const N: usize> {
+pub struct EstimatorInput<const N: usize> {
     /// Time since the sample before, s.
     pub dt: f64,
     /// Measured torques.
@@ -33,7 +33,7 @@ pub struct Sample<const N: usize> {
     pub breakaway: [f64; N],
 }
 
-impl<const N: usize> Default for Sample<N> {
+impl<const N: usize> Default for EstimatorInput<N> {
     fn default() -> Self {
         Self {
             dt: 0.0,
@@ -136,7 +136,7 @@ impl Scale {
 /// A way to a wrench, one sample at a time. Never allocates, never panics, needs no `std`.
 pub trait ForceEstimator<const N: usize> {
     /// Takes in a sample.
-    fn step(&mut self, sample: &Sample<N>) -> Estimate;
+    fn step(&mut self, sample: &EstimatorInput<N>) -> Estimate;
 
     /// Discards all samples.
     fn reset(&mut self);

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::json;
 
 use crate::apps::painting::Plan;
-use crate::apps::painting::run::{Accuracy, Feedback, Law, Run};
+use crate::apps::painting::run::{Feedback, ForceErrors, Law, Run};
 use crate::report::Provenance;
 use crate::report::Warnings;
 use crate::report::paint::run::{NOT_COMPARED, differences, gain_margin, status};
@@ -25,8 +25,8 @@ pub struct Painted<'a> {
     pub feedback: Feedback,
     /// Feedforward.
     pub law: Law,
-    /// Accuracy of each coat, that of `run` last.
-    pub coats: &'a [Accuracy],
+    /// ForceErrors of each coat, that of `run` last.
+    pub coats: &'a [ForceErrors],
     /// Notes before the figures.
     pub warnings: &'a Warnings,
 }

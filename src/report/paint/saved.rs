@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::apps::painting::{Motion, Pattern, Phase, Plan, Roller, Span, Strokes, Surface};
+use crate::apps::painting::{PaintingMotion, Pattern, Phase, Plan, Roller, Span, Strokes, Surface};
 use crate::report::parts::fields::{FieldError, array, field, number, numbers, rows, rule, text};
 
 /// A plan; [`plan_of_json`] gives the same plan without its unpainted sides.
@@ -92,12 +92,12 @@ fn spans(value: &Value) -> Result<Vec<Span>, FieldError> {
     Ok(spans)
 }
 
-fn motion(value: &Value) -> Result<Motion, FieldError> {
+fn motion(value: &Value) -> Result<PaintingMotion, FieldError> {
     let times = numbers(value, "times").map_err(|_| rule("motion.times", "must be a list of numbers"))?;
     let list = |key: &str| {
         rows(value, key).ok_or_else(|| rule(&format!("motion.{key}"), "must be a list of lists of numbers"))
     };
-    let motion = Motion { q: list("q")?, dq: list("dq")?, ddq: list("ddq")?, times };
+    let motion = PaintingMotion { q: list("q")?, dq: list("dq")?, ddq: list("ddq")?, times };
     let n = motion.dof();
     let whole = [&motion.q, &motion.dq, &motion.ddq]
         .iter()

@@ -2,12 +2,12 @@
 
 use serde_json::{Value, json};
 
-use crate::apps::paper::diagnosis::{Battery, Hidden, Outcome, Share};
+use crate::apps::paper::diagnosis::{Battery, Hidden, Outcome, Tally};
 use crate::diagnose::Cause;
 use crate::report::parts::number::{counted, digits};
 use crate::report::reproduce::text::Table;
 
-fn percent(share: Share) -> String {
+fn percent(share: Tally) -> String {
     share.value().map_or("–".into(), |v| format!("{:.0} % ({} of {})", 100.0 * v, share.good, share.all))
 }
 
@@ -41,7 +41,7 @@ pub(in crate::report) fn verdict(found: &Battery) -> String {
 pub(in crate::report) fn tables(found: &Battery) -> Vec<Table> {
     let s = &found.scores;
     let mut rows: Vec<Vec<String>> = Vec::new();
-    let mut row = |what: &str, share: Share, wanted: f64, most: bool| {
+    let mut row = |what: &str, share: Tally, wanted: f64, most: bool| {
         let holds = share.value().map_or("–", |v| match most {
             true if v <= wanted => "holds",
             false if v >= wanted => "holds",
@@ -163,14 +163,14 @@ pub(in crate::report) fn drawing(found: &Battery) -> String {
             );
         }
     }
-    svg.push_str("</svg><p class=note>Share that was right over probability that was claimed; the larger the dot, the more causes.</p>");
+    svg.push_str("</svg><p class=note>Tally that was right over probability that was claimed; the larger the dot, the more causes.</p>");
     svg
 }
 
 /// Settings, figures, cases.
 pub(in crate::report) fn to_json(found: &Battery) -> Value {
     let s = &found.scores;
-    let share = |share: Share| json!({ "good": share.good, "all": share.all, "share": share.value() });
+    let share = |share: Tally| json!({ "good": share.good, "all": share.all, "share": share.value() });
     json!({
         "settings": {
             "cases": found.settings.cases, "from": found.settings.from, "size": found.settings.size, "clean": found.settings.clean,

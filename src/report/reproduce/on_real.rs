@@ -3,16 +3,16 @@
 use serde_json::{Value, json};
 
 use crate::apps::paper::diagnosis::real::{Figures, RealBattery, RealCase, calibration_error, reliability};
-use crate::apps::paper::diagnosis::{Claim, Share};
+use crate::apps::paper::diagnosis::{Claim, Tally};
 use crate::diagnose::{Cause, Diagnosis};
 use crate::report::parts::number::digits;
 use crate::report::reproduce::text::Table;
 
-fn percent(share: Share) -> String {
+fn percent(share: Tally) -> String {
     share.value().map_or("–".into(), |v| format!("{:.0} % ({} of {})", 100.0 * v, share.good, share.all))
 }
 
-/// Share of right causes named first that is wanted at a size.
+/// Tally of right causes named first that is wanted at a size.
 fn wanted(size: f64) -> f64 {
     if size >= 3.0 {
         0.95
@@ -143,7 +143,7 @@ fn misses(found: &RealBattery) -> Table {
 
 /// Settings, figures, cases.
 pub(in crate::report) fn to_json(found: &RealBattery) -> Value {
-    let share = |share: Share| json!({ "good": share.good, "all": share.all, "share": share.value() });
+    let share = |share: Tally| json!({ "good": share.good, "all": share.all, "share": share.value() });
     json!({
         "settings": { "cases": found.settings.cases, "seed": found.settings.seed, "sizes": found.settings.sizes, "seconds": found.settings.seconds },
         "figures": found.figures.iter().map(|f| json!({

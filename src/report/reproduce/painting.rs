@@ -5,7 +5,7 @@ use std::fmt::Write;
 use serde_json::{Value, json};
 
 use crate::apps::painting::run::{Feedback, Law};
-use crate::apps::paper::painting::{ASKED, COATS, Case, KINDS, PAPER_SECONDS, Painting, Row};
+use crate::apps::paper::painting::{ASKED, COATS, KINDS, PAPER_SECONDS, Painting, PaintingCase, PaintingRow};
 use crate::report::paint::trace;
 use crate::report::parts::number::digits;
 use crate::report::reproduce::text::Table;
@@ -20,9 +20,9 @@ pub(in crate::report) fn verdict(found: &Painting) -> String {
     for (roller, paper) in crate::apps::paper::painting::PAPER {
         let of = |case| found.row(roller, case, Law::FED, Feedback::Estimated).map(|r| digits(r.ours()[0], 2));
         let cases: Vec<String> = [
-            (of(Case::Unmodelled), format!("with unmodelled effects (the paper: {} N)", paper[0])),
-            (of(Case::Extended), "once the diagnosis has extended the model".into()),
-            (of(Case::NoiseOnly), "with a model that is right up to noise".into()),
+            (of(PaintingCase::Unmodelled), format!("with unmodelled effects (the paper: {} N)", paper[0])),
+            (of(PaintingCase::Extended), "once the diagnosis has extended the model".into()),
+            (of(PaintingCase::NoiseOnly), "with a model that is right up to noise".into()),
         ]
         .into_iter()
         .filter_map(|(newtons, when)| Some(format!("{} N {when}", newtons?)))
@@ -35,7 +35,7 @@ pub(in crate::report) fn verdict(found: &Painting) -> String {
     let mut parts = Vec::new();
     for (roller, paper) in crate::apps::paper::painting::PAPER {
         let of = |case| found.last_coat(roller, case).map(|r| digits(r.ours()[1], 2));
-        if let (Some(hidden), Some(extended)) = (of(Case::Unmodelled), of(Case::Extended)) {
+        if let (Some(hidden), Some(extended)) = (of(PaintingCase::Unmodelled), of(PaintingCase::Extended)) {
             parts.push(format!(
                 " {roller}: {hidden} N with unmodelled effects (the paper: {} N), {extended} N once extended",
                 paper[1]
@@ -45,7 +45,7 @@ pub(in crate::report) fn verdict(found: &Painting) -> String {
     if !parts.is_empty() {
         let _ = write!(text, " Estimated against desired force on coat {COATS}:{}.", parts.join(";"));
     }
-    let extended = found.rows.iter().filter(|r| r.case == Case::Extended && r.feedback == Feedback::Estimated);
+    let extended = found.rows.iter().filter(|r| r.case == PaintingCase::Extended && r.feedback == Feedback::Estimated);
     let worst = extended.map(|r| r.ours()[0]).reduce(f64::max);
     let _ = match worst.map(|w| w <= ASKED) {
         None => write!(text, " The diagnosis was left out (--quick)."),
@@ -58,7 +58,7 @@ pub(in crate::report) fn verdict(found: &Painting) -> String {
     text
 }
 
-fn feedback(row: &Row) -> &'static str {
+fn feedback(row: &PaintingRow) -> &'static str {
     match row.feedback {
         Feedback::Estimated => "estimated",
         Feedback::Measured => "measured",
@@ -67,6 +67,11 @@ fn feedback(row: &Row) -> &'static str {
 
 /// Table IV, and what was known.
 pub(in crate::report) fn tables(found: &Painting) -> Vec<Table> {
+    [Some(table4(found)), Some(known(found)), causes(found), Some(gains(found))].into_iter().flatten().collect()
+}
+
+/// Differences of estimated, measured and desired force.
+fn table4(found: &Painting) -> Table {
     let rows = found.rows.iter().map(|r| {
         let mut cells = vec![r.roller.to_string(), r.case.title().into(), law_and_coat(r), feedback(r).into()];
         for (ours, paper) in r.ours().into_iter().zip(r.paper) {
@@ -78,7 +83,7 @@ pub(in crate::report) fn tables(found: &Painting) -> Vec<Table> {
         cells.push(r.verdict(0).to_string());
         cells
     });
-    let table4 = Table {
+    Table {
         title: "Table IV: root mean square differences of the normal force, N, and percent of the desired".into(),
         note: format!(
             "{} N along the wall's normal, over the whole time of painting. est: equation (14), causal; meas: the sensor in the wall, with noise, through the same low-pass; des: desired. Paper's values beside ours; they were measured with the estimate in the feedback. Laws: the paper's equations (13) and (15) alone, and with feedforward of the planned motion's torques, the desired force, the predicted drag, and half of the remaining force aside. There the estimate also bounds the roller's moment by its width, and does not take possible friction just after a reversal for force. On a further coat the displacement learned on the coats before is added. Aside: distance between plan and roller in the plane of the wall, mm. The verdict is on estimated against measured.",
@@ -89,8 +94,12 @@ pub(in crate::report) fn tables(found: &Painting) -> Vec<Table> {
             "paper", "aside", "verdict",
         ],
         rows: rows.collect(),
-    };
-    let known = Table {
+    }
+}
+
+/// Torque errors of the models.
+fn known(found: &Painting) -> Table {
+    Table {
         title: "What was known of the robot".into(),
         note: format!(
             "Held-out torque error of the model that the estimate rests on, N m, mean over the joints (the paper: 0.42 to 0.69). White noise of the torque sensors: {} N m, of which the low-pass leaves {} N m; the last row is measured without the low-pass. Plans of {} s (the paper: {} and {} s).",
@@ -101,9 +110,17 @@ pub(in crate::report) fn tables(found: &Painting) -> Vec<Table> {
             PAPER_SECONDS[1],
         ),
         head: vec!["model", "torque error"],
-        rows: Case::ALL.iter().zip(&found.torque).map(|(case, t)| vec![case.title().into(), digits(*t, 3)]).collect(),
-    };
-    let causes = found.diagnosis.as_ref().map(|diagnosis| Table {
+        rows: PaintingCase::ALL
+            .iter()
+            .zip(&found.torque)
+            .map(|(case, t)| vec![case.title().into(), digits(*t, 3)])
+            .collect(),
+    }
+}
+
+/// Causes found in the logs of the robot.
+fn causes(found: &Painting) -> Option<Table> {
+    found.diagnosis.as_ref().map(|diagnosis| Table {
         title: format!("What the diagnosis found: {}", diagnosis.verdict.word().replace('_', " ")),
         note: "From the logs of that robot: the exciting motion and a dry run before the wall, both with an empty hand; judged on a third log. Hidden in it were presliding_hysteresis, torque_ripple and joint_elasticity at every joint.".into(),
         head: vec!["cause", "joints", "probability", "parameters"],
@@ -116,11 +133,15 @@ pub(in crate::report) fn tables(found: &Painting) -> Vec<Table> {
                 vec![c.cause.into(), joints.join(" "), format!("{:.2}", c.probability), keys.join(", ")]
             })
             .collect(),
-    });
+    })
+}
+
+/// Gains of joints and force loop.
+fn gains(found: &Painting) -> Table {
     let gains = found.rows.iter().filter(|r| {
         r.roller == found.rows[0].roller && r.law == Law::FED && r.feedback == Feedback::Estimated && r.coat == 1
     });
-    let tuned = Table {
+    Table {
         title: "Gains, as proposed".into(),
         note: "Of the large roller. Margins of the force loop, worst over nine postures: arm, wall, filter and sampling in one linear model. Settled: predicted, a step of the desired force to 5 %.".into(),
         head: vec!["model", "Kp1", "Kp4", "Kp7", "Kpf, m/N", "Kif, m/(N s)", "crossover, rad/s", "phase, deg", "gain, dB", "settled, s"],
@@ -142,15 +163,14 @@ pub(in crate::report) fn tables(found: &Painting) -> Vec<Table> {
                 ]
             })
             .collect(),
-    };
-    [Some(table4), Some(known), causes, Some(tuned)].into_iter().flatten().collect()
+    }
 }
 
 /// Figs. 13 a and b for each case of the large roller, and Fig. 12 under both laws.
 pub(in crate::report) fn drawing(found: &Painting) -> String {
     let mut svg = String::new();
     let roller = crate::apps::paper::painting::PAPER[0].0;
-    for case in Case::ALL {
+    for case in PaintingCase::ALL {
         for (law, feedback) in KINDS {
             if let Some(row) = found.row(roller, case, law, feedback) {
                 let figure = if feedback == Feedback::Estimated { "13a" } else { "13b" };
@@ -169,7 +189,7 @@ pub(in crate::report) fn drawing(found: &Painting) -> String {
         }
     }
     for law in [Law::PAPER, Law::FED] {
-        if let Some(row) = found.row(roller, Case::Extended, law, Feedback::Estimated) {
+        if let Some(row) = found.row(roller, PaintingCase::Extended, law, Feedback::Estimated) {
             let title = format!("Fig. 12, after the diagnosis, {}: path of the roller on the wall", law_words(law));
             trace::path(&mut svg, &row.run.trace, [[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], &title);
         }
@@ -183,7 +203,7 @@ fn law_words(law: Law) -> &'static str {
 }
 
 /// And which coat, beyond the first.
-fn law_and_coat(row: &Row) -> String {
+fn law_and_coat(row: &PaintingRow) -> String {
     let law = law_words(row.law);
     if row.coat > 1 { format!("{law}, coat {}", row.coat) } else { law.into() }
 }
@@ -195,7 +215,7 @@ pub(in crate::report) fn to_json(found: &Painting) -> Value {
         "force": found.force,
         "seconds": found.seconds,
         "paper_seconds": PAPER_SECONDS,
-        "torque_error": Case::ALL.iter().zip(&found.torque).map(|(c, t)| json!({ "model": c.title(), "rms": t })).collect::<Vec<_>>(),
+        "torque_error": PaintingCase::ALL.iter().zip(&found.torque).map(|(c, t)| json!({ "model": c.title(), "rms": t })).collect::<Vec<_>>(),
         "table4": found.rows.iter().map(|r| {
             let [a, b, c] = r.ours();
             let t = &r.run.tuning;

@@ -8,8 +8,9 @@ use dh_codegen::arm::param;
 use dh_codegen::robot::{EffectKind, Robot, no_files};
 
 use super::super::ReproduceError;
-use super::Settings;
-use super::hidden::{About, Draft, FRICTION, Hidden, Outside, SAME_JOINT, Wanted, effects};
+use super::DiagnosisSettings;
+use super::draft::{Draft, effects};
+use super::hidden::{FRICTION, Hidden, JointScales, Outside, SAME_JOINT, Wanted};
 use crate::data::log::{Acceptance, Log, Quantity, csv, open};
 use crate::data::signal::{Prepare, central, central_second, each_motion, lower_cutoff};
 use crate::diagnose::{self, Diagnosis, Recording};
@@ -35,7 +36,7 @@ const NOISE: f64 = 1e-3;
 
 /// Kind of case.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Task {
+pub enum CaseKind {
     /// Nothing is hidden.
     Nothing,
     /// One effect of the vocabulary.
@@ -59,7 +60,7 @@ const SEVERAL: [usize; 5] = [3, 3, 2, 2, 3];
 /// Cases go round in this many kinds: nothing, every single effect, and the rest.
 pub(super) const KINDS: usize = 1 + Wanted::ALONE + SEVERAL[0] + SEVERAL[1] + SEVERAL[2] + SEVERAL[3] + SEVERAL[4];
 
-impl Task {
+impl CaseKind {
     /// The kind of a seed.
     pub(super) fn of(seed: u64, random: &mut Random) -> Self {
         let kind = (seed % KINDS as u64) as usize;
@@ -111,7 +112,7 @@ pub struct Outcome {
     /// The arm.
     pub robot: &'static str,
     /// Kind of case.
-    pub task: Task,
+    pub task: CaseKind,
     /// Hidden effects.
     pub hidden: Vec<Hidden>,
     /// Standard deviation of each joint's torque noise with the step of the sensor, N m.
@@ -291,7 +292,7 @@ impl<'a> Sizer<'a> {
             rms(&change) / self.noise[j]
         };
         Ok(match draft.joint {
-            Some(j) if draft.own => of(j),
+            Some(j) if draft.own() => of(j),
             _ => (0..with.len()).map(of).fold(0.0, f64::max),
         })
     }
@@ -299,25 +300,25 @@ impl<'a> Sizer<'a> {
     /// `x` at which the effect has the wanted size, and that size; `None` where it would be no
     /// effect of its kind.
     fn size(&self, draft: &Draft, wanted: f64) -> Result<Option<(f64, f64)>, ReproduceError> {
-        let mut x = draft.start.min(draft.most);
+        let mut x = draft.start().min(draft.most());
         for _ in 0..6 {
             let now = self.ratio(draft, x)?;
             if !(now.is_finite() && now > 1e-3) {
                 return Ok(None);
             }
             let by = wanted / now;
-            if draft.linear() && x * by <= draft.most {
+            if draft.linear() && x * by <= draft.most() {
                 return Ok(Some((x * by, wanted)));
             }
             if (by - 1.0).abs() < 0.05 {
                 return Ok(Some((x, now)));
             }
-            if x >= draft.most && by > 1.0 {
+            if x >= draft.most() && by > 1.0 {
                 return Ok(None);
             }
             // A clipped torque grows faster than the bound falls.
             let power = if draft.cause == EffectKind::TorqueSaturation { 0.6 } else { 1.0 };
-            x = (x * by.powf(power).clamp(0.02, 50.0)).min(draft.most);
+            x = (x * by.powf(power).clamp(0.02, 50.0)).min(draft.most());
         }
         let now = self.ratio(draft, x)?;
         Ok(((0.7..1.4).contains(&(now / wanted))).then_some((x, now)))
@@ -346,9 +347,9 @@ pub(super) fn record_keeping(
 }
 
 /// Draws, hides, records, diagnoses.
-pub(super) fn case(settings: &Settings, seed: u64, plants: &Plants) -> Result<Outcome, ReproduceError> {
+pub(super) fn case(settings: &DiagnosisSettings, seed: u64, plants: &Plants) -> Result<Outcome, ReproduceError> {
     let mut random = Random::new(seed.wrapping_mul(0x9E37_79B9).wrapping_add(77));
-    let task = if settings.clean { Task::Nothing } else { Task::of(seed, &mut random) };
+    let task = if settings.clean { CaseKind::Nothing } else { CaseKind::of(seed, &mut random) };
     for _ in 0..20 {
         let number = random.below(settings.arms.min(ARMS.len()));
         if let Some(found) = attempt(settings, seed, task, number, plants, &mut random)? {
@@ -358,10 +359,22 @@ pub(super) fn case(settings: &Settings, seed: u64, plants: &Plants) -> Result<Ou
     Err(ReproduceError::NothingToShow { seed })
 }
 
+/// What the file says of a joint, with its largest torque on the motion.
+fn joint_scales(robot: &Robot, j: usize, limit: f64, peak: f64) -> JointScales {
+    let drive = &robot.joints[robot.moving()[j]].drive;
+    JointScales {
+        limit,
+        peak: peak.max(1e-6),
+        viscous: drive.viscous_friction.unwrap_or(0.0),
+        coulomb: drive.coulomb_friction.unwrap_or(0.0),
+        rotor: drive.rotor_inertia.unwrap_or(0.0),
+    }
+}
+
 fn attempt(
-    settings: &Settings,
+    settings: &DiagnosisSettings,
     seed: u64,
-    task: Task,
+    task: CaseKind,
     number: usize,
     plants: &Plants,
     random: &mut Random,
@@ -377,18 +390,7 @@ fn attempt(
     let second = motion(&robot, settings.seconds[1], random)?;
     let plain = plants.plain(&robot)?;
     let (sizer, peaks) = Sizer::new(&robot, &plant, &first, &noise, &plain)?;
-    let about: Vec<About> = (0..dof)
-        .map(|j| {
-            let drive = &robot.joints[rows[j]].drive;
-            About {
-                limit: limit(j),
-                peak: peaks[j].max(1e-6),
-                viscous: drive.viscous_friction.unwrap_or(0.0),
-                coulomb: drive.coulomb_friction.unwrap_or(0.0),
-                rotor: drive.rotor_inertia.unwrap_or(0.0),
-            }
-        })
-        .collect();
+    let scales: Vec<JointScales> = (0..dof).map(|j| joint_scales(&robot, j, limit(j), peaks[j])).collect();
     let joint = random.below(dof);
     let apart = (joint + 1 + random.below(dof - 1)) % dof;
     // The last link with another body on it is the same as a payload: no case of its own.
@@ -396,13 +398,13 @@ fn attempt(
     let wanted = task.effects(joint, apart, link);
     let (mut sized, mut hidden) = (Vec::new(), Vec::new());
     for (effect, joint) in wanted {
-        let draft = Draft::draw(effect, joint, &robot, &about, random);
+        let draft = Draft::draw(effect, joint, &robot, &scales, random);
         let Some((x, size)) = sizer.size(&draft, settings.size)? else { return Ok(None) };
-        hidden.push(draft.hidden(x, &about, size));
+        hidden.push(draft.hidden(x, size));
         sized.push((draft, x));
     }
     let outside = match task {
-        Task::Outside(which) => {
+        CaseKind::Outside(which) => {
             hidden.push(Hidden { cause: "unknown", joints: vec![joint + 1], truth: Vec::new(), size: settings.size });
             Some(Outside::draw(which, joint, dof, random))
         }
@@ -466,7 +468,7 @@ fn attempt(
     csv::write(&clean.log, &mut bytes).map_err(ReproduceError::Write)?;
     let attainable = diagnose::misses(&*plant, &[record("clean", &bytes, dof)?], &diagnose::Settings::default());
 
-    let (_, seen) = if let Task::NoLinks(_) = task {
+    let (_, seen) = if let CaseKind::NoLinks(_) = task {
         let mut bare = robot.clone();
         bare.links.clear();
         plants.of(&bare)?

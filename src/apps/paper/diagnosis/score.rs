@@ -1,19 +1,19 @@
 //! Figures of a battery.
 
-use super::case::{Outcome, Task};
+use super::case::{CaseKind, Outcome};
 use super::hidden::Hidden;
 use crate::diagnose::{Cause, Verdict};
 
 /// So many of so many.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Share {
+pub struct Tally {
     /// Number that hold.
     pub good: usize,
     /// Of these.
     pub all: usize,
 }
 
-impl Share {
+impl Tally {
     pub(super) fn count(&mut self, good: bool) {
         self.good += usize::from(good);
         self.all += 1;
@@ -38,19 +38,19 @@ pub struct Claim {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Scores {
     /// One effect: the right cause first.
-    pub first: Share,
+    pub first: Tally,
     /// The same, but the hidden cause may also stand beside the first as not distinguished from it,
     /// provided that the extended model leaves nothing but noise.
-    pub first_or_named: Share,
+    pub first_or_named: Tally,
     /// Of those with the right cause first: in the right place.
-    pub place: Share,
+    pub place: Tally,
     /// Two effects: both among the causes, in their places.
-    pub both: Share,
+    pub both: Tally,
     /// Nothing hidden: something named.
-    pub false_alarms: Share,
+    pub false_alarms: Tally,
     /// Nothing that the vocabulary has: `unknown` first, or no cause at all while the verdict says
     /// that structure is left.
-    pub outside: Share,
+    pub outside: Tally,
     /// Wrong causes beside the right ones, per case with something of the vocabulary hidden.
     pub beside: f64,
     /// Attained share of the possible gain on the validating log, mean over cases with a hidden
@@ -60,9 +60,9 @@ pub struct Scores {
     /// The same of all samples.
     pub gain_of_all: f64,
     /// Cases that reach nine tenths of it where the joint moves.
-    pub gained: Share,
+    pub gained: Tally,
     /// Parameters of causes that were rightly named within three of their standard deviations.
-    pub within_three: Share,
+    pub within_three: Tally,
     /// By what was hidden: how often each answer came first, most frequent first.
     pub confusion: Vec<(String, Vec<(&'static str, usize)>)>,
     /// Every cause that was named, for the reliability of probabilities.
@@ -95,7 +95,7 @@ fn only_noise(outcome: &Outcome) -> bool {
     outcome.found.extended.moving.iter().zip(&outcome.attainable[1]).all(|(e, s)| *e < 1.1 * s)
 }
 
-/// Share of what could be gained on the joint with the largest error, if anything could.
+/// Tally of what could be gained on the joint with the largest error, if anything could.
 fn gained(before: &[f64], after: &[f64], attainable: &[f64]) -> Option<f64> {
     let above = |j: &usize| before[*j] / attainable[*j].max(1e-12);
     let j = (0..before.len()).max_by(|a, b| above(a).total_cmp(&above(b)))?;
@@ -106,22 +106,22 @@ impl Outcome {
     /// Hidden effect, in a word.
     pub fn label(&self) -> String {
         match self.task {
-            Task::Nothing => "nothing_wrong".into(),
-            Task::One(wanted) => wanted.to_string(),
-            Task::NoLinks(name) => format!("{name}, no links in the file"),
-            Task::OneJoint(_) => "two effects, one joint".into(),
-            Task::TwoJoints(_) => "two effects, two joints".into(),
-            Task::WrongLinks(_) => "friction law and wrong link".into(),
-            Task::Outside(0) => "outside: a tone".into(),
-            Task::Outside(1) => "outside: cross talk".into(),
-            Task::Outside(_) => "outside: zero wanders".into(),
+            CaseKind::Nothing => "nothing_wrong".into(),
+            CaseKind::One(wanted) => wanted.to_string(),
+            CaseKind::NoLinks(name) => format!("{name}, no links in the file"),
+            CaseKind::OneJoint(_) => "two effects, one joint".into(),
+            CaseKind::TwoJoints(_) => "two effects, two joints".into(),
+            CaseKind::WrongLinks(_) => "friction law and wrong link".into(),
+            CaseKind::Outside(0) => "outside: a tone".into(),
+            CaseKind::Outside(1) => "outside: cross talk".into(),
+            CaseKind::Outside(_) => "outside: zero wanders".into(),
         }
     }
 
     /// Whether the first cause is the one that was hidden.
     pub fn right(&self) -> bool {
         match (self.task, self.hidden.first()) {
-            (Task::Nothing, _) => answer(self) == "nothing_wrong",
+            (CaseKind::Nothing, _) => answer(self) == "nothing_wrong",
             (_, Some(hidden)) => answer(self) == hidden.cause,
             _ => false,
         }
@@ -149,7 +149,7 @@ impl Outcome {
         self.hidden.iter().any(|h| if h.cause == "unknown" { cause.cause == "unknown" } else { same(cause, h) })
     }
 
-    /// Share of what could be gained where the joint moves, if anything could.
+    /// Tally of what could be gained where the joint moves, if anything could.
     pub fn gain(&self) -> Option<f64> {
         gained(&self.found.baseline.moving, &self.found.extended.moving, &self.attainable[1])
     }
@@ -182,18 +182,20 @@ impl Scores {
         let (mut gains, mut of_all, mut beside, mut with) = (Vec::new(), Vec::new(), 0, 0);
         for o in outcomes {
             match o.task {
-                Task::Nothing => scores.false_alarms.count(!o.right()),
-                Task::Outside(_) => scores.outside.count(answer(o) == "unknown"),
-                Task::One(_) | Task::NoLinks(_) => {
+                CaseKind::Nothing => scores.false_alarms.count(!o.right()),
+                CaseKind::Outside(_) => scores.outside.count(answer(o) == "unknown"),
+                CaseKind::One(_) | CaseKind::NoLinks(_) => {
                     scores.first.count(o.right());
                     scores.first_or_named.count(o.right_or_named());
                     if let (true, Some(c), Some(h)) = (o.right(), o.found.causes.first(), o.hidden.first()) {
                         scores.place.count(same_place(c, h));
                     }
                 }
-                Task::OneJoint(_) | Task::TwoJoints(_) | Task::WrongLinks(_) => scores.both.count(o.complete()),
+                CaseKind::OneJoint(_) | CaseKind::TwoJoints(_) | CaseKind::WrongLinks(_) => {
+                    scores.both.count(o.complete())
+                }
             }
-            if !matches!(o.task, Task::Nothing | Task::Outside(_)) {
+            if !matches!(o.task, CaseKind::Nothing | CaseKind::Outside(_)) {
                 with += 1;
                 beside += o.found.causes.iter().filter(|c| !o.holds(c)).count();
                 of_all.extend(o.gain_of_all());
@@ -232,7 +234,7 @@ impl Scores {
     }
 
     /// Claims by probability: from, to, mean probability, how many were right.
-    pub fn reliability(&self) -> Vec<(f64, f64, f64, Share)> {
+    pub fn reliability(&self) -> Vec<(f64, f64, f64, Tally)> {
         const EDGES: [f64; 7] = [0.0, 0.5, 0.7, 0.85, 0.93, 0.98, 1.0];
         EDGES
             .windows(2)
@@ -241,7 +243,7 @@ impl Scores {
                 let claims: Vec<&Claim> = self.claims.iter().filter(here).collect();
                 let good = claims.iter().filter(|c| c.right).count();
                 let mean = claims.iter().map(|c| c.probability).sum::<f64>() / claims.len().max(1) as f64;
-                (!claims.is_empty()).then(|| (edge[0], edge[1], mean, Share { good, all: claims.len() }))
+                (!claims.is_empty()).then(|| (edge[0], edge[1], mean, Tally { good, all: claims.len() }))
             })
             .collect()
     }

@@ -66,7 +66,7 @@ pub fn planned(
 }
 
 /// A motion `off` (m) before the wall.
-pub fn in_the_air(lent: &mut RobotModel<'_>, motion: &Trajectory, off: f64) -> Result<Trajectory, ReproduceError> {
+pub fn in_the_air(model: &mut RobotModel<'_>, motion: &Trajectory, off: f64) -> Result<Trajectory, ReproduceError> {
     let span = motion.span();
     let count = ((span.end - span.start) * 50.0).ceil() as usize;
     let by = NORMAL.map(|n| off * n);
@@ -76,7 +76,7 @@ pub fn in_the_air(lent: &mut RobotModel<'_>, motion: &Trajectory, off: f64) -> R
         let at = span.start + (span.end - span.start) * k as f64 / count as f64;
         motion.at(at, &mut hint, &mut points);
         let q: [f64; N] = std::array::from_fn(|j| points[j][0]);
-        let moved = lent
+        let moved = model
             .displaced(&q, &by, &near.unwrap_or(q))
             .ok_or_else(|| ReproduceError::design("the dry run")(DesignObstacle::OutOfReach))?;
         near = Some(moved);

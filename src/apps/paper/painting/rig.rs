@@ -9,10 +9,10 @@ use super::super::chain::{factors, fit};
 use super::super::fig6;
 use super::super::lwr::{Lwr, Unmodelled};
 use super::super::many::many;
-use super::super::motions::Motion;
+use super::super::motions::PaperMotion;
 use super::plans::{Extent, ROOM, in_the_air, planned};
 use crate::apps::painting::Plan;
-use crate::apps::painting::run::{Feedback, Known, Law, Run, Task, in_contact, roller_moment, run};
+use crate::apps::painting::run::{Feedback, Known, Law, Run, RunTask, in_contact, roller_moment, run};
 use crate::apps::painting::wall::RollerWall;
 use crate::control::iterative_learning::Learned;
 use crate::control::robot::{RobotModel, contact_point};
@@ -47,14 +47,14 @@ const EXPLAINED: f64 = 1.25;
 const DRY: f64 = 0.05;
 
 /// The arm with a roller, the true one and its model.
-pub struct Roller {
+pub struct Rig {
     /// With the tool's frame; its inertia is a part of `standard`.
     robot: Robot,
     arm: Interpreted,
     standard: Vec<f64>,
     drives: Vec<Drive>,
     spread: Vec<f64>,
-    doubt: Vec<f64>,
+    turning: Vec<f64>,
     real: Simulator,
     motion: Trajectory,
     settle: f64,
@@ -62,7 +62,7 @@ pub struct Roller {
     pub plan: Plan,
 }
 
-impl Roller {
+impl Rig {
     /// Length of the plan, s.
     pub fn seconds(&self) -> f64 {
         let span = self.motion.span();
@@ -87,9 +87,9 @@ impl Roller {
             standard: &self.standard,
             drives: self.drives.clone(),
             spread: self.spread.clone(),
-            doubt: if paper { vec![0.0; self.doubt.len()] } else { self.doubt.clone() },
+            turning: if paper { vec![0.0; self.turning.len()] } else { self.turning.clone() },
         };
-        let task = Task {
+        let task = RunTask {
             motion: &self.motion,
             wall: RollerWall::new(CENTER, NORMAL, contact_point(self.robot.tool.as_ref())),
             force: FORCE,
@@ -111,10 +111,10 @@ pub struct Stand {
     /// Held-out torque error, mean over the joints, N m.
     pub torque: f64,
     /// One for each of the paper's rollers.
-    pub rollers: Vec<Roller>,
+    pub rollers: Vec<Rig>,
     settle: f64,
-    /// Of the friction of each joint where it has just turned round, N m: see [`Known::doubt`].
-    doubt: Vec<f64>,
+    /// Of the friction of each joint where it has just turned round, N m: see [`Known::turning`].
+    turning: Vec<f64>,
     effects: Effects,
     tools: Vec<(Tool, [f64; 10])>,
     /// The identified arm with an empty hand.
@@ -154,7 +154,7 @@ impl Stand {
     /// on the third; and a dry run before the wall.
     pub fn new(
         lwr: &Lwr,
-        [exciting, carrying, validating]: [&Motion; 3],
+        [exciting, carrying, validating]: [&PaperMotion; 3],
         which: &[Unmodelled],
         extent: &Extent,
         seed: u64,
@@ -189,37 +189,37 @@ impl Stand {
             bodies(lwr, factors("logdet", &lwr.arm, &excited, 1)?, factors("validate", &lwr.arm, &validate, 1)?)?;
         let identified = robot_edit::with_values(lwr.robot.clone(), &standard);
 
-        let mut weighed = Vec::new();
+        let mut held = Vec::new();
         let unloaded = factors("unloaded", &Carrying::new(&lwr.arm, false), &excited, 1)?;
         tell("weighing the rollers", 0.6);
         for (tool, loaded) in tools.into_iter().zip(carried) {
             let loaded = factors("loaded", &Carrying::new(&lwr.arm, true), &loaded, 1)?;
             let found = identify_tool(&lwr.arm, std::slice::from_ref(&unloaded), &[loaded], &ToolSettings::default())?;
-            weighed.push((tool, found.values));
+            held.push((tool, found.values));
         }
         let torque = fig6::mean(&rms);
         let plans = match plans {
             Some(plans) => plans.to_vec(),
-            None => plan_all(&identified, &weighed, extent, tell)?,
+            None => plan_all(&identified, &held, extent, tell)?,
         };
         // If torque errors exceed noise the model lacks something, which may be friction that needs
         // some way to turn round.
         let gain = Filter::default().noise_gain(Lwr::sensors().rate);
         let noise = |j: usize| gain * Lwr::sensors().torque_noise.get(j).copied().unwrap_or(0.0);
-        let doubtful = |(j, rms): (usize, &f64)| if *rms > EXPLAINED * noise(j) { f64::INFINITY } else { 0.0 };
-        let doubt: Vec<f64> = rms.iter().enumerate().map(doubtful).collect();
-        let rollers = rollers(&identified, &weighed, &plans, lwr, &effects, [&rms, &doubt], extent.settle)?;
+        let unmodelled = |(j, rms): (usize, &f64)| if *rms > EXPLAINED * noise(j) { f64::INFINITY } else { 0.0 };
+        let turning: Vec<f64> = rms.iter().enumerate().map(unmodelled).collect();
+        let rollers = rollers(&identified, &held, &plans, lwr, &effects, [&rms, &turning], extent.settle)?;
         tell("dry run", 0.9);
         let before = {
             let first = &rollers[0];
             let bodies = Box::new(first.arm.bodies(&first.standard));
             let kinematics = Kinematics::new(&first.robot, first.arm.model());
-            let mut lent = RobotModel::new(&first.robot, bodies, kinematics.as_ref(), first.drives.clone());
-            in_the_air(&mut lent, &first.motion, DRY)?
+            let mut model = RobotModel::new(&first.robot, bodies, kinematics.as_ref(), first.drives.clone());
+            in_the_air(&mut model, &first.motion, DRY)?
         };
         let dry = record(&lwr.robot, &before, seed.wrapping_add(9))?;
         let logs = vec![("exciting", excited), ("dry run", dry)];
-        Ok(Self { torque, rollers, settle: extent.settle, doubt, effects, tools: weighed, identified, logs, validate })
+        Ok(Self { torque, rollers, settle: extent.settle, turning, effects, tools: held, identified, logs, validate })
     }
 
     /// The same robot with the model that the diagnosis extends.
@@ -241,12 +241,12 @@ impl Stand {
         let plans: Vec<Plan> = self.rollers.iter().map(|r| r.plan.clone()).collect();
         // A diagnosis finds the size of friction rather than its course at a reversal, so the
         // uncertainty there remains.
-        let rollers = rollers(&robot, &self.tools, &plans, lwr, &self.effects, [rms, &self.doubt], self.settle)?;
+        let rollers = rollers(&robot, &self.tools, &plans, lwr, &self.effects, [rms, &self.turning], self.settle)?;
         let extended = Self {
             torque: fig6::mean(rms),
             rollers,
             settle: self.settle,
-            doubt: self.doubt.clone(),
+            turning: self.turning.clone(),
             effects: self.effects.clone(),
             tools: self.tools.clone(),
             identified: robot,
@@ -314,9 +314,9 @@ fn rollers(
     plans: &[Plan],
     lwr: &Lwr,
     effects: &Effects,
-    [spread, doubt]: [&[f64]; 2],
+    [spread, turning]: [&[f64]; 2],
     settle: f64,
-) -> Result<Vec<Roller>, ReproduceError> {
+) -> Result<Vec<Rig>, ReproduceError> {
     let mut all = Vec::new();
     for ((tool, weighed), plan) in tools.iter().zip(plans) {
         let (robot, standard) = holding(known, tool, weighed)?;
@@ -326,11 +326,11 @@ fn rollers(
         let arm = Interpreted::new(&robot, &Interpreted::BODIES);
         let motion = {
             let kinematics = Kinematics::new(&robot, arm.model());
-            let mut lent =
+            let mut model =
                 RobotModel::new(&robot, Box::new(arm.bodies(&standard)), kinematics.as_ref(), drives.clone());
-            in_the_air(&mut lent, &in_contact(plan).map_err(SimulateError::from)?, ROOM)?
+            in_the_air(&mut model, &in_contact(plan).map_err(SimulateError::from)?, ROOM)?
         };
-        all.push(Roller {
+        all.push(Rig {
             arm,
             motion,
             settle,
@@ -340,7 +340,7 @@ fn rollers(
             standard,
             drives,
             spread: spread.to_vec(),
-            doubt: doubt.to_vec(),
+            turning: turning.to_vec(),
         });
     }
     Ok(all)

@@ -32,7 +32,7 @@ pub const TABLE_THREE: [PaperRoller; 2] = [
 
 /// A row of the table.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Row {
+pub struct ToolRow {
     /// `MSX`.
     pub name: String,
     /// The paper's value and its standard deviation.
@@ -43,7 +43,7 @@ pub struct Row {
     pub ours: [f64; 2],
 }
 
-impl Row {
+impl ToolRow {
     /// Relative standard deviation, percent: the paper's, ours.
     pub fn percent(&self) -> [f64; 2] {
         [self.paper, self.ours].map(|[value, std]| 100.0 * std / value.abs())
@@ -56,7 +56,7 @@ pub struct Column {
     /// Its tool file.
     pub tool: String,
     /// The ten.
-    pub rows: Vec<Row>,
+    pub rows: Vec<ToolRow>,
     /// Mass identified less true, percent.
     pub mass_error_percent: f64,
     /// From the identified to the true centre of mass, m; NaN where no centre was found.
@@ -83,7 +83,7 @@ pub fn table_three(bench: &Bench, repeats: usize, seed: u64) -> Result<Vec<Colum
         let rows = names()
             .into_iter()
             .enumerate()
-            .map(|(k, name)| Row {
+            .map(|(k, name)| ToolRow {
                 name,
                 paper: [paper.values[k], 0.01 * paper.percent[k] * paper.values[k].abs()],
                 truth: truth[k],

@@ -2,7 +2,7 @@
 
 use crate::apps::paper::force::{Case, Stage, alone, coverage};
 use crate::apps::paper::lwr::Unmodelled;
-use crate::control::estimate::{Method, Settings};
+use crate::control::estimate::{EstimationSettings, Method};
 
 #[test]
 fn of_200_runs_95_in_100_bands_hold_the_force() {
@@ -31,7 +31,8 @@ fn all_six_components_moving_and_standing() {
     let stage = Stage::new(13, 200.0, 30, 10, [1.2, 0.8], [&[]; 2]).unwrap();
     let found = stage.identify(3).unwrap();
     for (name, method) in Method::ALL {
-        let series = stage.estimate(&found, 4, 4, &Settings { method, ..Settings::default() }).unwrap();
+        let series =
+            stage.estimate(&found, 4, 4, &EstimationSettings { method, ..EstimationSettings::default() }).unwrap();
         let all = series.against_measured().unwrap();
         assert!(series.stale <= 1); // an observer has no first step
         // Against amplitudes of 30 N and 4 N m; a workspace has its singularities.

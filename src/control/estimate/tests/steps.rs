@@ -45,12 +45,12 @@ impl Oracle {
     }
 
     /// A sample without noise while this wrench is on the tool.
-    fn sample(&self, dt: f64, [q, dq, ddq]: [&[f64]; 3], wrench: &[f64; 6]) -> Sample<7> {
+    fn sample(&self, dt: f64, [q, dq, ddq]: [&[f64]; 3], wrench: &[f64; 6]) -> EstimatorInput<7> {
         let model = array(&self.numeric.inverse_dynamics(q, dq, ddq, &self.phi));
         let bias = array(&self.numeric.inverse_dynamics(q, dq, &[0.0; 7], &self.phi));
         let mass = self.numeric.mass_matrix(q, &self.phi);
         let jacobian = self.jacobian(q);
-        Sample {
+        EstimatorInput {
             dt,
             tau: std::array::from_fn(|j| model[j] - (0..6).map(|i| jacobian[i][j] * wrench[i]).sum::<f64>()),
             dq: std::array::from_fn(|j| dq[j]),
@@ -58,7 +58,7 @@ impl Oracle {
             bias,
             mass: std::array::from_fn(|i| std::array::from_fn(|j| mass[(i, j)])),
             jacobian,
-            ..Sample::default()
+            ..EstimatorInput::default()
         }
     }
 
@@ -130,7 +130,7 @@ fn the_covariance_is_that_of_many_draws() {
         let draws = 4000;
         for _ in 0..draws {
             let model = oracle.normal();
-            let mut sample = Sample { covariance, ..clean };
+            let mut sample = EstimatorInput { covariance, ..clean };
             for j in 0..7 {
                 sample.tau[j] += NOISE[j] * oracle.normal() + direction[j] * model;
             }
@@ -193,13 +193,13 @@ fn the_observer_is_as_unsure_as_its_noise_makes_it() {
             jacobian[0] = [1.0];
             let (mut square, mut said, mut count) = (0.0, 0.0, 0.0);
             for k in 0..60_000 {
-                let sample = Sample {
+                let sample = EstimatorInput {
                     dt,
                     tau: [torque * oracle.normal()],
                     dq: [speed * oracle.normal()],
                     mass: [[2.0]],
                     jacobian,
-                    ..Sample::default()
+                    ..EstimatorInput::default()
                 };
                 let found = observer.step(&sample);
                 if k > 2000 {
@@ -353,7 +353,7 @@ fn touch_is_felt_and_noise_is_not() {
 #[ignore = "a measure, in release"]
 fn time_of_a_step() {
     let oracle = Oracle::new(9);
-    let samples: Vec<Sample<7>> = (0..1000)
+    let samples: Vec<EstimatorInput<7>> = (0..1000)
         .map(|k| {
             let [q, dq, ddq] = Oracle::wave(f64::from(k) * 1e-3);
             oracle.sample(1e-3, [&q, &dq, &ddq], &WRENCH)

@@ -123,7 +123,7 @@ pub(super) struct Addition {
     window: [f64; 2],
 }
 
-/// Share of the fastest speed below which the sign of a velocity fades.
+/// Tally of the fastest speed below which the sign of a velocity fades.
 const REST: f64 = 0.01;
 
 /// Least travel, rad, and speed, rad/s, of a joint that moves.

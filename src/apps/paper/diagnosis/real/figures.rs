@@ -1,7 +1,7 @@
 //! Figures of the cases on real recordings.
 
 use super::{RealCase, Untouched};
-use crate::apps::paper::diagnosis::{Claim, Share};
+use crate::apps::paper::diagnosis::{Claim, Tally};
 use crate::diagnose::{Cause, Diagnosis};
 
 /// How far from 1 the size may be that an informed fit finds.
@@ -13,17 +13,17 @@ pub struct Figures {
     /// Size, in residuals.
     pub size: f64,
     /// Cases that an informed fit recovers within 20 %.
-    pub recovered: Share,
+    pub recovered: Tally,
     /// Named, in its place.
-    pub named: Share,
+    pub named: Tally,
     /// First among the new causes, in its place.
-    pub first: Share,
+    pub first: Tally,
     /// Named in its place with a probability above one half.
-    pub sure: Share,
+    pub sure: Tally,
     /// Its place, where the right cause is named at all.
-    pub place: Share,
+    pub place: Tally,
     /// Parameters within three standard deviations, where named in its place.
-    pub within_three: Share,
+    pub within_three: Tally,
     /// New causes that were not added, per case.
     pub false_new: f64,
     /// All new causes.
@@ -34,9 +34,9 @@ pub struct Figures {
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Stability {
     /// Causes above 0.8 that both halves have, too.
-    pub sure: Share,
+    pub sure: Tally,
     /// Of each cause: arm, cause, joints, probability, and in how many of how many halves it is.
-    pub causes: Vec<(String, &'static str, Vec<usize>, f64, Share)>,
+    pub causes: Vec<(String, &'static str, Vec<usize>, f64, Tally)>,
 }
 
 /// Whether two causes are one in one place.
@@ -117,7 +117,7 @@ impl Stability {
                 continue;
             }
             for cause in arm.whole.causes.iter().filter(|c| c.cause != "unknown") {
-                let mut there = Share::default();
+                let mut there = Tally::default();
                 halves.iter().for_each(|half| there.count(half.causes.iter().any(|c| same(c, cause))));
                 if cause.probability > 0.8 {
                     stability.sure.count(there.good == there.all);
@@ -130,11 +130,11 @@ impl Stability {
 }
 
 /// Claims by probability: from, to, mean probability, how many were right.
-pub fn reliability(claims: &[Claim]) -> Vec<(f64, f64, f64, Share)> {
+pub fn reliability(claims: &[Claim]) -> Vec<(f64, f64, f64, Tally)> {
     const EDGES: [f64; 7] = [0.0, 0.2, 0.4, 0.6, 0.8, 0.9, 1.0];
     let bin = |edge: &[f64]| {
         let here = |c: &&Claim| c.probability >= edge[0] && (c.probability < edge[1] || edge[1] == 1.0);
-        let mut share = Share::default();
+        let mut share = Tally::default();
         let mut sum = 0.0;
         for claim in claims.iter().filter(here) {
             share.count(claim.right);
@@ -150,6 +150,6 @@ pub fn reliability(claims: &[Claim]) -> Vec<(f64, f64, f64, Share)> {
 pub fn calibration_error(claims: &[Claim]) -> Option<f64> {
     let bins = reliability(claims);
     let all: usize = bins.iter().map(|b| b.3.all).sum();
-    let off = |b: &(f64, f64, f64, Share)| b.3.all as f64 * (b.2 - b.3.value().unwrap_or(0.0)).abs();
+    let off = |b: &(f64, f64, f64, Tally)| b.3.all as f64 * (b.2 - b.3.value().unwrap_or(0.0)).abs();
     (all > 0).then(|| bins.iter().map(off).sum::<f64>() / all as f64)
 }
