@@ -308,7 +308,7 @@ fn patterns(name: &str, joints: &[SourceJoint]) -> Vec<(String, usize)> {
     }
     let digits = |c: char| c.is_ascii_digit();
     let Some(end) = name.rfind(digits).map(|i| i + 1) else { return Vec::new() };
-    let start = name[..end].rfind(|c: char| !c.is_ascii_digit()).map_or(0, |i| i + 1);
+    let start = name[..end].trim_end_matches(|c: char| c.is_ascii_digit()).len();
     let Ok(number) = name[start..end].parse::<usize>() else { return Vec::new() };
     let with = |mark: &str| format!("{}{mark}{}", &name[..start], &name[end..]);
     let from_one = number.checked_sub(1).map(|joint| (with("{number}"), joint));

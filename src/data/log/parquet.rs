@@ -1,5 +1,8 @@
 //! Parquet files: columns of numbers, and of lists of numbers.
 
+mod directory;
+mod thrift;
+
 use std::cell::Cell;
 use std::sync::Arc;
 
@@ -9,6 +12,8 @@ use super::Layout;
 use super::Log;
 use super::LogError;
 use super::Table;
+use directory::{DirectoryError, Shared};
+
 use ::parquet::{
     basic::{ConvertedType, LogicalType, TimeUnit},
     column::reader::{ColumnReader, ColumnReaderImpl},
@@ -16,7 +21,7 @@ use ::parquet::{
     errors::ParquetError,
     file::{
         properties::WriterProperties,
-        reader::{ChunkReader, FileReader, SerializedFileReader},
+        reader::{ChunkReader, FileReader, Length, SerializedFileReader},
         writer::SerializedFileWriter,
     },
     schema::{parser::parse_message_type, types::ColumnDescriptor},
@@ -37,7 +42,8 @@ struct Leaf {
 /// is as many columns as its first list is long: `state[0]`, `state[1]`, ..
 pub struct ParquetTable<C: ChunkReader + 'static> {
     file: String,
-    reader: SerializedFileReader<C>,
+    reader: SerializedFileReader<Shared<C>>,
+    chunks: Shared<C>,
     leaves: Vec<Leaf>,
     names: Vec<String>,
     /// Leaf and element of each name.
@@ -57,18 +63,16 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
     /// # Errors
     /// Where it is no Parquet file, has no columns, or claims more rows than it can hold.
     pub fn new(file: &str, chunks: C) -> Result<Self, LogError> {
-        let bytes = chunks.len();
-        let reader = SerializedFileReader::new(chunks).map_err(|e| failed(file, e))?;
-        let rows = reader.metadata().file_metadata().num_rows();
-        // A column that changes takes more than a sixteenth of a byte for a row.
-        if u64::try_from(rows).map_or(true, |rows| rows > LEAST_ROWS + 16 * bytes) {
-            let what = format!("it claims {rows} rows in {bytes} bytes, and no recording packs that well");
-            return Err(LogError::Parquet { file: file.into(), what });
-        }
+        let chunks = Shared::new(chunks);
+        let refused = |e: DirectoryError| LogError::Parquet { file: file.into(), what: e.to_string() };
+        directory::readable(&chunks).map_err(refused)?;
+        let reader = SerializedFileReader::new(chunks.clone()).map_err(|e| failed(file, e))?;
+        directory::possible(reader.metadata(), Length::len(&chunks)).map_err(refused)?;
         let schema = reader.metadata().file_metadata().schema_descr_ptr();
         let mut table = Self {
             file: file.into(),
             reader,
+            chunks,
             leaves: Vec::new(),
             names: Vec::new(),
             owner: Vec::new(),
@@ -88,8 +92,7 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
             } else {
                 column.path().string()
             };
-            let width =
-                if levels.0 == 1 { table.first_length(index, levels).map_err(|e| failed(file, e))? } else { 1 };
+            let width = if levels.0 == 1 { table.first_length(index, levels)? } else { 1 };
             for element in 0..width {
                 table.owner.push((index, element));
                 table.names.push(if levels.0 == 1 { format!("{name}[{element}]") } else { name.clone() });
@@ -104,11 +107,11 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
     }
 
     /// Number of elements of the first list of a column; 0 where they are no numbers, or too many.
-    fn first_length(&self, index: usize, levels: (i16, i16)) -> Result<usize, ParquetError> {
+    fn first_length(&self, index: usize, levels: (i16, i16)) -> Result<usize, LogError> {
         for group in 0..self.reader.num_row_groups() {
-            let mut reader = self.reader.get_row_group(group)?.get_column_reader(index)?;
-            let mut list = Lists::new(levels, usize::MAX);
-            if list.read(&mut reader, 1)?.is_none() {
+            let mut list = Lists::new(levels, LONGEST_LIST);
+            let [reader] = &mut self.columns(group, &[index])?[..] else { return Ok(0) };
+            if list.read(reader, 1).map_err(|e| failed(&self.file, e))?.is_none() {
                 return Ok(0);
             }
             if let Some(first) = list.rows.first() {
@@ -118,15 +121,24 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
         Ok(0)
     }
 
+    /// Readers of columns of a row group, from 0.
+    fn columns(&self, group: usize, columns: &[usize]) -> Result<Vec<ColumnReader>, LogError> {
+        directory::pages(&self.chunks, self.reader.metadata(), group, columns)
+            .map_err(|e| LogError::Parquet { file: self.file.clone(), what: e.to_string() })?;
+        let row_group = self.reader.get_row_group(group).map_err(|e| failed(&self.file, e))?;
+        let readers: Result<Vec<ColumnReader>, _> =
+            columns.iter().map(|&column| row_group.get_column_reader(column)).collect();
+        readers.map_err(|e| failed(&self.file, e))
+    }
+
     /// Opens the next row group that has rows; false at the end.
-    fn open_group(&mut self) -> Result<bool, ParquetError> {
+    fn open_group(&mut self) -> Result<bool, LogError> {
         while self.left == 0 {
             if self.group >= self.reader.num_row_groups() {
                 return Ok(false);
             }
-            let group = self.reader.get_row_group(self.group)?;
-            self.left = usize::try_from(group.metadata().num_rows()).unwrap_or(0);
-            self.columns = self.wanted.iter().map(|&i| group.get_column_reader(i)).collect::<Result<_, _>>()?;
+            self.left = usize::try_from(self.reader.metadata().row_group(self.group).num_rows()).unwrap_or(0);
+            self.columns = self.columns(self.group, &self.wanted)?;
             self.group += 1;
         }
         Ok(true)
@@ -205,7 +217,7 @@ impl<C: ChunkReader + 'static> Table for ParquetTable<C> {
     }
 
     fn next_rows(&mut self, rows: usize, block: &mut Block) -> Result<(), LogError> {
-        while block.len() < rows && self.open_group().map_err(|e| failed(&self.file, e))? {
+        while block.len() < rows && self.open_group()? {
             let take = self.left.min(rows - block.len());
             for k in 0..self.wanted.len() {
                 self.pull(k, take, block)?;
@@ -217,9 +229,6 @@ impl<C: ChunkReader + 'static> Table for ParquetTable<C> {
         Ok(())
     }
 }
-
-/// Rows that a file of any size may have.
-const LEAST_ROWS: u64 = 1 << 20;
 
 /// Longest list whose elements are columns.
 const LONGEST_LIST: usize = 128;

@@ -172,6 +172,14 @@ impl Default for Prepare {
     }
 }
 
+/// Highest sampling rate of a recording, Hz: filters need memory in proportion to it.
+const FASTEST: f64 = 1e6;
+
+/// Whole samples in a time, s; bounded, so that sums of them stay numbers.
+fn samples(seconds: f64, period: f64) -> usize {
+    (seconds / period).ceil().min(1e15) as usize
+}
+
 impl Prepare {
     /// With the torque columns that a log of this layout has, and the gains of currents.
     fn for_layout(&self, layout: &Layout) -> Result<Self, LogError> {
@@ -237,6 +245,17 @@ pub enum PrepareError {
         cutoff: f64,
         /// Largest stride that keeps the rate above 2.5 times the cutoff.
         most: usize,
+    },
+    /// Rows follow one another faster than an arm is recorded.
+    #[error(
+        "{file}: rows are {period:.3e} s apart, and more than 1 MHz is no recording of an arm; correct the column `t`, or give its \
+         unit by --map"
+    )]
+    Rate {
+        /// File.
+        file: String,
+        /// Between two rows, s.
+        period: f64,
     },
     /// Nothing is left to work with.
     #[error(
@@ -531,6 +550,9 @@ impl Preparer {
         if !errs && (resample || rms > 0.01 * mean) {
             self.note_clock(if resample { Clock::Resampled } else { Clock::Even });
         }
+        if period.is_nan() || period.recip() > FASTEST {
+            return Err(PrepareError::Rate { file: self.file.clone(), period });
+        }
         // A single row has no rate; that it is too few is said elsewhere.
         if let Some(filter) = self.settings.filter.filter(|_| self.raw_time.len() > 1) {
             let rate = period.recip();
@@ -690,7 +712,7 @@ impl Preparer {
 
     fn motions(&mut self, end: bool) -> Result<Vec<Motion>, PrepareError> {
         let Some(clock) = self.clock else { return Ok(Vec::new()) };
-        let late = (self.settings.torque_delay.abs() / clock.period).ceil() as usize;
+        let late = samples(self.settings.torque_delay.abs(), clock.period);
         let produced = self.first + self.evened[0].len();
         if self.narrow.is_empty() {
             if !end && produced < self.settings.chunk {
@@ -745,7 +767,7 @@ impl Preparer {
             if self.settings.adaptive && self.settings.trim > 0.0 { (SETTLED / lowest).min(MOST_TRIM) } else { 0.0 };
         let filtered = if self.filter.is_some() { self.settings.trim.max(own) } else { 0.0 };
         let seconds = filtered.max(self.settings.torque_delay.abs());
-        ((seconds / period).ceil() as usize).max(differences)
+        samples(seconds, period).max(differences)
     }
 
     /// The low-passes of a segment, from its first chunk: of each joint's positions, and of the
