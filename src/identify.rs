@@ -35,12 +35,14 @@
 //! }
 //! ```
 //!
-//! Sees a robot only as an [`Arm`](crate::model::Arm); prints nothing.
+//! Sees a robot only as an [`Arm`](crate::model::Arm), but for [`recording`], which makes one of a
+//! robot file; prints nothing.
 
 mod budget;
 mod consistent;
 mod known_effects;
 mod portable;
+pub mod recording;
 pub(crate) mod regression;
 mod result;
 mod solve;
@@ -60,6 +62,7 @@ pub use consistent::{
 };
 pub use known_effects::KnownEffects;
 pub use portable::{FactorError, KeyedFactors, RecordingFactor};
+pub use recording::{FactoredRecording, RecordingReader};
 pub use regression::accumulator::{AccumulatorSettings, Factors, JointFactor, QrAccumulator};
 pub use regression::essential::{Dropped, Essential};
 pub use regression::known_parameters::Known;

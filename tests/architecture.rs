@@ -343,7 +343,7 @@ fn table(text: &str) -> BTreeMap<String, usize> {
 #[test]
 fn functions_are_short() {
     let mut found = BTreeMap::new();
-    for folder in ["src", "dh-macro/runtime-core/src", "dh-macro/codegen/src", "dh-macro/src"] {
+    for folder in ["src", "dh-macro/runtime-core/src", "dh-macro/codegen/src", "dh-macro/src", "fleet/src"] {
         for (path, file) in sources(folder) {
             let mut functions = Functions { file: &path.display().to_string(), found: Vec::new() };
             functions.visit_file(&file);
@@ -550,7 +550,7 @@ impl<'ast> Visit<'ast> for PublicNames {
 fn public_items_are_used() {
     let mut words = BTreeMap::new();
     let mut defined: Vec<(PathBuf, String)> = Vec::new();
-    for folder in ["src", "examples", "benches"] {
+    for folder in ["src", "examples", "benches", "fleet/src"] {
         for (path, mut file) in sources(folder) {
             file.items.retain(|item| !matches!(item, syn::Item::Use(_)));
             count_words(file.to_token_stream(), &mut words);

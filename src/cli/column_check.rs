@@ -5,9 +5,9 @@ use dh_codegen::robot::Robot;
 
 use super::Failure;
 use super::known_effects::without;
-use super::prepare::moving;
 use crate::data::log::{Acceptance, Finding, LogError, Severity};
 use crate::data::signal::{Motion, Prepared};
+use crate::identify::recording::moving;
 use crate::identify::{KnownEffects, Reference, TorqueColumns};
 use crate::model::Arm;
 

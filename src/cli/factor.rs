@@ -9,15 +9,14 @@ use sha2::{Digest, Sha256};
 use super::Failure;
 use super::delivery::deliver;
 use super::files;
-use super::identify::{Identify, Setup};
-use super::known_effects::without;
+use super::motors;
 use super::output::Output;
-use super::prepare::{Preparation, Recognised, against_limits, recognised_pass};
+use super::prepare::{Preparation, hashed_pass};
 use super::provenance::{Provenance, hexadecimal};
 use super::terminal;
-use crate::data::signal::Motion;
-use crate::identify::{AccumulatorSettings, QrAccumulator, RecordingFactor};
-use crate::model::Arm;
+use crate::data::log::Source;
+use crate::data::signal::Prepare;
+use crate::identify::RecordingReader;
 use crate::report::{self, FactorRow, FactorTable};
 
 /// Write the factors of recordings, one row each, from which a fleet's models are found without
@@ -69,30 +68,24 @@ impl Factor {
             file.read.iter().chain(&self.logs),
         )?;
         let digest: [u8; 32] = Sha256::digest(file.text.as_bytes()).into();
-        // As `identify` reads them.
-        let identify = Identify::plainly(
-            self.robot.clone(),
-            self.logs.clone(),
-            Vec::new(),
-            self.out.clone(),
-            self.preparation.clone(),
-        );
         self.preparation.check_options(None)?;
-        identify.with_setup(&file, |setup| {
-            let provenance =
-                provenance.robot(&self.robot, &file).with("low-pass", Preparation::low_pass(&setup.prepare));
-            let totals = self.write(setup, digest, &provenance)?;
-            self.deliver(&totals, &provenance)
-        })
+        motors::on_every_joint(&self.robot, &file.robot, "a factor takes the torque of every joint from the log")?;
+        // As `identify` prepares them.
+        let prepare = Prepare { adaptive: self.preparation.by_the_log(), ..self.preparation.prepare(&file.robot)? };
+        let provenance = provenance.robot(&self.robot, &file).with("low-pass", Preparation::low_pass(&prepare));
+        let totals = RecordingReader::with(&file.robot, digest, prepare, |reader| {
+            self.write(reader, &file.robot.name, &provenance)
+        })?;
+        self.deliver(&totals, &provenance)
     }
 
     /// Writes one row per recording, before the next is read.
-    fn write(&self, setup: &Setup<'_>, robot: [u8; 32], provenance: &Provenance) -> Result<Totals, Failure> {
+    fn write(&self, reader: &RecordingReader<'_>, robot: &str, provenance: &Provenance) -> Result<Totals, Failure> {
         let mut totals = Totals::default();
         let mut output = Output::create(&self.out)?;
         let mut table = FactorTable::new(&mut output, &provenance.rows()).map_err(Failure::other)?;
         for path in &self.logs {
-            let row = recording(path, setup, robot);
+            let row = recording(path, robot, reader);
             if let Some(why) = &row.why {
                 terminal::say(&format!("{}: no factor: {why}", row.file));
             }
@@ -124,57 +117,14 @@ impl Factor {
 }
 
 /// The row of a recording, with a factor or the reason why there is none.
-fn recording(path: &Path, setup: &Setup<'_>, robot: [u8; 32]) -> FactorRow {
-    let none = FactorRow {
-        robot: setup.robot.name.clone(),
-        file: path.display().to_string(),
-        verdict: "refused",
-        ..FactorRow::default()
-    };
-    factored(path, setup, robot, &none).unwrap_or_else(|failure| FactorRow {
-        sha256: digest_of(path),
-        why: Some(failure.message),
-        ..none
-    })
-}
-
-fn factored(path: &Path, setup: &Setup<'_>, robot: [u8; 32], none: &FactorRow) -> Result<FactorRow, Failure> {
-    let mut prepare = setup.prepare.clone();
-    prepare.temperature = true;
-    let mut stack = QrAccumulator::new(&none.file, setup.arm, AccumulatorSettings::default());
-    let (mut start, mut heat, mut warm) = (None, 0.0, 0_usize);
-    let sink = |motion: &Motion| {
-        start.get_or_insert(motion.start);
-        for column in motion.temperature.chunks_exact(motion.states.len.max(1)) {
-            for value in motion.picks().map(|s| column[s]).filter(|value| value.is_finite()) {
-                (heat, warm) = (heat + value, warm + 1);
-            }
-        }
-        stack.absorb(&without(setup.known, motion));
-    };
-    let Recognised { prepared, sha256, .. } = recognised_pass(path, setup.arm.dof(), &prepare, sink)?;
-    let mut prepared = [prepared.map_err(Failure::input)?];
-    against_limits(&mut prepared, setup.robot, prepare.keep)?;
-    let [prepared] = prepared;
-    let factors = stack.finish();
-    Ok(FactorRow {
-        day: start.and_then(day),
-        sha256: Some(sha256),
-        samples: prepared.samples,
-        seconds: factors.seconds,
-        verdict: FactorRow::verdict_of(&prepared.findings),
-        temperature: (warm > 0).then(|| heat / warm as f64),
-        factor: Some(RecordingFactor { robot, factors }.to_bytes()),
-        ..none.clone()
-    })
-}
-
-/// Days since 1970 of a time since 1970, s; `None` of one that counts from elsewhere: it would be
-/// before 2000 or after 2100.
-fn day(time: f64) -> Option<i32> {
-    const DAY: f64 = 86_400.0;
-    let days = (time / DAY).floor();
-    (10_957.0..47_482.0).contains(&days).then_some(days as i32)
+fn recording(path: &Path, name: &str, reader: &RecordingReader<'_>) -> FactorRow {
+    let file = path.display().to_string();
+    let read = |source: &mut dyn Source| reader.factor(&file, source).map_err(Failure::input);
+    let passed = hashed_pass(path, &reader.preparation().reading, read);
+    match passed.and_then(|(found, sha256)| Ok((found?, sha256))) {
+        Ok((found, sha256)) => FactorRow::of(name, &file, sha256, found),
+        Err(failure) => FactorRow::without(name, &file, digest_of(path), failure.message),
+    }
 }
 
 /// SHA-256 of a plain file.

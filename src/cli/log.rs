@@ -7,7 +7,7 @@ use clap::{Args, Subcommand};
 use super::Failure;
 use super::delivery::deliver;
 use super::files;
-use super::mapping::{MapOption, joints};
+use super::mapping::MapOption;
 use super::output::Output;
 use super::prepare::table;
 use super::provenance::Provenance;
@@ -16,6 +16,7 @@ use super::terminal;
 use crate::data::log::csv::CsvWriter;
 use crate::data::log::parquet::ParquetWriter;
 use crate::data::log::{self, Acceptance, LogError, Passed, Quantity, Source, each_block, propose, source};
+use crate::identify::recording::source_joints;
 use crate::report;
 
 /// Look into recordings, and convert them.
@@ -100,7 +101,7 @@ impl Inspect {
                 "{name} holds no numbers; it is no log of a kind that is read here, or has no rows (docs/logs.md)"
             )));
         }
-        let joints = robot.as_ref().map(|r| joints(&r.robot)).unwrap_or_default();
+        let joints = robot.as_ref().map(|r| source_joints(&r.robot)).unwrap_or_default();
         let proposal = propose(&channels, &joints);
         deliver(&provenance)
             .file(self.out.as_ref(), || report::mapping_yaml(&proposal, &name))?

@@ -3,11 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use dh_codegen::robot::{JointKind, Robot};
+use dh_codegen::robot::Robot;
 
 use super::Failure;
 use super::files;
-use crate::data::log::{Mapping, Reading, SourceJoint};
+use crate::data::log::{Mapping, Reading};
+use crate::identify::recording::source_joints;
 
 /// Names of a log's channels.
 #[derive(Args, Clone)]
@@ -24,23 +25,8 @@ impl MapOption {
     pub(super) fn reading(&self, robot: Option<&Robot>) -> Result<Reading, Failure> {
         let of_the_robot = || robot.and_then(|robot| robot.log.clone());
         let mapping = self.map.as_deref().map(mapping).transpose()?.or_else(of_the_robot);
-        Ok(Reading { mapping, joints: robot.map(joints).unwrap_or_default() })
+        Ok(Reading { mapping, joints: robot.map(source_joints).unwrap_or_default() })
     }
-}
-
-/// The moving joints of a robot, as the file that it was imported from has them.
-pub(super) fn joints(robot: &Robot) -> Vec<SourceJoint> {
-    let moving = robot.joints.iter().filter(|joint| joint.kind != JointKind::Fixed);
-    moving
-        .map(|joint| match &joint.source {
-            Some(source) => SourceJoint {
-                name: source.name.clone().unwrap_or_else(|| joint.name.clone()),
-                sign: source.sign,
-                offset: source.offset,
-            },
-            None => SourceJoint { name: joint.name.clone(), sign: 1.0, offset: 0.0 },
-        })
-        .collect()
 }
 
 fn mapping(path: &Path) -> Result<Mapping, Failure> {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::rc::Rc;
 
 use clap::Args;
-use dh_codegen::robot::{Joint, JointKind, Robot};
+use dh_codegen::robot::Robot;
 use indicatif::{ProgressBar, ProgressStyle};
 use sha2::{Digest, Sha256};
 
@@ -17,10 +17,11 @@ use super::provenance::hexadecimal;
 use super::reading::ReadOptions;
 use super::terminal;
 use crate::data::log::{
-    Acceptance, Finding, Fingerprint, Fingerprinted, Format, Kind, Limits, LogError, Reading, Source, Table,
-    beyond_limits, open_parquet, open_table, source, torque_unit,
+    Acceptance, Finding, Fingerprint, Fingerprinted, Format, Kind, Reading, Source, Table, open_parquet, open_table,
+    source,
 };
 use crate::data::signal::{DeadZone, Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
+use crate::identify::recording::{self, torque_constants};
 
 /// Low-pass, clock, torque column, and what to keep.
 #[derive(Args, Clone)]
@@ -136,37 +137,12 @@ impl Preparation {
     }
 }
 
-/// The joints that move.
-pub(super) fn moving(robot: &Robot) -> impl Iterator<Item = &Joint> {
-    robot.joints.iter().filter(|joint| joint.kind != JointKind::Fixed)
-}
-
-/// Torque constants of the joints that move.
-pub(super) fn torque_constants(robot: &Robot) -> Vec<Option<f64>> {
-    moving(robot).map(|joint| joint.drive.torque_constant).collect()
-}
-
 /// Findings of the logs against the limits of the robot file, added to the other findings.
 ///
 /// # Errors
 /// Where torques are in another unit, and that is not allowed.
 pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot, keep: Acceptance) -> Result<(), Failure> {
-    let limits: Vec<Limits> = moving(robot)
-        .map(|joint| Limits {
-            position: joint.limits.position.unwrap_or([f64::NEG_INFINITY, f64::INFINITY]),
-            torque: joint.limits.torque.unwrap_or(f64::INFINITY),
-            slides: joint.kind == JointKind::Prismatic,
-        })
-        .collect();
-    for log in prepared {
-        let unit = torque_unit(&log.reached, &limits, keep.torque_unit);
-        if let Some(finding) = unit.filter(Finding::is_fatal) {
-            return Err(Failure::input(LogError::Rejected { file: log.file.clone(), findings: vec![finding] }));
-        }
-        log.findings.extend(torque_unit(&log.reached, &limits, keep.torque_unit));
-        log.findings.extend(beyond_limits(&log.reached, &limits));
-    }
-    Ok(())
+    prepared.iter_mut().try_for_each(|log| recording::against_limits(log, robot, keep)).map_err(Failure::input)
 }
 
 /// A log after reading, with one line of warning if it has unknown columns, whatever else is
@@ -213,14 +189,25 @@ pub(super) fn recognised_pass(
     prepare: &Prepare,
     sink: impl FnMut(&Motion),
 ) -> Result<Recognised, Failure> {
+    let ((prepared, fingerprint), sha256) = hashed_pass(path, &prepare.reading, |source| {
+        let mut fingerprinted = Fingerprinted::new(source);
+        (each_motion(&mut fingerprinted, dof, prepare, sink), fingerprinted.finish())
+    })?;
+    Ok(Recognised { prepared, sha256, fingerprint })
+}
+
+/// What `read` finds in the rows of a log, and the SHA-256 of the file's bytes.
+pub(super) fn hashed_pass<T>(
+    path: &Path,
+    reading: &Reading,
+    read: impl FnOnce(&mut dyn Source) -> T,
+) -> Result<(T, String), Failure> {
     let digest = Rc::new(RefCell::new(Sha256::new()));
-    let (bar, mut source) = open(path, &prepare.reading, Some(&digest))?;
-    let mut fingerprinted = Fingerprinted::new(&mut *source);
-    let prepared = each_motion(&mut fingerprinted, dof, prepare, sink);
-    let fingerprint = fingerprinted.finish();
+    let (bar, mut source) = open(path, reading, Some(&digest))?;
+    let found = read(&mut *source);
     bar.finish_and_clear();
     let sha256 = hexadecimal(&digest.borrow().clone().finalize());
-    Ok(Recognised { prepared, sha256, fingerprint })
+    Ok((found, sha256))
 }
 
 /// The rows of a log, and its bar.

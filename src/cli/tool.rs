@@ -13,12 +13,13 @@ use super::files;
 use super::known_effects::{FileEffects, without};
 use super::logbook::{Logbook, Purpose};
 use super::motors;
-use super::prepare::{Preparation, against_limits, moving, pass, warned};
+use super::prepare::{Preparation, against_limits, pass, warned};
 use super::provenance::Provenance;
 use super::terminal;
 use super::torque_columns::Tried;
 use crate::control::estimate::Uncertainty;
 use crate::data::signal::{Motion, Prepare, Prepared};
+use crate::identify::recording::moving;
 use crate::identify::tool::{
     Carrying, Entry, Found, RecogniseSettings, Tolerance, ToolError, ToolSettings, identify_tool, look_up,
 };

@@ -6,9 +6,10 @@ use dh_codegen::robot::Robot;
 
 use super::Failure;
 use super::known_effects::without;
-use super::prepare::{moving, pass};
+use super::prepare::pass;
 use crate::data::log::Finding;
 use crate::data::signal::Prepare;
+use crate::identify::recording::moving;
 use crate::identify::{Identification, KnownEffects, Reference, TorqueColumns};
 use crate::model::Arm;
 

@@ -14,7 +14,8 @@ use ::parquet::{
     schema::parser::parse_message_type,
 };
 
-use crate::data::log::{Finding, Severity};
+use crate::data::log::Severity;
+use crate::identify::FactoredRecording;
 
 /// Columns in their order. Those without a value are null.
 const SCHEMA: &str = "message factors {
@@ -59,10 +60,27 @@ pub struct FactorRow {
 }
 
 impl FactorRow {
-    /// Verdict on a log that was accepted with these findings.
-    pub fn verdict_of(findings: &[Finding]) -> &'static str {
-        let warns = findings.iter().any(|finding| finding.severity != Severity::Note);
-        if warns { "warning" } else { "clean" }
+    /// A recording of the robot of this name.
+    pub fn of(robot: &str, file: &str, sha256: String, found: FactoredRecording) -> Self {
+        let warns = found.findings.iter().any(|finding| finding.severity != Severity::Note);
+        Self {
+            robot: robot.into(),
+            day: found.day,
+            file: file.into(),
+            sha256: Some(sha256),
+            samples: found.samples,
+            seconds: found.factor.factors.seconds,
+            verdict: if warns { "warning" } else { "clean" },
+            temperature: found.temperature,
+            factor: Some(found.factor.to_bytes()),
+            why: None,
+        }
+    }
+
+    /// One that can't be used, with the reason.
+    pub fn without(robot: &str, file: &str, sha256: Option<String>, why: String) -> Self {
+        let (robot, file) = (robot.into(), file.into());
+        Self { robot, file, sha256, verdict: "refused", why: Some(why), ..Self::default() }
     }
 }
 

@@ -1,0 +1,347 @@
+//! What a change of a robot would look like, one number at a time, and how much of it a factor
+//! shows.
+//!
+//! A channel is a direction in which the torques of a robot may leave those of its reference: a
+//! friction level, an offset, the gain of a torque sensor, the mass or a first moment of a link.
+//! With the residual `e = tau - W beta` of the reference and the torque `b` of a unit change, the
+//! estimate of the change alone is `b'e / b'b`, both weighted by the noise of the joints. `R` has
+//! the inner products of both.
+
+use denavit::identify::{Factors, Identification, JointFactor};
+use denavit::model::{Arm, DriveTerm, Inertial, StandardParameter};
+
+/// Kind of a change.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// Friction of a joint.
+    Friction,
+    /// Offset of a joint's torque.
+    Offset,
+    /// Gain of a joint's torque.
+    Gain,
+    /// The load, or another tool.
+    Payload,
+    /// Mass on another link.
+    Link,
+}
+
+impl Kind {
+    /// In reports and SQL.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Friction => "friction",
+            Self::Offset => "offset",
+            Self::Gain => "gain",
+            Self::Payload => "payload",
+            Self::Link => "link",
+        }
+    }
+}
+
+/// How torques change with one unit.
+#[derive(Debug, Clone, PartialEq)]
+enum Direction {
+    /// Changes of base parameters.
+    Base(Vec<(usize, f64)>),
+    /// The reference's own torque at one joint (from 0).
+    Torque(usize),
+}
+
+/// One direction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Channel {
+    /// Kind.
+    pub kind: Kind,
+    /// Joint or link, from 1.
+    pub joint: usize,
+    /// `FC3`, `gain3`, `MSX7`.
+    pub parameter: String,
+    /// Unit of the estimate.
+    pub unit: &'static str,
+    direction: Direction,
+}
+
+/// The channels of an arm.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Channels {
+    /// In a fixed order: joint by joint, then link by link.
+    pub list: Vec<Channel>,
+    parameters: usize,
+}
+
+/// A model that changes are measured against.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reference {
+    /// Base parameters.
+    pub beta: Vec<f64>,
+    /// Per joint: one over the variance of its residual.
+    pub weights: Vec<f64>,
+    /// Covariance of `beta`, row-major; infinite on the diagonal of what is not determined.
+    covariance: Vec<f64>,
+}
+
+impl Reference {
+    /// Of an identification from these factors.
+    pub fn new(found: &Identification, factors: &Factors) -> Self {
+        let (beta, n) = (found.values(), found.parameters.len());
+        let std: Vec<f64> = found.parameters.iter().map(|p| p.std).collect();
+        let entry = |i: usize, k: usize| match (std[i].is_finite() && std[k].is_finite(), i == k) {
+            (true, true) => std[i] * std[i],
+            (true, false) => finite(found.correlation[i * n + k]) * std[i] * std[k],
+            (false, true) => f64::INFINITY,
+            (false, false) => 0.0,
+        };
+        let covariance = (0..n * n).map(|at| entry(at / n, at % n)).collect();
+        let weight = |joint: &JointFactor| {
+            let square = joint.residual_norm(&beta).powi(2) / joint.samples.max(1) as f64;
+            if joint.is_live() && square > 0.0 { 1.0 / square } else { 0.0 }
+        };
+        Self { weights: factors.joints.iter().map(weight).collect(), beta, covariance }
+    }
+
+    /// Variance of `c' beta`; infinite where it is not determined.
+    fn variance(&self, c: &[f64]) -> f64 {
+        let n = self.beta.len();
+        let largest = c.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let used: Vec<usize> = (0..n).filter(|&i| c[i].abs() > 1e-9 * largest).collect();
+        if used.iter().any(|&i| self.covariance[i * n + i].is_infinite()) {
+            return f64::INFINITY;
+        }
+        let row = |&i: &usize| used.iter().map(|&k| c[i] * self.covariance[i * n + k] * c[k]).sum::<f64>();
+        used.iter().map(row).sum::<f64>().max(0.0)
+    }
+}
+
+fn finite(x: f64) -> f64 {
+    if x.is_finite() { x } else { 0.0 }
+}
+
+/// An estimate of one channel alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ChannelEstimate {
+    /// Change against the reference.
+    pub value: f64,
+    /// Its variance by noise, and by the reference's own uncertainty; infinite where the recording
+    /// does not show the channel.
+    pub variance: f64,
+    /// Weighted sum of squares of the torque of a unit change.
+    pub information: f64,
+}
+
+/// A cause that may explain a change: channels of one kind and place together.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Explanation {
+    /// Kind.
+    pub kind: Kind,
+    /// Joint or link, from 1.
+    pub joint: usize,
+    /// Share of the weighted residual's square that the reference leaves and this explains.
+    pub share: f64,
+    /// Parameter, value and unit.
+    pub changes: Vec<(String, f64, &'static str)>,
+}
+
+/// A residual of the reference, and the torques of unit changes, in the rows of the triangles.
+struct Projected {
+    /// Per joint, weighted.
+    residual: Vec<Vec<f64>>,
+    /// Per channel: joint, weighted torque.
+    torques: Vec<Vec<(usize, Vec<f64>)>>,
+}
+
+impl Channels {
+    /// Of an arm.
+    pub fn of(arm: &dyn Arm) -> Self {
+        let standard = arm.standard_parameters();
+        let direction = |parameter: StandardParameter| -> Option<Direction> {
+            let at = standard.iter().position(|p| *p == parameter)?;
+            let factor = |(b, base): (usize, &denavit::model::BaseParameter)| {
+                base.coefficients.iter().find(|(index, _)| *index == at).map(|(_, factor)| (b, *factor))
+            };
+            let base: Vec<(usize, f64)> = arm.base_parameters().iter().enumerate().filter_map(factor).collect();
+            (!base.is_empty()).then_some(Direction::Base(base))
+        };
+        let mut list = Vec::new();
+        let mut push = |kind, joint, parameter: String, unit, direction: Option<Direction>| {
+            list.extend(direction.map(|direction| Channel { kind, joint, parameter, unit, direction }));
+        };
+        let mut rows: Vec<usize> = standard.iter().filter_map(|p| row_of(*p)).collect();
+        rows.sort_unstable();
+        rows.dedup();
+        for &row in &rows {
+            for (term, kind, unit) in [
+                (DriveTerm::FC, Kind::Friction, "N m"),
+                (DriveTerm::FV, Kind::Friction, "N m s/rad"),
+                (DriveTerm::FO, Kind::Offset, "N m"),
+            ] {
+                let parameter = StandardParameter::Drive(row, term);
+                push(kind, row + 1, parameter.to_string(), unit, direction(parameter));
+            }
+        }
+        for joint in 0..arm.dof() {
+            let row = rows.get(joint).copied().unwrap_or(joint);
+            push(Kind::Gain, row + 1, format!("gain{}", row + 1), "", Some(Direction::Torque(joint)));
+        }
+        let last = rows.last().copied();
+        for &row in &rows {
+            let kind = if Some(row) == last { Kind::Payload } else { Kind::Link };
+            for which in [Inertial::M, Inertial::MSX, Inertial::MSY, Inertial::MSZ] {
+                let parameter = StandardParameter::Link(row, which);
+                let unit = if which == Inertial::M { "kg" } else { "kg m" };
+                push(kind, row + 1, parameter.to_string(), unit, direction(parameter));
+            }
+        }
+        Self { list, parameters: arm.base_parameters().len() }
+    }
+
+    /// Each channel alone, on the factors of a recording.
+    pub fn estimates(&self, factors: &Factors, reference: &Reference) -> Vec<ChannelEstimate> {
+        let projected = self.projected(factors, reference);
+        let slow: Vec<f64> =
+            factors.joints.iter().map(|j| (j.samples as f64 / j.independent.max(1.0)).max(1.0)).collect();
+        let one = |torques: &Vec<(usize, Vec<f64>)>| {
+            let (mut score, mut information, mut noise) = (0.0, 0.0, 0.0);
+            let mut leverage = vec![0.0; self.parameters];
+            for (joint, torque) in torques {
+                let square = dot(torque, torque);
+                score += dot(torque, &projected.residual[*joint]);
+                (information, noise) = (information + square, noise + slow[*joint] * square);
+                let JointFactor { columns, triangle, .. } = &factors.joints[*joint];
+                let root = reference.weights[*joint].sqrt();
+                for (k, &column) in columns.iter().enumerate() {
+                    leverage[column] += root * dot(&triangle.column(k)[..=k], &torque[..=k]);
+                }
+            }
+            if information <= 0.0 {
+                return ChannelEstimate { value: 0.0, variance: f64::INFINITY, information: 0.0 };
+            }
+            leverage.iter_mut().for_each(|c| *c /= information);
+            let variance = noise / (information * information) + reference.variance(&leverage);
+            ChannelEstimate { value: score / information, variance, information }
+        };
+        projected.torques.iter().map(one).collect()
+    }
+
+    /// What explains the residual of the reference, each kind and place alone, best first.
+    /// `scatter`: per channel the variance by which its estimate changes without a cause.
+    pub fn explanations(&self, factors: &Factors, reference: &Reference, scatter: &[f64]) -> Vec<Explanation> {
+        let projected = self.projected(factors, reference);
+        let whole: f64 = projected.residual.iter().map(|e| dot(e, e)).sum();
+        let mut places: Vec<(Kind, usize)> = self.list.iter().map(|c| (c.kind, c.joint)).collect();
+        places.sort_unstable();
+        places.dedup();
+        let explain = |&(kind, joint): &(Kind, usize)| {
+            let own: Vec<usize> =
+                (0..self.list.len()).filter(|&k| (self.list[k].kind, self.list[k].joint) == (kind, joint)).collect();
+            let (gained, values) = projected.explained_by(&own);
+            let by_chance = |&k: &usize| {
+                let information: f64 = projected.torques[k].iter().map(|(_, torque)| dot(torque, torque)).sum();
+                finite(scatter.get(k).copied().unwrap_or(0.0)) * information
+            };
+            let chance: f64 = own.iter().map(by_chance).sum();
+            let named = |(&k, value): (&usize, f64)| (self.list[k].parameter.clone(), value, self.list[k].unit);
+            let changes = own.iter().zip(values).map(named).collect();
+            Explanation { kind, joint, share: (gained - chance) / whole.max(f64::MIN_POSITIVE), changes }
+        };
+        let mut found: Vec<Explanation> = places.iter().map(explain).collect();
+        found.sort_by(|a, b| b.share.total_cmp(&a.share));
+        found
+    }
+
+    fn projected(&self, factors: &Factors, reference: &Reference) -> Projected {
+        let residual = |(joint, weight): (&JointFactor, &f64)| {
+            let mut x: Vec<f64> = joint.columns.iter().map(|&c| -reference.beta[c]).collect();
+            x.push(1.0);
+            let mut e = joint.triangle.apply(&x);
+            // What no parameter explains.
+            e.truncate(joint.columns.len());
+            e.iter_mut().for_each(|e| *e *= weight.sqrt());
+            e
+        };
+        let residual = factors.joints.iter().zip(&reference.weights).map(residual).collect();
+        let torque = |change: &[f64], joint: usize| {
+            let JointFactor { columns, triangle, .. } = &factors.joints[joint];
+            let mut b = vec![0.0; columns.len()];
+            let root = reference.weights[joint].sqrt();
+            for (k, &column) in columns.iter().enumerate().filter(|(_, c)| change[**c] != 0.0) {
+                b.iter_mut().zip(triangle.column(k)).for_each(|(b, r)| *b += root * change[column] * r);
+            }
+            b
+        };
+        let torques = |channel: &Channel| -> Vec<(usize, Vec<f64>)> {
+            match &channel.direction {
+                Direction::Torque(joint) => vec![(*joint, torque(&reference.beta, *joint))],
+                Direction::Base(changes) => {
+                    let mut change = vec![0.0; self.parameters];
+                    changes.iter().for_each(|&(b, factor)| change[b] = factor);
+                    let touched = |j: &usize| factors.joints[*j].columns.iter().any(|&c| change[c] != 0.0);
+                    (0..factors.joints.len()).filter(touched).map(|j| (j, torque(&change, j))).collect()
+                }
+            }
+        };
+        Projected { residual, torques: self.list.iter().map(torques).collect() }
+    }
+}
+
+impl Projected {
+    fn inner(&self, a: usize, b: usize) -> f64 {
+        let beside = |joint: usize| self.torques[b].iter().find(|(other, _)| *other == joint);
+        self.torques[a].iter().filter_map(|(j, t)| beside(*j).map(|(_, other)| dot(t, other))).sum()
+    }
+
+    /// By how much the square of the residual falls with these channels together, and their values.
+    fn explained_by(&self, own: &[usize]) -> (f64, Vec<f64>) {
+        let score = |&k: &usize| self.torques[k].iter().map(|(j, t)| dot(t, &self.residual[*j])).sum::<f64>();
+        // Gram-Schmidt: a channel that the others show already adds nothing.
+        let n = own.len();
+        let gram: Vec<f64> =
+            own.iter().flat_map(|&a| own.iter().map(move |&b| (a, b))).map(|(a, b)| self.inner(a, b)).collect();
+        let scores: Vec<f64> = own.iter().map(score).collect();
+        let mut lower = vec![0.0; n * n];
+        let mut forward = vec![0.0; n];
+        for i in 0..n {
+            for k in 0..=i {
+                let sum: f64 = (0..k).map(|m| lower[i * n + m] * lower[k * n + m]).sum();
+                let rest = gram[i * n + k] - sum;
+                lower[i * n + k] = match (i == k, lower[k * n + k]) {
+                    (true, _) => {
+                        if rest > 1e-6 * gram[i * n + i] {
+                            rest.sqrt()
+                        } else {
+                            0.0
+                        }
+                    }
+                    (false, pivot) => {
+                        if pivot > 0.0 {
+                            rest / pivot
+                        } else {
+                            0.0
+                        }
+                    }
+                };
+            }
+            let sum: f64 = (0..i).map(|m| lower[i * n + m] * forward[m]).sum();
+            let pivot = lower[i * n + i];
+            forward[i] = if pivot > 0.0 { (scores[i] - sum) / pivot } else { 0.0 };
+        }
+        let mut values = vec![0.0; n];
+        for i in (0..n).rev() {
+            let sum: f64 = (i + 1..n).map(|m| lower[m * n + i] * values[m]).sum();
+            let pivot = lower[i * n + i];
+            values[i] = if pivot > 0.0 { (forward[i] - sum) / pivot } else { 0.0 };
+        }
+        (forward.iter().map(|x| x * x).sum(), values)
+    }
+}
+
+/// The row of a drive or a link.
+fn row_of(parameter: StandardParameter) -> Option<usize> {
+    match parameter {
+        StandardParameter::Link(row, _) | StandardParameter::Drive(row, _) => Some(row),
+        StandardParameter::Coupling(..) | StandardParameter::Payload(_) => None,
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| x * y).sum()
+}

@@ -1,0 +1,292 @@
+//! The commands: `factor`, `watch`, `report`, `sql`.
+
+use std::path::{Path, PathBuf};
+use std::process::Command as Process;
+
+use clap::{Args, Parser, Subcommand};
+use datafusion::arrow::util::pretty::pretty_format_batches;
+use denavit::report::visible;
+
+use crate::Fleet;
+use crate::error::FleetError;
+use crate::functions::diagnose::verdict;
+use crate::open::recordings_below;
+use crate::report;
+use crate::sequential::Sequential;
+use crate::store::{Store, Written};
+use crate::watch::Watched;
+
+/// Models of a fleet of robots from its recordings: factors, tests of drift, SQL.
+#[derive(Parser)]
+#[command(name = "denavit-fleet", version, arg_required_else_help = true)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Factor recordings into a folder of tables. Recordings that have a row there are not read
+    /// again.
+    Factor(Factor),
+    /// Test each robot for drift, and name the cause of a change.
+    Watch(Watch),
+    /// The same as `watch`, as one page that needs no network.
+    Report(Report),
+    /// Ask a question in SQL. The table is `factors`; functions are `recordings`, `merge_factor`,
+    /// `solve`, `drift`, `predict_error` and `diagnose`.
+    Sql(Sql),
+}
+
+/// Threads of the engine.
+#[derive(Args, Clone)]
+struct Threads {
+    /// Threads. Default: the machine's.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+impl Threads {
+    fn count(&self) -> usize {
+        let own = || std::thread::available_parallelism().map_or(1, usize::from);
+        self.threads.map_or_else(own, usize::from)
+    }
+}
+
+#[derive(Args)]
+struct Factor {
+    /// Recordings, or folders of them.
+    #[arg(required = true, value_name = "LOG")]
+    logs: Vec<PathBuf>,
+    /// Robot file.
+    #[arg(long, value_name = "ROBOT")]
+    robot: PathBuf,
+    /// Name of the arm in the table, where many share a robot file. Default: the name in the file.
+    #[arg(long, value_name = "NAME")]
+    name: Option<String>,
+    /// Folder of the tables; it is made.
+    #[arg(long, value_name = "FOLDER")]
+    out: PathBuf,
+    /// Processes that share the recordings. If one dies, the same command does what is missing.
+    #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
+    workers: u16,
+    /// Only every n-th recording from the k-th on, as `k/n`; the rows are committed, and no table is
+    /// made of them. For runners of one's own.
+    #[arg(long, value_name = "K/N", conflicts_with = "workers")]
+    share: Option<String>,
+    #[command(flatten)]
+    threads: Threads,
+}
+
+#[derive(Args)]
+struct Watch {
+    /// Table of factors: a file or a folder.
+    #[arg(value_name = "FACTORS")]
+    factors: PathBuf,
+    /// Robot files.
+    #[arg(long, required = true, num_args = 1.., value_name = "ROBOT")]
+    robot: Vec<PathBuf>,
+    /// Days of a robot that make its reference.
+    #[arg(long, default_value_t = 10, value_name = "DAYS", value_parser = clap::value_parser!(u16).range(4..=1000))]
+    reference: u16,
+    /// False alarms per robot and year, at most.
+    #[arg(long, default_value_t = 1.0, value_name = "RATE")]
+    false_alarms: f64,
+    /// Diagnose the raw log of each flagged robot-day; its files must still be there.
+    #[arg(long)]
+    diagnose: bool,
+    /// Write the result as JSON.
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    #[command(flatten)]
+    threads: Threads,
+}
+
+#[derive(Args)]
+struct Report {
+    #[command(flatten)]
+    watch: Watch,
+    /// Page to write.
+    #[arg(long, value_name = "FILE.html")]
+    out: PathBuf,
+}
+
+#[derive(Args)]
+struct Sql {
+    /// Query.
+    #[arg(value_name = "QUERY")]
+    query: String,
+    /// Table of factors: a file or a folder.
+    #[arg(long, value_name = "FACTORS")]
+    factors: Option<PathBuf>,
+    /// Robot files of the factors.
+    #[arg(long, num_args = 1.., value_name = "ROBOT")]
+    robot: Vec<PathBuf>,
+    #[command(flatten)]
+    threads: Threads,
+}
+
+impl Cli {
+    /// Threads that the command asks for.
+    pub fn threads(&self) -> usize {
+        match &self.command {
+            Command::Factor(factor) => factor.threads.count(),
+            Command::Watch(watch) => watch.threads.count(),
+            Command::Report(report) => report.watch.threads.count(),
+            Command::Sql(sql) => sql.threads.count(),
+        }
+    }
+
+    /// Runs the command.
+    ///
+    /// # Errors
+    /// What stands in its way.
+    pub async fn run(self) -> Result<(), FleetError> {
+        match self.command {
+            Command::Factor(factor) => factor.run().await,
+            Command::Watch(watch) => {
+                let watched = watch.watched().await?;
+                print!("{}", report::text(&watched));
+                Ok(())
+            }
+            Command::Report(report) => {
+                let watched = report.watch.watched().await?;
+                print!("{}", report::text(&watched));
+                write(&report.out, &report::page(&watched))
+            }
+            Command::Sql(sql) => sql.run().await,
+        }
+    }
+}
+
+impl Factor {
+    async fn run(&self) -> Result<(), FleetError> {
+        let (store, fleet) = (Store::new(&self.out)?, Fleet::new(self.threads.count()));
+        let robot = fleet.robots.open(&self.robot)?;
+        let name = self.name.clone().unwrap_or_else(|| robot.robot.name.clone());
+        let all = self.files()?;
+        let count = all.len();
+        let missing = store.missing(self.shared(all)?, &name).await?;
+        let (todo, workers) = (missing.len(), usize::from(self.workers));
+        if workers > 1 {
+            self.spread(workers)?;
+            let left = store.missing(missing, &name).await?.len();
+            println!("{} of {count} recordings were missing, {left} still are", todo);
+        } else {
+            let said = |file: &str, why: &str| eprintln!("{}", visible(&format!("{file}: no factor: {why}")));
+            let Written { recordings, without } = store.factor(&fleet, robot, &name, missing, said).await?;
+            println!("{recordings} of {count} recordings were missing and are read, {without} without a factor");
+        }
+        if self.share.is_none()
+            && let Some(table) = store.finish(&fleet).await?
+        {
+            println!("wrote {}", visible(&table.display().to_string()));
+        }
+        Ok(())
+    }
+
+    fn files(&self) -> Result<Vec<PathBuf>, FleetError> {
+        let mut all = Vec::new();
+        for path in &self.logs {
+            let unreadable = |source| FleetError::File { path: path.clone(), verb: "read", source };
+            all.extend(recordings_below(path).map_err(unreadable)?);
+        }
+        all.sort();
+        all.dedup();
+        match all.is_empty() {
+            true => Err(FleetError::Empty {
+                path: self.logs[0].clone(),
+                what: "recordings",
+                advice: "name a folder with logs (.csv, .csv.gz, .parquet, .mcap, .npz, .mat)",
+            }),
+            false => Ok(all),
+        }
+    }
+
+    /// The recordings of `--share`.
+    fn shared(&self, all: Vec<PathBuf>) -> Result<Vec<PathBuf>, FleetError> {
+        let Some(share) = &self.share else { return Ok(all) };
+        let parts = share.split_once('/').and_then(|(k, n)| Some((k.parse::<usize>().ok()?, n.parse::<usize>().ok()?)));
+        match parts.filter(|(k, n)| (1..=*n).contains(k)) {
+            Some((k, n)) => Ok(all.into_iter().skip(k - 1).step_by(n).collect()),
+            None => {
+                Err(FleetError::Option(format!("--share {share}: two numbers as 1/4, the first at most the second")))
+            }
+        }
+    }
+
+    /// One process for each share, and all of them to their ends.
+    fn spread(&self, workers: usize) -> Result<(), FleetError> {
+        let own = |source| FleetError::File { path: "denavit-fleet".into(), verb: "started", source };
+        let program = std::env::current_exe().map_err(own)?;
+        let start = |k: usize| {
+            let mut process = Process::new(&program);
+            process.arg("factor").args(&self.logs).arg("--robot").arg(&self.robot).arg("--out").arg(&self.out);
+            process.args(self.name.iter().flat_map(|name| ["--name", name]));
+            process.args(["--threads", "1", "--share", &format!("{}/{workers}", k + 1)]);
+            process.stdout(std::process::Stdio::null()).spawn().map_err(own)
+        };
+        let started: Vec<_> = (0..workers).map(start).collect::<Result<_, _>>()?;
+        let mut failed = None;
+        for (k, mut process) in started.into_iter().enumerate() {
+            let sound = process.wait().is_ok_and(|status| status.success());
+            failed = failed.or((!sound).then_some(k + 1));
+        }
+        failed.map_or(Ok(()), |number| Err(FleetError::Worker { number }))
+    }
+}
+
+impl Watch {
+    async fn watched(&self) -> Result<Watched, FleetError> {
+        if !(self.false_alarms > 0.0 && self.false_alarms.is_finite()) {
+            let text = format!("--false-alarms {}: a rate above 0 per robot and year", self.false_alarms);
+            return Err(FleetError::Option(text));
+        }
+        let fleet = opened(Some(&self.factors), &self.robot, self.threads.count()).await?;
+        let settings = Sequential {
+            reference_days: usize::from(self.reference),
+            days_between: 365.25 / self.false_alarms,
+            ..Sequential::default()
+        };
+        let mut watched = fleet.watch(&settings).await?;
+        if self.diagnose {
+            let robot = fleet.robots.open(&self.robot[0])?;
+            for change in &mut watched.changes {
+                let said = change.files.iter().map(|file| format!("{file}: {}", verdict(Path::new(file), &robot)));
+                change.diagnosis = Some(said.collect::<Vec<_>>().join("\n"));
+            }
+        }
+        if let Some(path) = &self.json {
+            write(path, &format!("{:#}\n", report::json(&watched)))?;
+        }
+        Ok(watched)
+    }
+}
+
+impl Sql {
+    async fn run(&self) -> Result<(), FleetError> {
+        let fleet = opened(self.factors.as_deref(), &self.robot, self.threads.count()).await?;
+        let batches = fleet.context.sql(&self.query).await?.collect().await?;
+        let table = pretty_format_batches(&batches).map_err(|e| FleetError::Engine(e.into()))?;
+        println!("{table}");
+        Ok(())
+    }
+}
+
+/// A session with a table of factors and robots.
+async fn opened(factors: Option<&Path>, robots: &[PathBuf], threads: usize) -> Result<Fleet, FleetError> {
+    let fleet = Fleet::new(threads);
+    for path in robots {
+        fleet.robots.open(path)?;
+    }
+    if let Some(path) = factors {
+        std::fs::metadata(path).map_err(|source| FleetError::File { path: path.into(), verb: "read", source })?;
+        fleet.factors(&path.display().to_string()).await?;
+    }
+    Ok(fleet)
+}
+
+/// Writes a text.
+fn write(path: &Path, text: &str) -> Result<(), FleetError> {
+    std::fs::write(path, text).map_err(|source| FleetError::File { path: path.into(), verb: "written", source })
+}

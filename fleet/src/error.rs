@@ -1,0 +1,94 @@
+//! Why a command of the fleet can't do its work.
+
+use std::path::PathBuf;
+
+use datafusion::error::DataFusionError;
+use denavit::identify::{FactorError, IdentifyError};
+
+/// Why there is no result. A recording that can't be used is none of these: it is a row.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum FleetError {
+    /// No access.
+    #[error("{path} can't be {verb}: {source}")]
+    File {
+        /// File or folder.
+        path: PathBuf,
+        /// What was tried: `read`, `written`.
+        verb: &'static str,
+        /// What the system says.
+        source: std::io::Error,
+    },
+    /// Mistakes in a robot file.
+    #[error("{path}: {problems}")]
+    Robot {
+        /// File.
+        path: PathBuf,
+        /// All of them.
+        problems: String,
+    },
+    /// A factor without its robot.
+    #[error("a factor is of a robot file with SHA-256 {digest}, and no --robot has it; give that file")]
+    UnknownRobot {
+        /// Digest in the factor.
+        digest: String,
+    },
+    /// Bytes that are no factor, or of another robot.
+    #[error(transparent)]
+    Factor(#[from] FactorError),
+    /// No model of a robot.
+    #[error("{what}: {source}")]
+    Identify {
+        /// Robot or recording.
+        what: String,
+        /// Reason.
+        source: IdentifyError,
+    },
+    /// Nothing to do.
+    #[error("{path} has no {what}; {advice}")]
+    Empty {
+        /// Folder or table.
+        path: PathBuf,
+        /// What is missing.
+        what: &'static str,
+        /// What to do.
+        advice: &'static str,
+    },
+    /// An option out of range.
+    #[error("{0}")]
+    Option(String),
+    /// A worker process that failed.
+    #[error("worker {number} failed; run the same command again: only the missing files are read")]
+    Worker {
+        /// From 1.
+        number: usize,
+    },
+    /// The engine.
+    #[error("{0}")]
+    Engine(#[source] DataFusionError),
+}
+
+impl FleetError {
+    /// Exit status: 2 for wrong use or bad input, 1 otherwise.
+    pub fn status(&self) -> u8 {
+        match self {
+            Self::Worker { .. } | Self::File { verb: "written" | "started", .. } => 1,
+            _ => 2,
+        }
+    }
+}
+
+impl From<DataFusionError> for FleetError {
+    fn from(error: DataFusionError) -> Self {
+        Self::Engine(error)
+    }
+}
+
+impl From<FleetError> for DataFusionError {
+    fn from(error: FleetError) -> Self {
+        match error {
+            FleetError::Engine(error) => error,
+            error => Self::External(Box::new(error)),
+        }
+    }
+}

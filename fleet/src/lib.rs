@@ -1,0 +1,58 @@
+//! Factors of a robot fleet's recordings, on DataFusion: a table function that reads recordings, an
+//! aggregate that merges factors, functions on them, a test of drift, and one page on a fleet.
+//!
+//! Between machines nothing is home-made: rows are Parquet, questions are SQL. The mathematics are
+//! those of `denavit`.
+
+pub mod channel;
+pub mod cli;
+pub mod error;
+pub mod functions;
+pub mod merge;
+mod open;
+pub mod recordings;
+mod remote;
+pub mod report;
+pub mod robots;
+pub mod sequential;
+pub mod store;
+mod table;
+pub mod watch;
+
+use std::sync::Arc;
+
+use datafusion::execution::context::SessionContext;
+use datafusion::logical_expr::{AggregateUDF, ScalarUDF};
+use datafusion::prelude::SessionConfig;
+
+use functions::SessionRobots;
+use robots::Robots;
+
+/// A session with the functions of a fleet.
+pub struct Fleet {
+    /// The engine.
+    pub context: SessionContext,
+    /// The robot files that were read.
+    pub robots: Arc<Robots>,
+}
+
+impl Fleet {
+    /// With so many partitions at once.
+    pub fn new(partitions: usize) -> Self {
+        let config = SessionConfig::new()
+            .with_target_partitions(partitions.max(1))
+            // A factor has 30 kB: a batch is some MB.
+            .with_batch_size(64)
+            .set_bool("datafusion.execution.parquet.schema_force_view_types", false);
+        let context = SessionContext::new_with_config(config);
+        let robots = Arc::new(Robots::default());
+        let own = SessionRobots(Arc::clone(&robots));
+        context.register_udtf("recordings", Arc::new(recordings::Recordings(Arc::clone(&robots))));
+        context.register_udaf(AggregateUDF::from(merge::MergeFactor::default()));
+        context.register_udf(ScalarUDF::from(functions::solve::Solve::new(own.clone())));
+        context.register_udf(ScalarUDF::from(functions::drift::Drift::new(own.clone())));
+        context.register_udf(ScalarUDF::from(functions::diagnose::Diagnose::new(own)));
+        context.register_udf(ScalarUDF::from(functions::predict_error::PredictError::default()));
+        Self { context, robots }
+    }
+}

@@ -1,0 +1,26 @@
+//! The command `denavit-fleet`: parse, dispatch, exit status.
+
+use std::process::ExitCode;
+
+use clap::Parser;
+use denavit_fleet::cli::Cli;
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    let threads = cli.threads();
+    let runtime = tokio::runtime::Builder::new_multi_thread().worker_threads(threads).enable_all().build();
+    let runtime = match runtime {
+        Ok(runtime) => runtime,
+        Err(e) => {
+            eprintln!("denavit-fleet: threads can't be started: {e}");
+            return ExitCode::FAILURE;
+        }
+    };
+    match runtime.block_on(cli.run()) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("denavit-fleet: {}", denavit::report::visible(&error.to_string()));
+            ExitCode::from(error.status())
+        }
+    }
+}

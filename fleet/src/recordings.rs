@@ -1,0 +1,219 @@
+//! `recordings(path, robot)`: a table whose scan reads whole recordings, file by file.
+//!
+//! The planner cuts files of rows into pieces and mixes them; a low-pass that runs forward and
+//! backward would see pieces. So the leaf of the plan deals out files, and a batch is a recording.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use async_trait::async_trait;
+use datafusion::arrow::datatypes::SchemaRef;
+use datafusion::catalog::{Session, TableFunctionArgs, TableFunctionImpl, TableProvider};
+use datafusion::common::tree_node::TreeNodeRecursion;
+use datafusion::common::{Result, ScalarValue, plan_err};
+use datafusion::datasource::TableType;
+use datafusion::execution::{SendableRecordBatchStream, TaskContext};
+use datafusion::logical_expr::Expr;
+use datafusion::physical_expr::{EquivalenceProperties, PhysicalExpr};
+use datafusion::physical_plan::execution_plan::{Boundedness, EmissionType};
+use datafusion::physical_plan::stream::RecordBatchReceiverStreamBuilder;
+use datafusion::physical_plan::{
+    DisplayAs, DisplayFormatType, ExecutionPlan, Partitioning, PlanProperties, ReplaceChildrenOptions,
+};
+use denavit::identify::RecordingReader;
+use denavit::identify::recording::plain_preparation;
+
+use crate::error::FleetError;
+use crate::open::{recordings_below, row};
+use crate::remote::{Place, RemoteFile, fetched, listed};
+use crate::robots::{KnownRobot, Robots};
+use crate::table::{SCHEMA, batch};
+
+/// The table function.
+#[derive(Debug)]
+pub struct Recordings(pub Arc<Robots>);
+
+impl TableFunctionImpl for Recordings {
+    fn call_with_args(&self, args: TableFunctionArgs<'_, '_>) -> Result<Arc<dyn TableProvider>> {
+        let words: Vec<&str> = args.exprs().iter().filter_map(text).collect();
+        let (path, robot, name) = match words.as_slice() {
+            [path, robot] => (path, robot, None),
+            [path, robot, name] => (path, robot, Some(*name)),
+            _ => {
+                return plan_err!(
+                    "recordings(path, robot) or recordings(path, robot, name): texts; a file or folder of recordings, \
+                     a robot file, and the name of the one arm where many share that file"
+                );
+            }
+        };
+        let robot = self.0.open(PathBuf::from(robot).as_path())?;
+        let name = name.unwrap_or(&robot.robot.name).to_string();
+        let place = Place::of(path)?;
+        Ok(Arc::new(RecordingsTable { robot, name, place }))
+    }
+}
+
+/// A literal text.
+fn text(expr: &Expr) -> Option<&str> {
+    match expr {
+        Expr::Literal(ScalarValue::Utf8(Some(text)) | ScalarValue::Utf8View(Some(text)), _) => Some(text),
+        _ => None,
+    }
+}
+
+/// Recordings of one robot file below one place.
+#[derive(Debug)]
+pub struct RecordingsTable {
+    /// The robot.
+    pub robot: Arc<KnownRobot>,
+    /// Its name in the table.
+    pub name: String,
+    /// Where they are.
+    pub place: Place,
+}
+
+#[async_trait]
+impl TableProvider for RecordingsTable {
+    fn schema(&self) -> SchemaRef {
+        Arc::clone(&SCHEMA)
+    }
+
+    fn table_type(&self) -> TableType {
+        TableType::Base
+    }
+
+    async fn scan(
+        &self,
+        state: &dyn Session,
+        projection: Option<&Vec<usize>>,
+        _filters: &[Expr],
+        _limit: Option<usize>,
+    ) -> Result<Arc<dyn ExecutionPlan>> {
+        let files: Vec<RecordingFile> = match &self.place {
+            Place::Files(paths) => paths.iter().cloned().map(RecordingFile::Local).collect(),
+            Place::Folder(path) => {
+                let unreadable = |source| FleetError::File { path: path.clone(), verb: "read", source };
+                recordings_below(path).map_err(unreadable)?.into_iter().map(RecordingFile::Local).collect()
+            }
+            Place::Store(url) => {
+                listed(state.runtime_env(), url).await?.into_iter().map(RecordingFile::Remote).collect()
+            }
+        };
+        let partitions = state.config_options().execution.target_partitions.clamp(1, files.len().max(1));
+        let plan = RecordingsExec::new(self, files, partitions, projection.cloned())?;
+        Ok(Arc::new(plan))
+    }
+}
+
+/// Where one recording is.
+#[derive(Debug, Clone)]
+enum RecordingFile {
+    /// In a file.
+    Local(PathBuf),
+    /// In an object store.
+    Remote(RemoteFile),
+}
+
+/// The leaf: partition `k` reads every `partitions`-th file from the `k`-th on.
+#[derive(Debug)]
+struct RecordingsExec {
+    robot: Arc<KnownRobot>,
+    name: String,
+    files: Arc<[RecordingFile]>,
+    partitions: usize,
+    projection: Option<Vec<usize>>,
+    properties: Arc<PlanProperties>,
+}
+
+impl RecordingsExec {
+    fn new(
+        table: &RecordingsTable,
+        files: Vec<RecordingFile>,
+        partitions: usize,
+        projection: Option<Vec<usize>>,
+    ) -> Result<Self> {
+        let schema = match &projection {
+            Some(columns) => Arc::new(SCHEMA.project(columns)?),
+            None => Arc::clone(&SCHEMA),
+        };
+        let properties = PlanProperties::new(
+            EquivalenceProperties::new(schema),
+            Partitioning::UnknownPartitioning(partitions),
+            EmissionType::Incremental,
+            Boundedness::Bounded,
+        );
+        let (robot, name) = (Arc::clone(&table.robot), table.name.clone());
+        Ok(Self { robot, name, files: files.into(), partitions, projection, properties: Arc::new(properties) })
+    }
+}
+
+impl DisplayAs for RecordingsExec {
+    fn fmt_as(&self, _: DisplayFormatType, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "RecordingsExec: {} files in {} partitions, {:?}", self.files.len(), self.partitions, self.robot)
+    }
+}
+
+impl ExecutionPlan for RecordingsExec {
+    fn name(&self) -> &'static str {
+        "RecordingsExec"
+    }
+
+    fn properties(&self) -> &Arc<PlanProperties> {
+        &self.properties
+    }
+
+    fn children(&self) -> Vec<&Arc<dyn ExecutionPlan>> {
+        Vec::new()
+    }
+
+    fn apply_expressions(
+        &self,
+        _: &mut dyn FnMut(&Arc<dyn PhysicalExpr>) -> Result<TreeNodeRecursion>,
+    ) -> Result<TreeNodeRecursion> {
+        Ok(TreeNodeRecursion::Continue)
+    }
+
+    fn replace_children(
+        self: Arc<Self>,
+        _: Vec<Arc<dyn ExecutionPlan>>,
+        _: ReplaceChildrenOptions,
+    ) -> Result<Arc<dyn ExecutionPlan>> {
+        Ok(self)
+    }
+
+    fn with_new_children(self: Arc<Self>, _: Vec<Arc<dyn ExecutionPlan>>) -> Result<Arc<dyn ExecutionPlan>> {
+        Ok(self)
+    }
+
+    fn execute(&self, partition: usize, context: Arc<TaskContext>) -> Result<SendableRecordBatchStream> {
+        let schema = self.properties.equivalence_properties().schema();
+        let mut stream = RecordBatchReceiverStreamBuilder::new(Arc::clone(schema), 1);
+        let (send, robot, files) = (stream.tx(), Arc::clone(&self.robot), Arc::clone(&self.files));
+        let (every, projection, robot_name) = (self.partitions, self.projection.clone(), self.name.clone());
+        let runtime = tokio::runtime::Handle::current();
+        stream.spawn_blocking(move || {
+            let prepare = plain_preparation(&robot.robot);
+            RecordingReader::with(&robot.robot, robot.digest, prepare, |reader| {
+                for file in files.iter().skip(partition).step_by(every) {
+                    let row = match file {
+                        RecordingFile::Local(path) => row(&path.display().to_string(), path, &robot_name, reader),
+                        RecordingFile::Remote(remote) => {
+                            let local = runtime.block_on(fetched(&context.runtime_env(), remote))?;
+                            row(&remote.name, local.path(), &robot_name, reader)
+                        }
+                    };
+                    let rows = batch(&[row])?;
+                    let rows = match &projection {
+                        Some(columns) => rows.project(columns)?,
+                        None => rows,
+                    };
+                    if send.blocking_send(Ok(rows)).is_err() {
+                        break;
+                    }
+                }
+                Ok(())
+            })
+        });
+        Ok(stream.build())
+    }
+}

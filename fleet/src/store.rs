@@ -1,0 +1,234 @@
+//! The folder of factors: one committed file per recording while a run lasts, one table per run
+//! afterwards.
+//!
+//! A row is written beside its name and renamed, so it is there whole or not at all; its name is
+//! made of the recording's digest and the robot, so it is there once. A run that was killed, or a
+//! worker of it, is repeated by the same command: what is there is not read again.
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use datafusion::arrow::array::{Array, AsArray, RecordBatch};
+use datafusion::parquet::arrow::ArrowWriter;
+use datafusion::parquet::basic::Compression;
+use datafusion::parquet::errors::ParquetError;
+use datafusion::parquet::file::properties::WriterProperties;
+use datafusion::prelude::{ParquetReadOptions, col};
+use futures::StreamExt;
+use sha2::{Digest, Sha256};
+use tempfile::NamedTempFile;
+
+use crate::Fleet;
+use crate::error::FleetError;
+use crate::open::digest;
+use crate::recordings::RecordingsTable;
+use crate::remote::Place;
+use crate::robots::{KnownRobot, hexadecimal};
+
+/// Rows of recordings that are not in a table yet, below the folder.
+const UNFINISHED: &str = "unfinished";
+
+/// Rows of a row group: some MB of factors.
+const GROUP: usize = 64;
+
+/// A folder of factors.
+#[derive(Debug, Clone)]
+pub struct Store(PathBuf);
+
+/// What one run did.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Written {
+    /// Recordings that were read.
+    pub recordings: usize,
+    /// Of them, those without a factor.
+    pub without: usize,
+}
+
+impl Store {
+    /// A folder, which is made.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn new(path: &Path) -> Result<Self, FleetError> {
+        let store = Self(path.into());
+        let unfinished = store.0.join(UNFINISHED);
+        fs::create_dir_all(&unfinished).map_err(unwritable(&unfinished))?;
+        Ok(store)
+    }
+
+    /// The recordings that have no row yet.
+    ///
+    /// # Errors
+    /// Where the folder or its tables can't be read.
+    pub async fn missing(&self, files: Vec<PathBuf>, name: &str) -> Result<Vec<PathBuf>, FleetError> {
+        let mut known = self.in_tables(name).await?;
+        for entry in fs::read_dir(self.0.join(UNFINISHED)).map_err(unreadable(&self.0))? {
+            let name = entry.map_err(unreadable(&self.0))?.file_name();
+            known.extend(name.to_string_lossy().strip_suffix(".row").map(String::from));
+        }
+        let mut missing = Vec::new();
+        for file in files {
+            // Two copies of one recording are one recording.
+            if known.insert(key(name, digest(&file).as_deref(), &file.display().to_string())) {
+                missing.push(file);
+            }
+        }
+        Ok(missing)
+    }
+
+    /// Keys of the robot's rows in the tables.
+    async fn in_tables(&self, robot: &str) -> Result<BTreeSet<String>, FleetError> {
+        let mut known = BTreeSet::new();
+        if self.tables()?.is_empty() {
+            return Ok(known);
+        }
+        let fleet = Fleet::new(1);
+        fleet.factors(&self.0.display().to_string()).await?;
+        let rows = fleet.context.table(crate::watch::TABLE).await?;
+        let rows = rows.select(vec![col("robot"), col("sha256"), col("file")])?;
+        let mut stream = rows.execute_stream().await?;
+        while let Some(batch) = stream.next().await {
+            let batch = batch?;
+            let column = |k: usize| batch.column(k).as_string::<i32>();
+            for row in (0..batch.num_rows()).filter(|&row| column(0).value(row) == robot) {
+                let digest = (!column(1).is_null(row)).then(|| column(1).value(row));
+                known.insert(key(robot, digest, column(2).value(row)));
+            }
+        }
+        Ok(known)
+    }
+
+    /// The tables of the folder.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn tables(&self) -> Result<Vec<PathBuf>, FleetError> {
+        let mut tables = Vec::new();
+        for entry in fs::read_dir(&self.0).map_err(unreadable(&self.0))? {
+            let path = entry.map_err(unreadable(&self.0))?.path();
+            tables.extend(path.extension().is_some_and(|e| e == "parquet").then_some(path));
+        }
+        tables.sort();
+        Ok(tables)
+    }
+
+    /// Factors recordings, and commits each row by itself.
+    ///
+    /// # Errors
+    /// Where a row can't be written. A recording that can't be used is a row.
+    pub async fn factor(
+        &self,
+        fleet: &Fleet,
+        robot: std::sync::Arc<KnownRobot>,
+        name: &str,
+        files: Vec<PathBuf>,
+        mut said: impl FnMut(&str, &str),
+    ) -> Result<Written, FleetError> {
+        let table = RecordingsTable { robot, name: name.into(), place: Place::Files(files) };
+        let rows = fleet.context.read_table(std::sync::Arc::new(table))?;
+        let mut stream = rows.execute_stream().await?;
+        let mut written = Written::default();
+        while let Some(batch) = stream.next().await {
+            let batch = batch?;
+            for row in 0..batch.num_rows() {
+                let column = |name: &str| batch.column_by_name(name).map(|c| c.as_string::<i32>());
+                let text = |name: &str| column(name).filter(|c| !c.is_null(row)).map(|c| c.value(row));
+                let file = text("file").unwrap_or_default();
+                written.recordings += 1;
+                if let Some(why) = text("why") {
+                    written.without += 1;
+                    said(file, why);
+                }
+                self.commit(&key(name, text("sha256"), file), &batch.slice(row, 1))?;
+            }
+        }
+        Ok(written)
+    }
+
+    /// Writes a row, whole or not at all.
+    fn commit(&self, key: &str, row: &RecordBatch) -> Result<(), FleetError> {
+        let folder = self.0.join(UNFINISHED);
+        let path = folder.join(format!("{key}.row"));
+        let mut writer = writer(&folder, row)?;
+        writer.write(row).map_err(refused(&path))?;
+        let file = writer.into_inner().map_err(refused(&path))?;
+        file.persist(&path).map_err(|e| unwritable(&path)(e.error))?;
+        Ok(())
+    }
+
+    /// Makes one table of the rows that are not in one yet, in the order of days and robots.
+    ///
+    /// # Errors
+    /// Where it can't be written; the rows are then still there.
+    pub async fn finish(&self, fleet: &Fleet) -> Result<Option<PathBuf>, FleetError> {
+        let folder = self.0.join(UNFINISHED);
+        let mut rows = Vec::new();
+        for entry in fs::read_dir(&folder).map_err(unreadable(&folder))? {
+            let path = entry.map_err(unreadable(&folder))?.path();
+            rows.extend(path.extension().is_some_and(|e| e == "row").then_some(path));
+        }
+        if rows.is_empty() {
+            return Ok(None);
+        }
+        rows.sort();
+        let names: Vec<u8> = rows.iter().flat_map(|path| path.to_string_lossy().into_owned().into_bytes()).collect();
+        let name = &hexadecimal(&Sha256::digest(names))[..16];
+        // A run that was killed below has written this table already.
+        let table = self.0.join(format!("factors-{name}.parquet"));
+        if !table.exists() {
+            let options = ParquetReadOptions::default().file_extension(".row");
+            let all = fleet.context.read_parquet(folder.display().to_string(), options).await?;
+            let mut stream =
+                all.sort_by(["day", "robot", "sha256", "file"].map(col).to_vec())?.execute_stream().await?;
+            let mut open = None;
+            while let Some(batch) = stream.next().await {
+                let batch = batch?;
+                let mut current = match open.take() {
+                    Some(current) => current,
+                    None => writer(&self.0, &batch)?,
+                };
+                current.write(&batch).map_err(refused(&table))?;
+                open = Some(current);
+            }
+            if let Some(open) = open {
+                let file = open.into_inner().map_err(refused(&table))?;
+                file.persist(&table).map_err(|e| unwritable(&table)(e.error))?;
+            }
+        }
+        for row in rows {
+            fs::remove_file(&row).map_err(unwritable(&row))?;
+        }
+        Ok(Some(table))
+    }
+}
+
+/// A Parquet file that has no name yet, for rows like these.
+fn writer(folder: &Path, like: &RecordBatch) -> Result<ArrowWriter<NamedTempFile>, FleetError> {
+    let file = NamedTempFile::new_in(folder).map_err(unwritable(folder))?;
+    let properties = WriterProperties::builder()
+        .set_compression(Compression::SNAPPY)
+        .set_dictionary_enabled(false)
+        .set_max_row_group_row_count(Some(GROUP))
+        .build();
+    ArrowWriter::try_new(file, like.schema(), Some(properties)).map_err(refused(folder))
+}
+
+/// What a row is known by: the robot and the recording's digest, or its path where it can't be
+/// read.
+fn key(robot: &str, sha256: Option<&str>, file: &str) -> String {
+    let recording = sha256.map_or_else(|| format!("path {file}"), String::from);
+    hexadecimal(&Sha256::digest(format!("{robot}\n{recording}")))
+}
+
+fn unreadable(path: &Path) -> impl FnOnce(std::io::Error) -> FleetError + use<'_> {
+    move |source| FleetError::File { path: path.into(), verb: "read", source }
+}
+
+fn unwritable(path: &Path) -> impl FnOnce(std::io::Error) -> FleetError + use<'_> {
+    move |source| FleetError::File { path: path.into(), verb: "written", source }
+}
+
+fn refused(path: &Path) -> impl FnOnce(ParquetError) -> FleetError + use<'_> {
+    move |error| FleetError::File { path: path.into(), verb: "written", source: std::io::Error::other(error) }
+}

@@ -1,0 +1,345 @@
+//! The watch over a fleet: references, tests of drift, causes.
+//!
+//! Two passes over the table, day by day: the first merges each robot's reference days and solves
+//! them, the second tests. What is kept per robot is its model and its detector, whatever the number
+//! of days. A robot with a change is read a third time, for the cause and its history.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use datafusion::arrow::array::{Array, AsArray, RecordBatch};
+use datafusion::arrow::datatypes::{Date32Type, Float64Type};
+use datafusion::dataframe::DataFrame;
+use datafusion::functions_aggregate::expr_fn::max;
+use datafusion::prelude::{ParquetReadOptions, col, lit};
+use datafusion::scalar::ScalarValue;
+use denavit::identify::{KeyedFactors, RecordingFactor};
+use futures::StreamExt;
+
+use crate::Fleet;
+use crate::channel::{ChannelEstimate, Explanation, Reference};
+use crate::error::FleetError;
+use crate::robots::KnownRobot;
+use crate::sequential::{Detection, Detector, Observed, Sequential};
+
+/// Name of the table in the session.
+pub const TABLE: &str = "factors";
+
+/// A robot that changed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Change {
+    /// The robot.
+    pub robot: String,
+    /// Last day without the change, days since 1970.
+    pub before: i32,
+    /// Day on which it was certain enough.
+    pub found: i32,
+    /// Value of the detector there, days.
+    pub evidence: f64,
+    /// Parameter that shows it best.
+    pub parameter: String,
+    /// Its change and standard deviation.
+    pub size: [f64; 2],
+    /// Unit of both.
+    pub unit: &'static str,
+    /// Causes that may explain it, best first.
+    pub causes: Vec<Explanation>,
+    /// Days and estimates of the best cause's first parameter.
+    pub history: Vec<(i32, f64, f64)>,
+    /// The parameter of the history.
+    pub plotted: String,
+    /// Recordings of the day on which it was found.
+    pub files: Vec<String>,
+    /// What the diagnosis of the raw log says, where it was asked for.
+    pub diagnosis: Option<String>,
+}
+
+/// What a watch found.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Watched {
+    /// In the order of robots and days.
+    pub changes: Vec<Change>,
+    /// Robots.
+    pub robots: usize,
+    /// Days with a factor, summed over robots.
+    pub robot_days: usize,
+    /// Recordings without a factor: file and reason.
+    pub unusable: Vec<(String, String)>,
+    /// Robots without enough days for a test, or without a model: name and reason.
+    pub untested: Vec<(String, String)>,
+    /// Mean number of days of one robot between false alarms, at least.
+    pub days_between: f64,
+}
+
+/// Most recordings without a factor that are listed.
+const MOST_LISTED: usize = 200;
+
+/// What is kept of a robot.
+struct Watching {
+    known: Arc<KnownRobot>,
+    reference: Reference,
+    detector: Detector,
+}
+
+/// One robot on one day.
+struct RobotDay {
+    robot: String,
+    day: i32,
+    factor: RecordingFactor,
+    temperature: Option<f64>,
+    files: Vec<String>,
+}
+
+impl Fleet {
+    /// Registers a table of factors: a file or a folder of Parquet.
+    ///
+    /// # Errors
+    /// Where it can't be read.
+    pub async fn factors(&self, path: &str) -> Result<(), FleetError> {
+        Ok(self.context.register_parquet(TABLE, path, ParquetReadOptions::default()).await?)
+    }
+
+    /// Tests every robot of the table.
+    ///
+    /// # Errors
+    /// Where the table can't be read, or has a factor of an unknown robot file.
+    pub async fn watch(&self, settings: &Sequential) -> Result<Watched, FleetError> {
+        let mut watched = Watched { days_between: settings.days_between, ..Watched::default() };
+        self.unusable(&mut watched).await?;
+        let days = self.days().await?;
+        let mut robots = self.references(&days, settings, &mut watched).await?;
+        let mut found: Vec<(String, i32, Detection, Vec<String>)> = Vec::new();
+        for &day in &days {
+            self.each_robot(day, |today| {
+                watched.robot_days += 1;
+                if let Some(robot) = robots.get_mut(&today.robot) {
+                    let seen = robot.observed(&today);
+                    let detected = robot.detector.day(day, today.temperature, &seen);
+                    found.extend(detected.map(|detection| (today.robot, day, detection, today.files)));
+                }
+                Ok(())
+            })
+            .await?;
+        }
+        for (name, day, detection, files) in found {
+            if let Some(robot) = robots.get(&name) {
+                watched.changes.push(self.change(&name, robot, day, detection, files).await?);
+            }
+        }
+        watched.changes.sort_by(|a, b| (&a.robot, a.found).cmp(&(&b.robot, b.found)));
+        Ok(watched)
+    }
+
+    async fn table(&self) -> Result<DataFrame, FleetError> {
+        Ok(self.context.table(TABLE).await?)
+    }
+
+    /// Recordings without a factor.
+    async fn unusable(&self, watched: &mut Watched) -> Result<(), FleetError> {
+        let rows = self.table().await?.filter(col("factor").is_null())?;
+        let rows =
+            rows.select(vec![col("file"), col("why")])?.sort_by(vec![col("file")])?.limit(0, Some(MOST_LISTED))?;
+        for batch in rows.collect().await? {
+            let (files, whys) = (batch.column(0).as_string::<i32>(), batch.column(1).as_string::<i32>());
+            for (file, why) in files.iter().zip(whys) {
+                watched.unusable.push((file.unwrap_or_default().into(), why.unwrap_or_default().into()));
+            }
+        }
+        Ok(())
+    }
+
+    /// Days with a factor, in order.
+    async fn days(&self) -> Result<Vec<i32>, FleetError> {
+        let rows = self.table().await?.filter(col("factor").is_not_null().and(col("day").is_not_null()))?;
+        let rows = rows.select(vec![col("day")])?.distinct()?.sort_by(vec![col("day")])?;
+        let mut days = Vec::new();
+        for batch in rows.collect().await? {
+            days.extend(batch.column(0).as_primitive::<Date32Type>().iter().flatten());
+        }
+        Ok(days)
+    }
+
+    /// The models of all robots from their reference days.
+    async fn references(
+        &self,
+        days: &[i32],
+        settings: &Sequential,
+        watched: &mut Watched,
+    ) -> Result<BTreeMap<String, Watching>, FleetError> {
+        let wanted = settings.reference_days.max(4);
+        let last = self.last_days().await?;
+        let mut open: BTreeMap<String, (usize, RecordingFactor)> = BTreeMap::new();
+        let mut done: BTreeMap<String, Watching> = BTreeMap::new();
+        watched.robots = last.len();
+        for &day in days {
+            if done.len() + watched.untested.len() == last.len() {
+                break;
+            }
+            self.each_robot(day, |today| {
+                if done.contains_key(&today.robot) {
+                    return Ok(());
+                }
+                let (count, merged) = match open.remove(&today.robot) {
+                    Some((count, mut merged)) => {
+                        merged.merge(&today.factor)?;
+                        (count + 1, merged)
+                    }
+                    None => (1, today.factor),
+                };
+                if count < wanted {
+                    open.insert(today.robot, (count, merged));
+                    return Ok(());
+                }
+                let known = self.robots.of(&merged)?;
+                match known.solve(&today.robot, std::slice::from_ref(&merged.factors)) {
+                    Ok(found) => {
+                        let reference = Reference::new(&found, &merged.factors);
+                        let detector = Detector::new(*settings);
+                        done.insert(today.robot, Watching { known, reference, detector });
+                    }
+                    Err(why) => watched.untested.push((today.robot, why.to_string())),
+                }
+                Ok(())
+            })
+            .await?;
+        }
+        let short = |(name, (count, _)): (String, (usize, _))| {
+            (name, format!("{count} days with a factor, where the reference takes {wanted}"))
+        };
+        watched.untested.extend(open.into_iter().map(short));
+        Ok(done)
+    }
+
+    /// Each robot's last day.
+    async fn last_days(&self) -> Result<BTreeMap<String, i32>, FleetError> {
+        let rows = self.table().await?.filter(col("factor").is_not_null().and(col("day").is_not_null()))?;
+        let rows = rows.aggregate(vec![col("robot")], vec![max(col("day"))])?;
+        let mut last = BTreeMap::new();
+        for batch in rows.collect().await? {
+            let (names, days) = (batch.column(0).as_string::<i32>(), batch.column(1).as_primitive::<Date32Type>());
+            for (name, day) in names.iter().zip(days) {
+                last.extend(name.map(String::from).zip(day));
+            }
+        }
+        Ok(last)
+    }
+
+    /// Calls `then` with each robot that has a factor of this day, its recordings merged.
+    async fn each_robot(
+        &self,
+        day: i32,
+        then: impl FnMut(RobotDay) -> Result<(), FleetError>,
+    ) -> Result<(), FleetError> {
+        let rows = self.table().await?.filter(col("day").eq(lit(ScalarValue::Date32(Some(day)))))?;
+        each(rows, then).await
+    }
+
+    /// The cause of a change, and its history.
+    async fn change(
+        &self,
+        name: &str,
+        robot: &Watching,
+        day: i32,
+        detection: Detection,
+        files: Vec<String>,
+    ) -> Result<Change, FleetError> {
+        let mut after = None::<RecordingFactor>;
+        let mut estimates: Vec<(i32, Vec<ChannelEstimate>)> = Vec::new();
+        each(self.table().await?.filter(col("robot").eq(lit(name)))?, |today| {
+            estimates.push((today.day, robot.known.channels.estimates(&today.factor.factors, &robot.reference)));
+            if today.day > detection.before && today.day <= day {
+                match &mut after {
+                    Some(after) => after.merge(&today.factor)?,
+                    None => after = Some(today.factor),
+                }
+            }
+            Ok(())
+        })
+        .await?;
+        let channels = &robot.known.channels;
+        let causes = after
+            .map_or(Vec::new(), |after| channels.explanations(&after.factors, &robot.reference, &detection.scatter));
+        let shown = causes.first().and_then(|cause| {
+            let own = |k: &usize| (channels.list[*k].kind, channels.list[*k].joint) == (cause.kind, cause.joint);
+            (0..channels.list.len()).filter(own).min_by_key(|&k| usize::from(k != detection.channel))
+        });
+        let shown = shown.unwrap_or(detection.channel);
+        let point = |(day, all): (i32, Vec<ChannelEstimate>)| (day, all[shown].value, all[shown].variance.sqrt());
+        let best = &channels.list[detection.channel];
+        Ok(Change {
+            robot: name.into(),
+            before: detection.before,
+            found: day,
+            evidence: detection.evidence,
+            parameter: best.parameter.clone(),
+            size: detection.size,
+            unit: best.unit,
+            causes,
+            history: estimates.into_iter().map(point).collect(),
+            plotted: channels.list[shown].parameter.clone(),
+            files,
+            diagnosis: None,
+        })
+    }
+}
+
+impl Watching {
+    fn observed(&self, today: &RobotDay) -> Vec<Observed> {
+        let estimates = self.known.channels.estimates(&today.factor.factors, &self.reference);
+        estimates.into_iter().map(|e| Observed { value: e.value, variance: e.variance }).collect()
+    }
+}
+
+/// Calls `then` with each day of each robot of some rows, day by day.
+async fn each(rows: DataFrame, mut then: impl FnMut(RobotDay) -> Result<(), FleetError>) -> Result<(), FleetError> {
+    let rows = rows.filter(col("factor").is_not_null().and(col("day").is_not_null()))?;
+    let columns = ["robot", "sha256", "temperature", "factor", "file", "day"].map(col);
+    let rows = rows.select(columns.to_vec())?.sort_by(["day", "robot", "sha256"].map(col).to_vec())?;
+    let mut stream = rows.execute_stream().await?;
+    let mut group = Group::default();
+    while let Some(batch) = stream.next().await {
+        let batch: RecordBatch = batch?;
+        for row in 0..batch.num_rows() {
+            let name = batch.column(0).as_string::<i32>().value(row);
+            let day = batch.column(5).as_primitive::<Date32Type>().value(row);
+            if name != group.robot || day != group.day {
+                group.close(&mut then)?;
+                (group.robot, group.day) = (name.into(), day);
+            }
+            group.take(&batch, row)?;
+        }
+    }
+    group.close(&mut then)
+}
+
+/// Recordings of one robot and day.
+#[derive(Default)]
+struct Group {
+    robot: String,
+    day: i32,
+    factors: KeyedFactors,
+    warmth: Vec<f64>,
+    files: Vec<String>,
+}
+
+impl Group {
+    fn take(&mut self, batch: &RecordBatch, row: usize) -> Result<(), FleetError> {
+        let digests = batch.column(1).as_string::<i32>();
+        let file = batch.column(4).as_string::<i32>().value(row);
+        let key = if digests.is_null(row) { file } else { digests.value(row) };
+        let factor = RecordingFactor::from_bytes(file, batch.column(3).as_binary::<i32>().value(row))?;
+        self.factors.insert(key.into(), factor)?;
+        let warmth = batch.column(2).as_primitive::<Float64Type>();
+        self.warmth.extend((!warmth.is_null(row)).then(|| warmth.value(row)));
+        self.files.push(file.into());
+        Ok(())
+    }
+
+    fn close(&mut self, then: &mut impl FnMut(RobotDay) -> Result<(), FleetError>) -> Result<(), FleetError> {
+        let Self { robot, day, factors, warmth, files } = std::mem::take(self);
+        let Some(factor) = factors.fold(&robot)? else { return Ok(()) };
+        let mean = warmth.iter().sum::<f64>() / warmth.len().max(1) as f64;
+        let temperature = (!warmth.is_empty()).then_some(mean);
+        then(RobotDay { robot, day, factor, temperature, files })
+    }
+}
