@@ -33,6 +33,7 @@ mod newton;
 mod path;
 mod reproduce;
 mod setup;
+mod stacked;
 #[cfg(test)]
 mod tests;
 

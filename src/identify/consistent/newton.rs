@@ -15,6 +15,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix4};
 
+use super::stacked::Stacked;
 use crate::model::pseudo_inertia::{basis, coordinates, symmetric};
 
 /// A variable that must be positive; 1 at the prior.
@@ -130,18 +131,16 @@ impl Problem {
         value.is_finite().then_some(value)
     }
 
-    /// The quadratic model at `v` as a least squares problem, `1/2 |A d - b|^2` plus a constant:
-    /// its normal matrix is the Hessian, `-A'b` the gradient. Solved by an orthogonal
-    /// transformation, half of the digits are lost that the normal equations would lose, which
-    /// matters where `w` is small.
+    /// The quadratic model at `v` of all but the misfit as a least squares problem, `1/2 |A d - b|^2`
+    /// plus a constant: its normal matrix is the Hessian, `-A'b` the gradient. Solved by an
+    /// orthogonal transformation ([`Stacked`]), half of the digits are lost that the normal equations
+    /// would lose, which matters where `w` is small.
     fn model(&self, v: &DVector<f64>, weights: Weights) -> Option<(DMatrix<f64>, DVector<f64>)> {
         let Weights { w, mu } = weights;
-        let (data, n) = (self.j.nrows(), self.j.ncols());
-        let rows = data + 10 * self.links.len() + self.scalars.len() + self.free.len() + self.walls.len();
-        let (mut a, mut b) = (DMatrix::zeros(rows.max(n), n), DVector::zeros(rows.max(n)));
-        a.rows_mut(0, data).copy_from(&self.j);
-        b.rows_mut(0, data).copy_from(&(&self.z - &self.j * v));
-        let mut row = data;
+        let n = self.j.ncols();
+        let rows = 10 * self.links.len() + self.scalars.len() + self.free.len() + self.walls.len();
+        let (mut a, mut b) = (DMatrix::zeros(rows, n), DVector::zeros(rows));
+        let mut row = 0;
         for &Link { start, share } in &self.links {
             // With Z = L L' and D = L^-1 dZ L^-T: -log det Z changes by -tr D + |D|^2 / 2.
             let l = self.inside(v.as_slice(), start).cholesky()?.l();
@@ -175,27 +174,8 @@ impl Problem {
         Some((a, b))
     }
 
-    /// The step `d` that minimises `|A d - b|` and keeps `e'v`, and the slope along it.
-    pub(super) fn least_squares(&self, a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(DVector<f64>, f64)> {
-        let n = a.ncols();
-        let qr = a.clone().qr();
-        let mut y = b.clone();
-        qr.q_tr_mul(&mut y);
-        let r = qr.unpack_r();
-        let mut step = r.solve_upper_triangular(&y.rows(0, n).into_owned())?;
-        if let Some(equal) = &self.equal {
-            let mut e = DVector::zeros(n);
-            equal.a.iter().for_each(|&(i, a)| e[i] += a);
-            let direction = r.solve_upper_triangular(&r.tr_solve_upper_triangular(&e)?)?;
-            let along = e.dot(&step) / e.dot(&direction);
-            step.axpy(-along, &direction, 1.0);
-        }
-        let slope = -b.dot(&(a * &step));
-        step.iter().all(|d| d.is_finite()).then_some((step, slope))
-    }
-
     /// From `v` to the minimum at these weights; the number of steps.
-    fn minimise(&self, v: &mut DVector<f64>, weights: Weights) -> Result<usize, Stalled> {
+    fn minimise(&self, stacked: &Stacked<'_>, v: &mut DVector<f64>, weights: Weights) -> Result<usize, Stalled> {
         const MOST: usize = 400;
         let share = self.links.iter().map(|l| l.share).fold(1.0, f64::min);
         let unit = (weights.w * share).min(weights.mu);
@@ -203,7 +183,7 @@ impl Problem {
         for steps in 0..MOST {
             let halt = |decrement| Stalled { w: weights.w, steps, decrement };
             let (a, b) = self.model(v, weights).ok_or_else(|| halt(decrement))?;
-            let (step, slope) = self.least_squares(&a, &b).ok_or_else(|| halt(decrement))?;
+            let (step, slope) = stacked.step(v, &a, &b).ok_or_else(|| halt(decrement))?;
             let before = decrement;
             decrement = ((-slope).max(0.0) / unit).sqrt();
             if decrement < 1e-7 || (decrement < 1e-3 && decrement > 0.5 * before) {
@@ -236,8 +216,9 @@ impl Problem {
 
     /// From the prior to the minimum at `weights`: the coordinates, and the number of steps.
     pub(super) fn follow(&self, start: &[f64], weights: Weights) -> Result<(Vec<f64>, usize), Stalled> {
-        let (mut v, far) = super::path::near(self, start, weights)?;
-        let close = self.minimise(&mut v, weights)?;
+        let stacked = Stacked::new(self);
+        let (mut v, far) = super::path::near(self, &stacked, start, weights)?;
+        let close = self.minimise(&stacked, &mut v, weights)?;
         Ok((v.as_slice().to_vec(), far + close))
     }
 }

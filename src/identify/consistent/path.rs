@@ -10,6 +10,7 @@
 use nalgebra::{DMatrix, DVector, Matrix4, SymmetricEigen, Vector4};
 
 use super::newton::{Problem, Stalled, Wall, Weights};
+use super::stacked::Stacked;
 use crate::model::pseudo_inertia::{basis, coordinates, symmetric};
 
 /// A cone in its scaling.
@@ -51,7 +52,12 @@ struct Single {
 }
 
 /// Coordinates near the minimum of [`Problem::value`], and the steps taken.
-pub(super) fn near(problem: &Problem, start: &[f64], weights: Weights) -> Result<(DVector<f64>, usize), Stalled> {
+pub(super) fn near(
+    problem: &Problem,
+    stacked: &Stacked<'_>,
+    start: &[f64],
+    weights: Weights,
+) -> Result<(DVector<f64>, usize), Stalled> {
     const MOST: usize = 200;
     let n = problem.j.ncols();
     let mut v = DVector::from_column_slice(start);
@@ -119,12 +125,9 @@ pub(super) fn near(problem: &Problem, start: &[f64], weights: Weights) -> Result
                 0.9
             };
 
-        let data = problem.j.nrows();
-        let rows = data + 10 * scaled.len() + singles.len() + problem.free.len();
-        let (mut a, mut b) = (DMatrix::zeros(rows.max(n), n), DVector::zeros(rows.max(n)));
-        a.rows_mut(0, data).copy_from(&problem.j);
-        b.rows_mut(0, data).copy_from(&(&problem.z - &problem.j * &v));
-        let mut row = data;
+        let rows = 10 * scaled.len() + singles.len() + problem.free.len();
+        let (mut a, mut b) = (DMatrix::zeros(rows, n), DVector::zeros(rows));
+        let mut row = 0;
         for ((link, cone), floor) in problem.links.iter().zip(&scaled).zip(&floors) {
             for k in 0..10 {
                 let d = coordinates(&(cone.inverse * basis(k) * cone.inverse.transpose()));
@@ -147,7 +150,7 @@ pub(super) fn near(problem: &Problem, start: &[f64], weights: Weights) -> Result
             b[row] = weights.mu.sqrt() * (v0 - v[i]);
             row += 1;
         }
-        let (step, _) = problem.least_squares(&a, &b).ok_or_else(halt)?;
+        let (step, _) = stacked.step(&v, &a, &b).ok_or_else(halt)?;
 
         let (mut length, mut changes) = (1.0_f64, Vec::new());
         for ((link, cone), floor) in problem.links.iter().zip(&scaled).zip(&floors) {

@@ -138,7 +138,7 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
 
 /// `b -= w v`.
 #[inline]
-fn subtract(b: &mut [f64], w: f64, v: &[f64]) {
+pub(crate) fn subtract(b: &mut [f64], w: f64, v: &[f64]) {
     for (x, y) in b.iter_mut().zip(v) {
         *x -= w * y;
     }

@@ -294,13 +294,16 @@ impl Step {
     #[inline(always)]
     fn each<const K: usize>(&self, slots: &mut [Lane], operation: impl Fn([f64; K]) -> f64) {
         for start in (0..LANES).step_by(8) {
-            let read: [[f64; 8]; K] = core::array::from_fn(|k| {
-                let lane = &slots[self.operands[k] as usize].0;
-                core::array::from_fn(|l| lane[start + l])
-            });
-            let out = &mut slots[self.out as usize].0;
+            let mut read = [[0.0; K]; 8];
+            for k in 0..K {
+                let lane = &slots[self.operands[k] as usize].0[start..start + 8];
+                for l in 0..8 {
+                    read[l][k] = lane[l];
+                }
+            }
+            let out = &mut slots[self.out as usize].0[start..start + 8];
             for l in 0..8 {
-                out[start + l] = operation(core::array::from_fn(|k| read[k][l]));
+                out[l] = operation(read[l]);
             }
         }
     }
