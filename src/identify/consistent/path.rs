@@ -51,6 +51,48 @@ struct Single {
     force: f64,
 }
 
+impl Single {
+    fn slack(&self, v: &DVector<f64>) -> f64 {
+        self.row.iter().map(|&(i, a)| a * v[i]).sum::<f64>() - self.bound
+    }
+}
+
+/// Rows of bodies, single variables and weak priors in the scaling, for the target `t`.
+fn rows(
+    problem: &Problem,
+    v: &DVector<f64>,
+    (scaled, floors, singles): (&[Scaled], &[f64], &[Single]),
+    t: f64,
+    mu: f64,
+) -> (DMatrix<f64>, DVector<f64>) {
+    let rows = 10 * scaled.len() + singles.len() + problem.free.len();
+    let (mut a, mut b) = (DMatrix::zeros(rows, v.len()), DVector::zeros(rows));
+    let mut row = 0;
+    for ((link, cone), floor) in problem.links.iter().zip(scaled).zip(floors) {
+        for k in 0..10 {
+            let d = coordinates(&(cone.inverse * basis(k) * cone.inverse.transpose()));
+            a.view_mut((row, link.start + k), (10, 1)).copy_from(&d);
+        }
+        let linear = cone.g.transpose() * cone.g * (floor / (1.0 - problem.margin));
+        let target = Matrix4::from_diagonal(&cone.lambda.map(|x| t.max(*floor) / x));
+        b.rows_mut(row, 10).copy_from(&coordinates(&(target - linear)));
+        row += 10;
+    }
+    for s in singles {
+        let x = s.slack(v);
+        let g = (x / s.force).sqrt();
+        s.row.iter().for_each(|&(i, c)| a[(row, i)] += c / g);
+        b[row] = g * (t.max(s.floor) / x - s.linear);
+        row += 1;
+    }
+    for &(i, v0) in &problem.free {
+        a[(row, i)] = mu.sqrt();
+        b[row] = mu.sqrt() * (v0 - v[i]);
+        row += 1;
+    }
+    (a, b)
+}
+
 /// Coordinates near the minimum of [`Problem::value`], and the steps taken.
 pub(super) fn near(
     problem: &Problem,
@@ -59,7 +101,6 @@ pub(super) fn near(
     weights: Weights,
 ) -> Result<(DVector<f64>, usize), Stalled> {
     const MOST: usize = 200;
-    let n = problem.j.ncols();
     let mut v = DVector::from_column_slice(start);
     let floors: Vec<f64> = problem.links.iter().map(|l| weights.w * l.share).collect();
     let mut singles: Vec<Single> = problem
@@ -77,7 +118,6 @@ pub(super) fn near(
             force: 0.0,
         }))
         .collect();
-    let slack = |s: &Single, v: &DVector<f64>| s.row.iter().map(|&(i, a)| a * v[i]).sum::<f64>() - s.bound;
     let degree = (4 * floors.len() + singles.len()).max(1) as f64;
 
     // As strong at the start as the misfit pulls.
@@ -89,7 +129,7 @@ pub(super) fn near(
         let inverse = problem.inside(v.as_slice(), link.start).try_inverse();
         forces.push(inverse.unwrap_or_else(Matrix4::identity) * t);
     }
-    singles.iter_mut().for_each(|s| s.force = t / slack(s, &v).max(f64::MIN_POSITIVE));
+    singles.iter_mut().for_each(|s| s.force = t / s.slack(&v).max(f64::MIN_POSITIVE));
 
     let (mut settled, mut resets) = (0, 0);
     let mut last = 1.0_f64;
@@ -113,7 +153,7 @@ pub(super) fn near(
             sum += cone.lambda.norm_squared();
             scaled.push(cone);
         }
-        sum += singles.iter().map(|s| s.force * slack(s, &v)).sum::<f64>();
+        sum += singles.iter().map(|s| s.force * s.slack(&v)).sum::<f64>();
         // After a long step the target may fall fast; after a short one bodies and forces first go
         // back to the middle.
         t = (sum / degree)
@@ -125,31 +165,7 @@ pub(super) fn near(
                 0.9
             };
 
-        let rows = 10 * scaled.len() + singles.len() + problem.free.len();
-        let (mut a, mut b) = (DMatrix::zeros(rows, n), DVector::zeros(rows));
-        let mut row = 0;
-        for ((link, cone), floor) in problem.links.iter().zip(&scaled).zip(&floors) {
-            for k in 0..10 {
-                let d = coordinates(&(cone.inverse * basis(k) * cone.inverse.transpose()));
-                a.view_mut((row, link.start + k), (10, 1)).copy_from(&d);
-            }
-            let linear = cone.g.transpose() * cone.g * (floor / (1.0 - problem.margin));
-            let target = Matrix4::from_diagonal(&cone.lambda.map(|x| t.max(*floor) / x));
-            b.rows_mut(row, 10).copy_from(&coordinates(&(target - linear)));
-            row += 10;
-        }
-        for s in &singles {
-            let x = slack(s, &v);
-            let g = (x / s.force).sqrt();
-            s.row.iter().for_each(|&(i, c)| a[(row, i)] += c / g);
-            b[row] = g * (t.max(s.floor) / x - s.linear);
-            row += 1;
-        }
-        for &(i, v0) in &problem.free {
-            a[(row, i)] = weights.mu.sqrt();
-            b[row] = weights.mu.sqrt() * (v0 - v[i]);
-            row += 1;
-        }
+        let (a, b) = rows(problem, &v, (&scaled, &floors, &singles), t, weights.mu);
         let (step, _) = stacked.step(&v, &a, &b).ok_or_else(halt)?;
 
         let (mut length, mut changes) = (1.0_f64, Vec::new());
@@ -164,7 +180,7 @@ pub(super) fn near(
         let shorten = |x: f64, d: f64, length: f64| if d < 0.0 { length.min(-0.9 * x / d) } else { length };
         let mut single_changes = Vec::new();
         for s in &singles {
-            let (x, d) = (slack(s, &v), s.row.iter().map(|&(i, c)| c * step[i]).sum::<f64>());
+            let (x, d) = (s.slack(&v), s.row.iter().map(|&(i, c)| c * step[i]).sum::<f64>());
             let force = t.max(s.floor) / x - s.force - s.force / x * d;
             length = shorten(x, d, shorten(s.force, force, length));
             single_changes.push(force);
@@ -179,7 +195,7 @@ pub(super) fn near(
             for (link, force) in problem.links.iter().zip(&mut forces) {
                 *force = problem.inside(v.as_slice(), link.start).cholesky().ok_or_else(halt)?.inverse() * t;
             }
-            singles.iter_mut().for_each(|s| s.force = t / slack(s, &v).max(f64::MIN_POSITIVE));
+            singles.iter_mut().for_each(|s| s.force = t / s.slack(&v).max(f64::MIN_POSITIVE));
             last = 0.0;
             continue;
         }
