@@ -20,6 +20,7 @@ Formats (CSV, Parquet, MCAP, npz, mat) and mappings: docs/logs.md"
     };
 }
 
+mod bundle;
 mod calibrate;
 mod check;
 mod column_check;
@@ -74,6 +75,8 @@ pub struct Cli {
 enum Command {
     /// Write a commented robot file for an arm of n joints, to fill in.
     New(new::New),
+    /// Run a command and write its inputs, options, version and results into one file.
+    Bundle(bundle::Bundle),
     /// Identify the robot, diagnose what is left, and measure both on logs that nothing was fitted
     /// to.
     Calibrate(calibrate::Calibrate),
@@ -105,6 +108,8 @@ enum Command {
     Identify(Box<identify::Identify>),
     /// Plan a motion that paints a wall with a roller.
     Paint(paint::Paint),
+    /// Run the command of a bundle again, and compare its results bit by bit.
+    Replay(bundle::Replay),
     /// Run the paper's experiments and print each table and figure beside the paper's own values.
     Reproduce(reproduce::Reproduce),
     /// Play a motion on the simulated robot and record a log.
@@ -139,6 +144,7 @@ impl Cli {
         let provenance = self.provenance;
         match self.command {
             Command::New(verb) => verb.run(provenance),
+            Command::Bundle(verb) => verb.run(),
             Command::Calibrate(verb) => verb.run(provenance),
             Command::Check(verb) => verb.run(provenance),
             Command::Generate(verb) => verb.run(provenance),
@@ -153,6 +159,7 @@ impl Cli {
             Command::Identify(verb) => verb.run(provenance),
             Command::Log(verb) => verb.run(provenance),
             Command::Paint(verb) => verb.run(provenance),
+            Command::Replay(verb) => verb.run(),
             Command::Reproduce(verb) => verb.run(provenance),
             Command::Simulate(verb) => verb.run(provenance),
             Command::Tool(verb) => verb.run(provenance),

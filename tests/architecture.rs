@@ -601,9 +601,37 @@ fn named_paths(text: &str) -> BTreeSet<String> {
         .collect()
 }
 
+/// Files with `unsafe`: path, how often it stands there, and why.
+const UNSAFE: &str = include_str!("architecture/unsafe.txt");
+
+#[test]
+fn unsafe_stands_where_it_is_listed() {
+    let mut found = BTreeMap::new();
+    for folder in ["src", "dh-macro", "tests", "benches", "examples", "fuzz"] {
+        for path in files(folder, "rs") {
+            let text = fs::read_to_string(root().join(&path)).unwrap();
+            let Ok(tokens) = text.parse::<TokenStream>() else { continue };
+            let mut words = BTreeMap::new();
+            count_words(tokens, &mut words);
+            if let Some(count) = words.get("unsafe") {
+                found.insert(path.display().to_string(), *count);
+            }
+        }
+    }
+    let listed = UNSAFE.lines().map(|line| {
+        let mut cells = line.splitn(3, ' ');
+        let mut next = || cells.next().unwrap_or_default().to_string();
+        let (path, count, reason) = (next(), next(), next());
+        assert!(!reason.is_empty(), "{path}: say why");
+        (path, count.parse().unwrap())
+    });
+    assert_eq!(found, listed.collect(), "found, and listed in tests/architecture/unsafe.txt");
+}
+
 #[test]
 fn paths_in_documents_exist() {
-    let documents = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "robots/README.md", "data/README.md"];
+    let documents =
+        ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "SECURITY.md", "robots/README.md", "data/README.md"];
     let documents = documents.iter().map(PathBuf::from).chain(files("docs", "md"));
     let mut missing = Vec::new();
     for document in documents {

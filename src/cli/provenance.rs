@@ -13,7 +13,7 @@ use super::files::RobotFile;
 use super::logbook::Logbook;
 
 /// Options that name outputs. They say where a result goes, not what it is.
-const OUTPUTS: [&str; 7] = ["out", "json", "report", "next", "coefficients", "ros", "path"];
+pub(super) const OUTPUTS: [&str; 7] = ["out", "json", "report", "next", "coefficients", "ros", "path"];
 
 /// Provenance of a result.
 #[derive(Debug, Clone, Default)]

@@ -1,5 +1,6 @@
 //! The command itself, as a process: what it prints, what it writes, how it ends.
 
+mod bundle;
 mod calibrate;
 mod check;
 mod diagnose;
