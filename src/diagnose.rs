@@ -3,9 +3,8 @@
 //!
 //! The pipeline is [`Motion`](crate::data::signal::Motion)s -> [`Recording`] -> windows
 //! (`windowed_data`) -> every cause of the vocabulary in every place (`hypotheses`) against every
-//! other (`search`), everything else refitted (`model`, `moments`) -> remaining structure
-//! (`structure`) -> [`Diagnosis`]. It is measured on logs that were used neither to fit nor to
-//! choose.
+//! other (`search`), everything else refitted (`fit`) -> what holds on other data (`select`) ->
+//! remaining structure (`findings`) -> [`Diagnosis`]. It is measured on logs that were not fitted.
 //!
 //! Sees a robot only as a [`PerturbableArm`](crate::model::PerturbableArm); prints nothing.
 

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Failure;
-use super::diagnose::{Diagnose, Given};
+use super::diagnose::{Diagnose, Outputs};
 use super::files::{self, RobotFile};
 use super::identify::Identify;
 use super::prepare::Preparation;
@@ -67,7 +67,7 @@ impl Calibrate {
         let run = provenance.clone().logs(&model.logbook).run(vec!["parameters, before the diagnosis".into()]);
         let text = file.rewritten(&model.robot, &robot, &run);
         let identified = RobotFile { robot: model.robot, text, read: file.read, notes: file.notes };
-        let diagnose = Diagnose::plainly(robot, logs, validate, Given { out, json, report, read });
+        let diagnose = Diagnose::plainly(robot, logs, validate, Outputs { out, json, report, read });
         let made = diagnose.made(&identified, provenance)?;
         diagnose.deliver(&made, Some(&Identified { found: &model.found, warnings: &model.warnings }))
     }

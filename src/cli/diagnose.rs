@@ -81,7 +81,7 @@ pub(super) struct Diagnose {
 }
 
 /// Options of a diagnosis that is part of another verb.
-pub(super) struct Given {
+pub(super) struct Outputs {
     pub(super) out: Option<PathBuf>,
     pub(super) json: Option<PathBuf>,
     pub(super) report: Option<PathBuf>,
@@ -89,7 +89,7 @@ pub(super) struct Given {
 }
 
 /// A diagnosis, and what is to be written.
-pub(super) struct Made {
+pub(super) struct Diagnosed {
     found: Diagnosis,
     written: Option<Result<Extended, Failure>>,
     /// The next motion, and where it goes.
@@ -134,7 +134,7 @@ fn within_memory(held: usize, dof: usize) -> Result<(), Failure> {
 
 /// Facts about the logs after reading them.
 #[derive(Default)]
-struct Reading {
+struct LogsRead {
     prepared: Vec<Prepared>,
     logbook: Logbook,
     provenance: Provenance,
@@ -158,29 +158,29 @@ impl Diagnose {
     }
 
     /// With the defaults of all options that are not given here.
-    pub(super) fn plainly(robot: PathBuf, logs: Vec<PathBuf>, validate: Vec<PathBuf>, given: Given) -> Self {
-        let Given { out, json, report, read } = given;
+    pub(super) fn plainly(robot: PathBuf, logs: Vec<PathBuf>, validate: Vec<PathBuf>, given: Outputs) -> Self {
+        let Outputs { out, json, report, read } = given;
         Self { robot, logs, validate, out, next: None, json, report, cutoff: None, rate: 100.0, read }
     }
 
     /// The diagnosis of a robot file, and the robot file that comes of it.
-    pub(super) fn made(&self, file: &files::RobotFile, provenance: Provenance) -> Result<Made, Failure> {
+    pub(super) fn made(&self, file: &files::RobotFile, provenance: Provenance) -> Result<Diagnosed, Failure> {
         let keep = self.read.keep.acceptance()?;
         let plant = PerturbableRobot::new(&file.robot);
         let effects = FileEffects::of(&file.robot, &[]);
         let known = effects.as_ref().and_then(|effects| effects.known(&plant, plant.given(), None));
         let check = ColumnCheck::new(&file.robot, &plant, plant.given(), known, keep);
-        let mut reading = Reading {
+        let mut reading = LogsRead {
             provenance,
             logbook: Logbook::of(&file.text),
             columns: self.read.map.reading(Some(&file.robot))?,
-            ..Reading::default()
+            ..LogsRead::default()
         };
         let mut read = |purpose: Purpose, paths: &[PathBuf]| -> Result<Vec<Recording>, Failure> {
             paths.iter().map(|path| self.record(purpose, path, &file.robot, &check, keep, &mut reading)).collect()
         };
         let (fit, validate) = (read(Purpose::Fit, &self.logs)?, read(Purpose::Validate, &self.validate)?);
-        let Reading { prepared, logbook, provenance, .. } = reading;
+        let LogsRead { prepared, logbook, provenance, .. } = reading;
         let provenance = provenance.logs(&logbook);
         let bar = ProgressBar::new_spinner();
         bar.enable_steady_tick(std::time::Duration::from_millis(120));
@@ -194,7 +194,7 @@ impl Diagnose {
         bar.finish_and_clear();
         let measured = if self.validate.is_empty() { &fit } else { &validate };
         let written = self.out.as_ref().map(|path| self.extended_file(path, &found, file, measured, &provenance));
-        Ok(Made { found, written, next, prepared, provenance })
+        Ok(Diagnosed { found, written, next, prepared, provenance })
     }
 
     fn check_options(&self) -> Result<(), Failure> {
@@ -252,8 +252,8 @@ impl Diagnose {
 
     /// Files and text; `identified`: the identification that the robot file comes from, where it
     /// was made on the way.
-    pub(super) fn deliver(&self, made: &Made, identified: Option<&Identified<'_>>) -> Result<(), Failure> {
-        let Made { found, written, next, prepared, provenance } = made;
+    pub(super) fn deliver(&self, made: &Diagnosed, identified: Option<&Identified<'_>>) -> Result<(), Failure> {
+        let Diagnosed { found, written, next, prepared, provenance } = made;
         let mut warnings = report::diagnose_warnings(found, prepared);
         let failed = match written {
             Some(Err(failure)) => Some(&failure.message),
@@ -329,11 +329,11 @@ impl Diagnose {
         robot: &Robot,
         check: &ColumnCheck<'_>,
         keep: Acceptance,
-        reading: &mut Reading,
+        reading: &mut LogsRead,
     ) -> Result<Recording, Failure> {
         let by_the_log = self.cutoff.is_none();
         let constants = torque_constants(robot);
-        let Reading { columns: map, logbook, held: before, .. } = reading;
+        let LogsRead { columns: map, logbook, held: before, .. } = reading;
         let before = *before;
         let mut pass = |cutoff: f64| {
             let prepare = Prepare {

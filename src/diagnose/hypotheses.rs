@@ -517,5 +517,5 @@ fn travel(scene: &WindowedData<'_>, j: usize) -> [f64; 2] {
 /// Whether joint `j` moves at all: beyond what its noise looks like.
 fn moves(scene: &WindowedData<'_>, j: usize) -> bool {
     let [low, high] = travel(scene, j);
-    high - low > 0.02 && fastest(scene, j) > 3.0 * scene.dead[j]
+    high - low > 0.02 && fastest(scene, j) > 3.0 * scene.velocity_noise_limit[j]
 }

@@ -147,7 +147,7 @@ fn key_of(cause: &Cause, key: Key) -> Option<f64> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Column {
     /// On joint `.0` alone, by its key.
-    JointSeries(usize, Law, Key),
+    OwnJoint(usize, Law, Key),
     /// Joint `.0` turns by this much more than was measured: `QO`.
     Zero(usize),
     /// Joint `.0` winds: `1 / KE`.
@@ -266,7 +266,7 @@ fn columns(
         | EffectKind::TorqueRipple => {
             let gear_ratio = plant.gear_ratios().get(j?).copied().flatten();
             let laws = joint_laws(effect, gear_ratio, key);
-            laws.into_iter().map(|(law, name)| j.map(|j| Column::JointSeries(j, law, name))).collect()
+            laws.into_iter().map(|(law, name)| j.map(|j| Column::OwnJoint(j, law, name))).collect()
         }
         EffectKind::EncoderOffset => vec![j.map(Column::Zero)],
         EffectKind::JointElasticity => vec![j.map(Column::Deflection)],
@@ -301,7 +301,7 @@ fn columns(
 impl Column {
     /// The base parameter that is the same column.
     fn base_parameter(self, plant: &dyn PerturbableArm) -> Option<StandardParameter> {
-        let Self::JointSeries(j, law, _) = self else { return None };
+        let Self::OwnJoint(j, law, _) = self else { return None };
         Some(StandardParameter::Drive(*plant.rows().get(j)?, law.drive_term()?))
     }
 
@@ -314,14 +314,14 @@ impl Column {
             at.map_or(0.0, |at| plant.given_drive(at))
         };
         let value = match self {
-            Self::JointSeries(_, Law::Stribeck(..), name) => {
+            Self::OwnJoint(_, Law::Stribeck(..), name) => {
                 key_of(cause, name)? - key_of(cause, effects::CoulombFriction::FC).unwrap_or(0.0)
             }
-            Self::JointSeries(_, Law::Gain, name) => key_of(cause, name)? - 1.0,
-            Self::JointSeries(j, law @ (Law::Viscous | Law::Coulomb | Law::Rotor), name) => {
+            Self::OwnJoint(_, Law::Gain, name) => key_of(cause, name)? - 1.0,
+            Self::OwnJoint(j, law @ (Law::Viscous | Law::Coulomb | Law::Rotor), name) => {
                 key_of(cause, name)? - given(law, j)
             }
-            Self::JointSeries(_, _, name) | Self::Changed(_, _, name) => key_of(cause, name)?,
+            Self::OwnJoint(_, _, name) | Self::Changed(_, _, name) => key_of(cause, name)?,
             Self::Zero(_) => key_of(cause, effects::EncoderOffset::QO)?,
             Self::Deflection(_) => 1.0 / key_of(cause, effects::JointElasticity::KE)?,
             Self::Late(_) => key_of(cause, effects::TimeDelay::TD)?,
@@ -366,7 +366,7 @@ impl<'a> Family<'a> {
         out.fill(0.0);
         let smooth = |v: f64, j: usize| (v / self.turn[j].max(1e-6)).tanh();
         match column {
-            Column::JointSeries(j, law, _) => {
+            Column::OwnJoint(j, law, _) => {
                 for s in 0..len {
                     let at = j * len + s;
                     let (q, v) = (states.q[at], states.dq[at]);

@@ -96,7 +96,7 @@ impl Sensor {
         let Self { gain, zero } = self;
         for (key, value) in keys.iter_mut().filter(|(key, _)| SIZES.contains(key)) {
             *value = match (effect, *key) {
-                (EffectKind::TorqueOffset, _) => *value, // behind the gain, unconverted
+                (EffectKind::TorqueOffset, _) => *value, // added after the gain
                 (_, effects::StribeckFriction::FS) => coulomb + (*value - coulomb) / gain,
                 _ => *value / gain,
             };

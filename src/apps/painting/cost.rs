@@ -133,7 +133,7 @@ impl<'a> Judge<'a> {
                 // reported, in its own unit.
                 let [place, turn] = [p.distance[0] / 0.1, p.distance[1]];
                 let (bound, amount) =
-                    if place >= turn { (Bound::LinkExtents, p.distance[0]) } else { (Bound::Direction, p.distance[1]) };
+                    if place >= turn { (Bound::OutOfReach, p.distance[0]) } else { (Bound::Direction, p.distance[1]) };
                 Broken { bound, amount, weight: place + turn, at: line.place(grid.chebyshev.points[p.farthest]) }
             })
             .collect();

@@ -20,8 +20,8 @@ use crate::numerics::chebyshev::Chebyshev;
 /// A limit that binds, or is broken.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Bound {
-    /// Out of reach.
-    LinkExtents,
+    /// No posture holds the roller there.
+    OutOfReach,
     /// The arm can't hold the roller in this direction there.
     Direction,
     /// The branch of the inverse ends or is not smooth: a singularity.

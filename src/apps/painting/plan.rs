@@ -208,7 +208,7 @@ impl Search<'_> {
     fn name(&self, bound: Bound) -> String {
         let joint = |j: usize| self.judge.task.limits[j].name.clone();
         match bound {
-            Bound::LinkExtents => "reach".into(),
+            Bound::OutOfReach => "reach".into(),
             Bound::Direction => "direction of the roller".into(),
             Bound::Singular => "singularity".into(),
             Bound::Position(j) => format!("travel of {}", joint(j)),
@@ -235,7 +235,7 @@ impl Search<'_> {
         let unit = |j: usize| if task.slides[j] { "m" } else { "rad" };
         let amount = broken.amount;
         match broken.bound {
-            Bound::LinkExtents => format!("out of reach by {amount:.4} m {place}"),
+            Bound::OutOfReach => format!("out of reach by {amount:.4} m {place}"),
             Bound::Direction => format!("the arm can't point the roller there: {amount:.4} rad off {place}"),
             Bound::Singular => format!("the posture can't be followed (singularity, or its branch ends) {place}"),
             Bound::Position(j) => {

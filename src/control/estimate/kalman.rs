@@ -26,7 +26,7 @@ pub struct Kalman<const N: usize> {
     /// How large wrenches are.
     pub scale: Scale,
     /// How fast they wander at most: standard deviations after a second, N and N m. The pace of
-    /// each component is found from the estimate (`pace.rs`); the band is that of a wrench which
+    /// each component is found from the estimate (`random_walk_rate.rs`); the band is that of a wrench which
     /// wanders so.
     pub wander: Scale,
     state: Option<State<N>>,

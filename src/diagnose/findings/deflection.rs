@@ -63,7 +63,7 @@ fn measured(scene: &WindowedData<'_>, j: usize) -> Option<Vec<f64>> {
 pub(in crate::diagnose) fn deflections(model: &Selected<'_>, noise: &[f64]) -> Vec<Cause> {
     let (scene, residual) = (&model.tested.scene, &model.fitted.residual);
     let joint = |j: usize| {
-        let states = &scene.states[scene.seen[j]];
+        let states = &scene.states[scene.state_of_joint[j]];
         let acceleration = &states.ddq[j * scene.len..(j + 1) * scene.len];
         let load: Vec<f64> = scene.rigid[j].iter().zip(acceleration).map(|(t, a)| t - scene.rotors[j] * a).collect();
         let found = spring(&measured(scene, j)?, &load, &scene.live[j])?;

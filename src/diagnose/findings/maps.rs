@@ -46,7 +46,7 @@ impl View {
     pub fn of(scene: &WindowedData<'_>) -> Self {
         let over = (0..scene.dof())
             .map(|j| {
-                let states = &scene.states[scene.seen[j]];
+                let states = &scene.states[scene.state_of_joint[j]];
                 let row = |x: &[f64]| x[j * states.len..(j + 1) * states.len].to_vec();
                 [row(&states.q), row(&states.dq), row(&states.ddq), scene.whole[j].clone()]
             })

@@ -265,7 +265,7 @@ impl<'a> ModelUnderTest<'a> {
         let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
         for index in 0..self.scene.states.len() {
             self.scene.base_parts(index, |_, &(row, b), first, part| {
-                if self.scene.seen[row] == index {
+                if self.scene.state_of_joint[row] == index {
                     rows[row][first..].iter_mut().zip(part).for_each(|(t, s)| *t += beta[b] * s);
                 }
             });

@@ -8,8 +8,8 @@
 //! much information on each direction (Hansen 1998, generalised singular values). `mu` is the ratio
 //! of their variance to the prior's, with windows counted by the autocorrelation time of residuals.
 //! Well identified directions are left to the data alone; those that are not stay with the file:
-//! what least squares says is taken by `mu^4 / (mu^4 + firm^4)`. So no direction that the data
-//! determine is drawn to the file, as a plain normal prior would. How firm is left to the data as
+//! what least squares says is taken by `mu^4 / (mu^4 + strength^4)`. So no direction that the data
+//! determine is drawn to the file, as a plain normal prior would. How strong is left to the data as
 //! well: what predicts stretches of the logs best that are left out in turn.
 
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
@@ -21,7 +21,7 @@ use crate::model::{Inertial, PerturbableArm, StandardParameter};
 pub const STRENGTHS: [f64; 3] = [30.0, 10.0, 3.0];
 
 /// The strongest regulariser, as a multiple of the prior's own weight.
-const FIRMEST: f64 = 1e3;
+const MAX_WEIGHT: f64 = 1e3;
 
 /// Prior of the first unknowns of a fit.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,7 +42,7 @@ impl Regulariser {
 
     /// From the prior and the data: the normal matrix of the first unknowns with all windows
     /// counted (`full`), and with windows counted as far as they are independent (`thinned`).
-    /// `firm`: see [`STRENGTHS`].
+    /// `strength`: see [`STRENGTHS`].
     pub fn new(prior: &Prior, full: &DMatrix<f64>, thinned: &DMatrix<f64>, strength: f64) -> Option<Self> {
         let n = prior.mean.len();
         let root = &prior.root;
@@ -60,7 +60,7 @@ impl Regulariser {
             let mu = mu.max(1e-12);
             // The solver counts every window.
             let dependence = (v.dot(&(&all * v)) / mu).clamp(1.0, 1e4);
-            let weight = (strength.powi(4) / mu.powi(3)).min(FIRMEST) * dependence;
+            let weight = (strength.powi(4) / mu.powi(3)).min(MAX_WEIGHT) * dependence;
             let axis = inverse.transpose() * v;
             precision.ger(weight, &axis, &axis, 1.0);
             spread.ger((TYPICAL * weight).powi(2), &axis, &axis, 1.0);

@@ -41,7 +41,7 @@ pub(super) fn both_ways(scene: &WindowedData<'_>, j: usize) -> bool {
 /// Torque that the gear of joint `j` transmits if its link moves as its motor, over the windows, N
 /// m.
 fn transmitted(scene: &WindowedData<'_>, j: usize) -> Vec<f64> {
-    let states = &scene.states[scene.seen[j]];
+    let states = &scene.states[scene.state_of_joint[j]];
     let acceleration = &states.ddq[j * scene.len..(j + 1) * scene.len];
     scene.rigid[j].iter().zip(acceleration).map(|(t, a)| t - scene.rotors[j] * a).collect()
 }

@@ -82,7 +82,7 @@ impl Hypothesis for GearCoupling {
         };
         let (own_m, own_k) = (&scene.own[m], &scene.own[k]);
         let sum = |i: usize, s: usize| own_m[i].v[s] + ratio * own_k[i].v[s];
-        let dead = scene.dead[m].max(scene.dead[k]);
+        let dead = scene.velocity_noise_limit[m].max(scene.velocity_noise_limit[k]);
         let sign = |i: usize, s: usize| if sum(i, s).abs() > dead { sum(i, s).signum() } else { 0.0 };
         let parts = shape[1] as usize;
         let column = |term: CouplingTerm| match term {
@@ -137,7 +137,7 @@ impl Hypothesis for CarriedAxis {
         if ratio == 0.0 || scene.rigid[m].iter().all(|t| *t == 0.0) {
             return Vec::new();
         }
-        let states = &scene.states[scene.seen[m]];
+        let states = &scene.states[scene.state_of_joint[m]];
         let of = |x: &[f64], j: usize| x[j * scene.len..(j + 1) * scene.len].to_vec();
         let by = [of(&states.q, k), of(&states.dq, k), of(&states.ddq, k)];
         let mut rows = scene.moved(m, &by, ratio);

@@ -51,7 +51,7 @@ impl Hypothesis for NonlinearViscousFriction {
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let fast = fastest(scene, place[0]);
-        let slow = (2.0 * scene.dead[place[0]]).clamp(1.5 * SLOWEST * fast, 0.2 * fast);
+        let slow = (2.0 * scene.velocity_noise_limit[place[0]]).clamp(1.5 * SLOWEST * fast, 0.2 * fast);
         let powers = [0.4, 0.6, 1.5, 2.0, 3.0].iter().map(|e| vec![*e, 0.0]);
         powers.chain(geometric(slow, fast, 4).into_iter().map(|v| vec![1.0, v])).collect()
     }

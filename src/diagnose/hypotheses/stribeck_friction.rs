@@ -42,7 +42,7 @@ impl Hypothesis for StribeckFriction {
     }
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        let (slow, fast) = (2.0 * scene.dead[place[0]], 0.35 * fastest(scene, place[0]));
+        let (slow, fast) = (2.0 * scene.velocity_noise_limit[place[0]], 0.35 * fastest(scene, place[0]));
         let speeds = geometric(slow.min(0.5 * fast), fast, 8);
         speeds.iter().flat_map(|&v| [vec![v, 2.0], vec![v, 1.0]]).collect()
     }

@@ -78,8 +78,8 @@ impl Recording {
         Self { name: name.into(), begin: 0.0, stretches: Vec::new() }
     }
 
-    /// Takes in a stretch of motion. Long stretches come in parts; a part that continues the one
-    /// before is joined to it.
+    /// Takes in a stretch of motion. Long stretches come in parts, each of which is a stretch of its
+    /// own here: its windows do not reach into the next, and it is split by itself.
     pub fn absorb(&mut self, motion: &Motion) {
         let (dof, len) = (motion.dof(), motion.states.len);
         let core = motion.core.clone();

@@ -117,7 +117,7 @@ pub struct WindowedData<'a> {
     /// Motion, once for each distinct delay.
     pub states: Vec<States>,
     /// Index into [`WindowedData::states`] of the state of a joint's torque.
-    pub seen: Vec<usize>,
+    pub state_of_joint: Vec<usize>,
     /// Time of each window since its recording began, s.
     pub time: Vec<f64>,
     /// Whether a window is used for a joint's torque.
@@ -141,7 +141,7 @@ pub struct WindowedData<'a> {
     /// Spacing of the windows, s.
     pub step: f64,
     /// Speed below which a joint's sign is noise, rad/s.
-    pub dead: Vec<f64>,
+    pub velocity_noise_limit: Vec<f64>,
     /// By how much each joint's torque is taken to be late, s.
     pub delays: Vec<f64>,
     /// Rotor inertias of the file, kg m^2.
@@ -270,7 +270,7 @@ impl<'a> WindowedData<'a> {
             smooth: vec![vec![0.0; len]; dof],
             beta: vec![0.0; plant.base_parameters().len()],
             standard: None,
-            dead: dead.iter().map(|d| d.0).collect(),
+            velocity_noise_limit: dead.iter().map(|d| d.0).collect(),
             delays: delays.to_vec(),
             rotors: rotors(plant),
             rated: rated(plant, recordings),
@@ -282,7 +282,7 @@ impl<'a> WindowedData<'a> {
             len,
             y,
             states,
-            seen,
+            state_of_joint: seen,
             time,
             live,
             runs,
@@ -316,8 +316,8 @@ impl<'a> WindowedData<'a> {
         average(&(0..own.v.len()).map(f).collect::<Vec<_>>(), own.per)
     }
 
-    /// A series over the windows, each taken `by` seconds earlier, on lines within each run.
-    pub fn later(&self, series: &[f64], by: f64) -> Vec<f64> {
+    /// A series over the windows, each as it was `by` seconds before, on lines within each run.
+    pub fn delayed(&self, series: &[f64], by: f64) -> Vec<f64> {
         let mut out = vec![0.0; series.len()];
         for run in &self.runs {
             out[run.clone()].copy_from_slice(&earlier(&series[run.clone()], 0..run.len(), by / self.step));
@@ -332,7 +332,7 @@ impl<'a> WindowedData<'a> {
             let (mut one, mut other) = (vec![0.0; self.dof() * self.len], vec![0.0; self.dof() * self.len]);
             self.plant.changed_dynamics(change, states, standard, &mut one);
             self.plant.inverse_dynamics(states, standard, &mut other);
-            for (j, row) in rows.iter_mut().enumerate().filter(|(j, _)| self.seen[*j] == index) {
+            for (j, row) in rows.iter_mut().enumerate().filter(|(j, _)| self.state_of_joint[*j] == index) {
                 let span = j * self.len..(j + 1) * self.len;
                 row.iter_mut()
                     .zip(one[span.clone()].iter().zip(&other[span]))
@@ -391,13 +391,13 @@ impl<'a> WindowedData<'a> {
         let mut places = vec![(0, 0); pattern.len()];
         for index in 0..self.states.len() {
             for (place, &(row, column)) in places.iter_mut().zip(pattern) {
-                if self.seen[row] == index {
+                if self.state_of_joint[row] == index {
                     *place = (row, rows[row].len());
                     rows[row].push((column, vec![0.0; self.len]));
                 }
             }
             self.base_parts(index, |entry, &(row, _), first, part| {
-                if self.seen[row] == index {
+                if self.state_of_joint[row] == index {
                     let (row, at) = places[entry];
                     rows[row][at].1[first..first + part.len()].copy_from_slice(part);
                 }
@@ -439,7 +439,7 @@ impl<'a> WindowedData<'a> {
             let mut add = |first: usize, parts: &[Vec<f64>]| {
                 for &(place, entry) in &at_once {
                     let row = pattern[entry].0;
-                    if self.seen[row] != index {
+                    if self.state_of_joint[row] != index {
                         continue;
                     }
                     let series = parts[entry].iter().zip(&self.live[row][first..]);
@@ -465,7 +465,7 @@ impl<'a> WindowedData<'a> {
             let mut states = states.clone();
             change(&mut states);
             self.regressor_parts(&states, |_, &(row, column), first, part| {
-                if self.seen[row] == index && self.beta[column] != 0.0 {
+                if self.state_of_joint[row] == index && self.beta[column] != 0.0 {
                     rows[row][first..].iter_mut().zip(part).for_each(|(t, w)| *t += w * self.beta[column]);
                 }
             });

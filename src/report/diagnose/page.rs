@@ -1,7 +1,7 @@
 //! A diagnosis as one page that needs no network: verdict, gain, evidence per cause, torque and
 //! errors, maps of the error.
 //!
-//! The plots are drawn by `diagnose.js` as SVG from numbers in the page. Before is orange and
+//! The plots are drawn by `page.js` as SVG from numbers in the page. Before is orange and
 //! dashed, after blue and solid, so that a print without colour can be read too.
 
 use dh_codegen::robot::effects;

@@ -1,6 +1,6 @@
 //! The result as one page that needs no network.
 //!
-//! Curves are drawn as SVG by some 150 lines of script of our own (`identify.js`), not by a
+//! Curves are drawn as SVG by some 150 lines of script of our own (`parts/curves.js`), not by a
 //! plotting library. The page stays at some hundred kB instead of 4 MB, prints as vectors, and the
 //! library's hundred features are not missed. Curves come thinned to least and largest value per
 //! stretch, so that a spike stays a spike.
