@@ -4,7 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::newton::Problem;
-use crate::identify::regression::r_factor::{dot, subtract};
+use crate::identify::regression::r_factor::{Mirror, dot};
 
 /// `J` and `z` of a problem, as `R = Q'J` and `Q'z`.
 ///
@@ -67,9 +67,9 @@ impl<'a> Stacked<'a> {
                 return None;
             }
             let (left, right) = block.split_at_mut((k + 1) * rows);
-            let x = &mut left[k * rows..][active.clone()];
+            let x = &left[k * rows..][active];
             // The pivot is a row of the trapezoid, or below it the first active row of the block.
-            let (pivot, v) = if k < p { (top[(k, k)], &*x) } else { (x[0], &x[1..]) };
+            let (pivot, v) = if k < p { (top[(k, k)], x) } else { (x[0], &x[1..]) };
             let squares = dot(v, v);
             if squares == 0.0 || pivot * pivot + squares < f64::MIN_POSITIVE {
                 continue;
@@ -78,15 +78,10 @@ impl<'a> Stacked<'a> {
             let beta = if pivot > 0.0 { -norm } else { norm };
             let head = pivot - beta;
             let scale = 2.0 / (head * head + squares);
-            for (j, column) in right.chunks_exact_mut(rows).enumerate() {
-                let column = &mut column[active.clone()];
-                let (entry, rest) = match k < p {
-                    true => (&mut top[(k, k + 1 + j)], column),
-                    false => column.split_first_mut()?,
-                };
-                let w = scale * (head * *entry + dot(v, rest));
-                *entry -= w * head;
-                subtract(rest, w, v);
+            let mirror = Mirror { v, head, scale };
+            match k < p {
+                true => mirror.apply(right, rows, used, Some((&mut top.as_mut_slice()[(k + 1) * p..], k, p))),
+                false => mirror.apply(right, rows, used, None),
             }
             if k < p {
                 top[(k, k)] = beta;

@@ -75,13 +75,8 @@ impl RFactor {
             let top = diagonal - beta;
             let scale = 2.0 / (top * top + squares);
             self.r[k + k * n] = beta;
-            for (j, column) in right.chunks_exact_mut(rows).enumerate() {
-                let b = &mut column[..v.len()];
-                let entry = &mut self.r[k + (k + 1 + j) * n];
-                let w = scale * (top * *entry + dot(v, b));
-                *entry -= w * top;
-                subtract(b, w, v);
-            }
+            let mirror = Mirror { v, head: top, scale };
+            mirror.apply(right, rows, 0, Some((&mut self.r[(k + 1) * n..], k, n)));
         }
     }
 
@@ -122,8 +117,59 @@ impl RFactor {
     }
 }
 
+/// A Householder reflection of one pivot entry and of entries below it.
+pub(in crate::identify) struct Mirror<'a> {
+    /// Entries of its vector below the pivot.
+    pub v: &'a [f64],
+    /// The one at the pivot.
+    pub head: f64,
+    /// `2 / |vector|^2`.
+    pub scale: f64,
+}
+
+impl Mirror<'_> {
+    /// Reflects columns of `rows` entries each, of which it touches those from `from` on. Pivots:
+    /// entries of their own (those of a column-major array, the row in it and its number of rows);
+    /// `None`: the entry at `from`, and the vector's others behind it.
+    pub fn apply(&self, columns: &mut [f64], rows: usize, from: usize, pivots: Option<(&mut [f64], usize, usize)>) {
+        reflect(self, columns, rows, from, pivots);
+    }
+}
+
+/// With the widest registers of this processor. Sums and products keep their rounding, so the bits
+/// are those of any other.
+#[multiversion::multiversion(targets("x86_64+avx2"))]
+fn reflect(
+    mirror: &Mirror<'_>,
+    columns: &mut [f64],
+    rows: usize,
+    from: usize,
+    pivots: Option<(&mut [f64], usize, usize)>,
+) {
+    let Mirror { v, head, scale } = *mirror;
+    match pivots {
+        Some((apart, row, stride)) => {
+            for (pivots, column) in apart.chunks_exact_mut(stride).zip(columns.chunks_exact_mut(rows)) {
+                let (entry, rest) = (&mut pivots[row], &mut column[from..from + v.len()]);
+                let w = scale * (head * *entry + dot(v, rest));
+                *entry -= w * head;
+                subtract(rest, w, v);
+            }
+        }
+        None => {
+            for column in columns.chunks_exact_mut(rows) {
+                let (before, rest) = column.split_at_mut(from + 1);
+                let (entry, rest) = (&mut before[from], &mut rest[..v.len()]);
+                let w = scale * (head * *entry + dot(v, rest));
+                *entry -= w * head;
+                subtract(rest, w, v);
+            }
+        }
+    }
+}
+
 /// Inner product with eight running sums, which the compiler can keep in vector registers.
-#[inline]
+#[inline(always)]
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; 8];
     let (a8, b8) = (a.chunks_exact(8), b.chunks_exact(8));
@@ -137,8 +183,8 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
 }
 
 /// `b -= w v`.
-#[inline]
-pub(crate) fn subtract(b: &mut [f64], w: f64, v: &[f64]) {
+#[inline(always)]
+fn subtract(b: &mut [f64], w: f64, v: &[f64]) {
     for (x, y) in b.iter_mut().zip(v) {
         *x -= w * y;
     }
