@@ -34,6 +34,7 @@ pub struct Fleet {
     pub context: SessionContext,
     /// The robot files that were read.
     pub robots: Arc<Robots>,
+    threads: usize,
 }
 
 impl Fleet {
@@ -53,6 +54,6 @@ impl Fleet {
         context.register_udf(ScalarUDF::from(functions::drift::Drift::new(own.clone())));
         context.register_udf(ScalarUDF::from(functions::diagnose::Diagnose::new(own)));
         context.register_udf(ScalarUDF::from(functions::predict_error::PredictError::default()));
-        Self { context, robots }
+        Self { context, robots, threads: partitions.max(1) }
     }
 }

@@ -13,7 +13,7 @@ use datafusion::dataframe::DataFrame;
 use datafusion::functions_aggregate::expr_fn::max;
 use datafusion::prelude::{ParquetReadOptions, col, lit};
 use datafusion::scalar::ScalarValue;
-use denavit::identify::{KeyedFactors, RecordingFactor};
+use denavit::identify::{FactorError, KeyedFactors, RecordingFactor};
 use futures::StreamExt;
 
 use crate::Fleet;
@@ -74,6 +74,9 @@ pub struct Watched {
 /// Most recordings without a factor that are listed.
 const MOST_LISTED: usize = 200;
 
+/// Robots that are worked on at once: some MB.
+const TOGETHER: usize = 64;
+
 /// What is kept of a robot.
 struct Watching {
     known: Arc<KnownRobot>,
@@ -110,10 +113,11 @@ impl Fleet {
         let mut robots = self.references(&days, settings, &mut watched).await?;
         let mut found: Vec<(String, i32, Detection, Vec<String>)> = Vec::new();
         for &day in &days {
-            self.each_robot(day, |today| {
-                watched.robot_days += 1;
-                if let Some(robot) = robots.get_mut(&today.robot) {
-                    let seen = robot.observed(&today);
+            self.each_robot(day, |some| {
+                watched.robot_days += some.len();
+                let seen = self.parallel(&some, |today| robots.get(&today.robot).map(|robot| robot.observed(today)));
+                for (today, seen) in some.into_iter().zip(seen) {
+                    let Some((robot, seen)) = robots.get_mut(&today.robot).zip(seen) else { continue };
                     let detected = robot.detector.day(day, today.temperature, &seen);
                     found.extend(detected.map(|detection| (today.robot, day, detection, today.files)));
                 }
@@ -175,29 +179,22 @@ impl Fleet {
             if done.len() + watched.untested.len() == last.len() {
                 break;
             }
-            self.each_robot(day, |today| {
-                if done.contains_key(&today.robot) {
-                    return Ok(());
-                }
-                let (count, merged) = match open.remove(&today.robot) {
-                    Some((count, mut merged)) => {
-                        merged.merge(&today.factor)?;
-                        (count + 1, merged)
+            self.each_robot(day, |some| {
+                let some: Vec<RobotDay> = some.into_iter().filter(|today| !done.contains_key(&today.robot)).collect();
+                let merged = self.parallel(&some, |today| match open.get(&today.robot) {
+                    Some((count, before)) => merged_with(before, &today.factor).map(|merged| (count + 1, merged)),
+                    None => Ok((1, today.factor.clone())),
+                });
+                let merged: Vec<(usize, RecordingFactor)> = merged.into_iter().collect::<Result<_, _>>()?;
+                let solved = self
+                    .parallel(&merged, |(count, merged)| (*count >= wanted).then(|| self.reference(merged, settings)));
+                for ((today, merged), solved) in some.into_iter().zip(merged).zip(solved) {
+                    open.remove(&today.robot);
+                    match solved {
+                        None => drop(open.insert(today.robot, merged)),
+                        Some(Ok(watching)) => drop(done.insert(today.robot, watching)),
+                        Some(Err(why)) => watched.untested.push((today.robot, why.to_string())),
                     }
-                    None => (1, today.factor),
-                };
-                if count < wanted {
-                    open.insert(today.robot, (count, merged));
-                    return Ok(());
-                }
-                let known = self.robots.of(&merged)?;
-                match known.solve(&today.robot, std::slice::from_ref(&merged.factors)) {
-                    Ok(found) => {
-                        let reference = Reference::new(&found, &merged.factors);
-                        let detector = Detector::new(*settings);
-                        done.insert(today.robot, Watching { known, reference, detector });
-                    }
-                    Err(why) => watched.untested.push((today.robot, why.to_string())),
                 }
                 Ok(())
             })
@@ -208,6 +205,27 @@ impl Fleet {
         };
         watched.untested.extend(open.into_iter().map(short));
         Ok(done)
+    }
+
+    /// The model of a robot from its reference days.
+    fn reference(&self, merged: &RecordingFactor, settings: &Sequential) -> Result<Watching, FleetError> {
+        let known = self.robots.of(merged)?;
+        let found = known.solve("the reference", std::slice::from_ref(&merged.factors))?;
+        let reference = Reference::new(&found, &merged.factors);
+        Ok(Watching { known, reference, detector: Detector::new(*settings) })
+    }
+
+    /// The same of all, on the threads of the session, in order.
+    fn parallel<T: Sync, R: Send>(&self, all: &[T], of: impl Fn(&T) -> R + Sync) -> Vec<R> {
+        let each = all.len().div_ceil(self.threads).max(1);
+        let of = &of;
+        std::thread::scope(|scope| {
+            let parts = all.chunks(each);
+            let started: Vec<_> =
+                parts.map(|part| scope.spawn(move || part.iter().map(of).collect::<Vec<R>>())).collect();
+            let ended = started.into_iter().map(|thread| thread.join());
+            ended.flat_map(|part| part.unwrap_or_else(|panic| std::panic::resume_unwind(panic))).collect()
+        })
     }
 
     /// Each robot's last day.
@@ -224,14 +242,21 @@ impl Fleet {
         Ok(last)
     }
 
-    /// Calls `then` with each robot that has a factor of this day, its recordings merged.
+    /// Calls `then` with the robots that have a factor of this day, their recordings merged, some
+    /// at a time.
     async fn each_robot(
         &self,
         day: i32,
-        then: impl FnMut(RobotDay) -> Result<(), FleetError>,
+        mut then: impl FnMut(Vec<RobotDay>) -> Result<(), FleetError>,
     ) -> Result<(), FleetError> {
         let rows = self.table().await?.filter(col("day").eq(lit(ScalarValue::Date32(Some(day)))))?;
-        each(rows, then).await
+        let mut some = Vec::new();
+        each(rows, |today| {
+            some.push(today);
+            if some.len() < TOGETHER { Ok(()) } else { then(std::mem::take(&mut some)) }
+        })
+        .await?;
+        then(some)
     }
 
     /// The cause of a change, and its history.
@@ -281,6 +306,13 @@ impl Fleet {
             diagnosis: None,
         })
     }
+}
+
+/// A copy of a factor with another one in it.
+fn merged_with(factor: &RecordingFactor, other: &RecordingFactor) -> Result<RecordingFactor, FactorError> {
+    let mut merged = factor.clone();
+    merged.merge(other)?;
+    Ok(merged)
 }
 
 impl Watching {
