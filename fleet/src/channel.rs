@@ -7,8 +7,10 @@
 //! estimate of the change alone is `b'e / b'b`, both weighted by the noise of the joints. `R` has
 //! the inner products of both.
 
-use denavit::identify::{Factors, Identification, JointFactor};
+use denavit::identify::{Factors, JointFactor};
 use denavit::model::{Arm, DriveTerm, Inertial, StandardParameter};
+
+use crate::reference::Reference;
 
 /// Kind of a change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -67,49 +69,6 @@ pub struct Channels {
     /// In a fixed order: joint by joint, then link by link.
     pub list: Vec<Channel>,
     parameters: usize,
-}
-
-/// A model that changes are measured against.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Reference {
-    /// Base parameters.
-    pub beta: Vec<f64>,
-    /// Per joint: one over the variance of its residual.
-    pub weights: Vec<f64>,
-    /// Covariance of `beta`, row-major; zero where a parameter is not determined.
-    covariance: Vec<f64>,
-    /// Per parameter: whether it is not determined.
-    open: Vec<bool>,
-}
-
-impl Reference {
-    /// Of an identification from these factors.
-    pub fn new(found: &Identification, factors: &Factors) -> Self {
-        let (beta, n) = (found.values(), found.parameters.len());
-        let std: Vec<f64> = found.parameters.iter().map(|p| p.std).collect();
-        let entry = |i: usize, k: usize| match (std[i].is_finite() && std[k].is_finite(), i == k) {
-            (true, true) => std[i] * std[i],
-            (true, false) => finite(found.correlation[i * n + k]) * std[i] * std[k],
-            (false, _) => 0.0,
-        };
-        let covariance = (0..n * n).map(|at| entry(at / n, at % n)).collect();
-        let weight = |joint: &JointFactor| {
-            let square = joint.residual_norm(&beta).powi(2) / joint.samples.max(1) as f64;
-            if joint.is_live() && square > 0.0 { 1.0 / square } else { 0.0 }
-        };
-        let open = std.iter().map(|std| !std.is_finite()).collect();
-        Self { weights: factors.joints.iter().map(weight).collect(), beta, covariance, open }
-    }
-
-    /// Variance of `c' beta`; infinite where it is not determined.
-    fn variance(&self, c: &[f64]) -> f64 {
-        let largest = c.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-        if c.iter().zip(&self.open).any(|(c, open)| *open && c.abs() > 1e-9 * largest) {
-            return f64::INFINITY;
-        }
-        let rows = c.iter().zip(self.covariance.chunks_exact(c.len()));
-        rows.filter(|(c, _)| **c != 0.0).map(|(own, row)| own * dot(row, c)).sum::<f64>().max(0.0)
-    }
 }
 
 fn finite(x: f64) -> f64 {

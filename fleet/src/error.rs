@@ -44,6 +44,12 @@ pub enum FleetError {
         /// Reason.
         source: IdentifyError,
     },
+    /// No reference.
+    #[error("{what}: no joint of its reference has a torque; look into its recordings")]
+    NoReference {
+        /// Robot.
+        what: String,
+    },
     /// Nothing to do.
     #[error("{path} has no {what}; {advice}")]
     Empty {

@@ -11,6 +11,7 @@ pub mod functions;
 pub mod merge;
 mod open;
 pub mod recordings;
+pub mod reference;
 mod remote;
 pub mod report;
 pub mod robots;
@@ -45,7 +46,8 @@ impl Fleet {
             // A factor has 30 kB: a batch is some MB.
             .with_batch_size(64)
             .set_bool("datafusion.execution.parquet.schema_force_view_types", false);
-        let context = SessionContext::new_with_config(config);
+        // Files of samples can be named in a query, too.
+        let context = SessionContext::new_with_config(config).enable_url_table();
         let robots = Arc::new(Robots::default());
         let own = SessionRobots(Arc::clone(&robots));
         context.register_udtf("recordings", Arc::new(recordings::Recordings(Arc::clone(&robots))));

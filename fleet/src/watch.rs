@@ -17,8 +17,9 @@ use denavit::identify::{FactorError, KeyedFactors, RecordingFactor};
 use futures::StreamExt;
 
 use crate::Fleet;
-use crate::channel::{ChannelEstimate, Explanation, Reference};
+use crate::channel::{ChannelEstimate, Explanation};
 use crate::error::FleetError;
+use crate::reference::Reference;
 use crate::robots::KnownRobot;
 use crate::sequential::{Detection, Detector, Observed, Sequential};
 
@@ -210,8 +211,8 @@ impl Fleet {
     /// The model of a robot from its reference days.
     fn reference(&self, merged: &RecordingFactor, settings: &Sequential) -> Result<Watching, FleetError> {
         let known = self.robots.of(merged)?;
-        let found = known.solve("the reference", std::slice::from_ref(&merged.factors))?;
-        let reference = Reference::new(&found, &merged.factors);
+        let none = || FleetError::NoReference { what: known.robot.name.clone() };
+        let reference = Reference::of(&merged.factors).ok_or_else(none)?;
         Ok(Watching { known, reference, detector: Detector::new(*settings) })
     }
 

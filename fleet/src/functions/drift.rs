@@ -10,7 +10,8 @@ use datafusion::logical_expr::{ColumnarValue, ScalarFunctionArgs, ScalarUDFImpl,
 
 use super::solve::{number_field, text_field};
 use super::{SessionRobots, arrays, binary, factor};
-use crate::channel::Reference;
+use crate::error::FleetError;
+use crate::reference::Reference;
 
 /// The function.
 #[derive(Debug, PartialEq, Eq, Hash)]
@@ -67,8 +68,8 @@ impl ScalarUDFImpl for Drift {
                 Some((_, reference)) => reference,
                 None => {
                     let whole = factor(model)?;
-                    let found = robot.solve(&robot.robot.name, std::slice::from_ref(&whole.factors))?;
-                    Reference::new(&found, &whole.factors)
+                    let name = || FleetError::NoReference { what: robot.robot.name.clone() };
+                    Reference::of(&whole.factors).ok_or_else(name)?
                 }
             };
             let estimates = robot.channels.estimates(&factors.factors, &reference);
