@@ -1,4 +1,4 @@
-//! The command line: one verb, one file. Only this room touches disk and terminal.
+//! The command line: one verb, one file. Only this module touches disk and terminal.
 
 #![deny(clippy::print_stdout, clippy::print_stderr)] // `terminal` writes, and shows control characters
 

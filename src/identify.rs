@@ -74,7 +74,7 @@ pub use regression::statistics::Noise;
 pub use result::{Condition, Confused, Estimate, Identification, LogSummary, Standing, Underdetermined};
 pub use solve::{IdentifyError, IdentifySettings, solve};
 pub use validation::accuracy::{Accuracy, accuracy};
-pub use validation::extrapolation::{CarryOver, carry_over};
+pub use validation::extrapolation::{Extrapolation, extrapolation};
 pub use validation::left_out::{LeftOutError, left_out};
 pub use validation::preference::{Better, Preference, preference};
 pub use validation::torque_columns::{Reference, TorqueColumns};

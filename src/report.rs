@@ -1,4 +1,4 @@
-//! The only room that formats results: plain data in, text, JSON or a page out. Writes no file and
+//! The only module that formats results: plain data in, text, JSON or a page out. Writes no file and
 //! no terminal.
 
 pub use check::{json::check_json, text::check_text};
@@ -21,7 +21,7 @@ pub use force::json::{force_json, uncertainty_of_json};
 pub use force::page::force_html;
 pub use force::text::{Forces, force_text};
 pub use identify::consistent::{
-    Possible, carry_over_json, consistent_json, consistent_text, held_text, identify_warnings,
+    Possible, consistent_json, consistent_text, extrapolation_json, held_text, identify_warnings,
 };
 pub use identify::json::identify_json;
 pub use identify::page::identify_html;

@@ -18,9 +18,9 @@ use super::torque_columns::Tried;
 use crate::data::signal::{Derivatives, Motion, Prepare, Prepared};
 use crate::identify::tool::Body;
 use crate::identify::{
-    AccumulatorSettings, Better, Bounds, BudgetCollector, CarryOver, Consistent, ConsistentError, ConsistentSettings,
-    Essential, Factors, Identification, IdentifyError, IdentifySettings, KnownEffects, LeftOutError, Preference,
-    PriorBody, QrAccumulator, Reference, Trace, Tracer, buildable_links, carry_over, consistent, geometric_bodies,
+    AccumulatorSettings, Better, Bounds, BudgetCollector, Consistent, ConsistentError, ConsistentSettings, Essential,
+    Extrapolation, Factors, Identification, IdentifyError, IdentifySettings, KnownEffects, LeftOutError, Preference,
+    PriorBody, QrAccumulator, Reference, Trace, Tracer, buildable_links, consistent, extrapolation, geometric_bodies,
     left_out, nonnegative_drives, possible_bodies, prior_bodies, recover_standard, solve,
 };
 use crate::model::coupled::Coupled;
@@ -247,7 +247,7 @@ impl Identify {
         self.explain(&mut found, robot, arm, prepare, known)?;
         found.budget = parts.finish(arm, &found.values(), &found.fit.rms);
         let underdetermined = found.underdetermined().is_some();
-        let carry = carry_over(arm, bodies, &found);
+        let carry = extrapolation(arm, bodies, &found);
         let possible = match self.consistent {
             Consistency::Never => None,
             _ => Some(self.bodies(robot, arm, bodies, &fit, &validate, &found)?),
@@ -311,7 +311,7 @@ impl Identify {
             || file.rewritten(&solved.robot(setup), out.unwrap_or(&self.robot), &provenance.run(Vec::new()));
         let json = || {
             let mut json = report::identify_json(found, prepared, &warnings, &provenance.rows());
-            json["carry_over"] = report::carry_over_json(&solved.carry);
+            json["carry_over"] = report::extrapolation_json(&solved.carry);
             json["at_bound"] = solved.written.at_bound.clone().into();
             if let Some(possible) = &possible {
                 json["consistent"] = report::consistent_json(possible);
@@ -616,7 +616,7 @@ struct Solved {
     found: Identification,
     prepared: Vec<Prepared>,
     logbook: Logbook,
-    carry: CarryOver,
+    carry: Extrapolation,
     /// Bodies that can exist; `None`: not asked for.
     possible: Option<Result<Consistent, ConsistentError>>,
     /// Whether the bodies of the file have exactly the base parameters that were found.

@@ -414,7 +414,7 @@ pub trait Hypothesis: Sync {
 
     /// By how much the values of the file that its coefficients change may be off, one each;
     /// `None`: it changes none.
-    fn beliefs(&self, _scene: &WindowedData<'_>, _place: &[usize], _terms: &[Term]) -> Option<Vec<f64>> {
+    fn prior_std(&self, _scene: &WindowedData<'_>, _place: &[usize], _terms: &[Term]) -> Option<Vec<f64>> {
         None
     }
 

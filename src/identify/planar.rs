@@ -1,4 +1,4 @@
-//! A planar arm of two links for the tests of this room, written out by hand; and motions and noise
+//! A planar arm of two links for the tests of identification, written out by hand; and motions and noise
 //! for it.
 
 use crate::data::log::{Layout, Log};

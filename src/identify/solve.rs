@@ -11,7 +11,7 @@ use crate::identify::regression::recover::base_of;
 use crate::identify::regression::spectrum::{Small, coupled};
 use crate::identify::regression::statistics::covariance;
 use crate::identify::regression::wls::{JointSystem, Problem, stacked};
-use crate::identify::validation::log_consistency::disagree;
+use crate::identify::validation::log_consistency::log_consistency;
 use crate::identify::validation::torque_sign;
 use crate::identify::validation::unexplained::unexplained;
 use crate::model::Arm;
@@ -181,7 +181,7 @@ pub fn solve(
     if findings.is_empty() {
         findings = unexplained(&fitted, parameters, &joints);
     }
-    findings.extend(disagree(fit, &solution.weights, parameters.len()));
+    findings.extend(log_consistency(fit, &solution.weights, parameters.len()));
     let pairs = joints.iter().zip(&noise.effective_samples);
     let independent = pairs.map(|(joint, effective)| joint.independent.min(*effective)).sum();
     let unknowns = solution.active.len() - solution.null.ncols();

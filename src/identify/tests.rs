@@ -1,4 +1,4 @@
-//! The whole room on the planar arm: exact without noise, honest with it, frank where the data say
+//! All of identification on the planar arm: exact without noise, honest with it, frank where the data say
 //! nothing.
 
 mod fit;

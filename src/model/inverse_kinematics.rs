@@ -86,7 +86,7 @@ impl Default for Ask {
 /// Postures of a pose, and where its swivel angle may be, for an arm that has one.
 pub type Answer = (Postures, Option<Vec<SwivelRange>>);
 
-/// Arms of each size behind one door.
+/// Arms of each size as one type.
 trait Solver: Send + Sync {
     fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError>;
     fn redundancy(&self, q: &[f64], reference: &Reference) -> f64;

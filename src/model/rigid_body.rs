@@ -5,7 +5,7 @@
 //! nalgebra`
 //!
 //! Written from R. Featherstone, *Rigid Body Dynamics Algorithms* (Springer 2008; "RBDA" below).
-//! Invariant: this room shares nothing with the code generator but the robot's type and the order
+//! Invariant: this module shares nothing with the code generator but the robot's type and the order
 //! of the parameters ([`dh_codegen::arm::param`]), so that agreement between the two means
 //! something.
 //!

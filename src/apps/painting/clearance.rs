@@ -18,7 +18,7 @@ enum Watch {
 
 /// All that is watched.
 #[derive(Debug, Clone)]
-pub(super) struct Surroundings {
+pub(super) struct Clearance {
     bodies: Bodies,
     surface: Surface,
     /// Distance that is kept, m.
@@ -26,7 +26,7 @@ pub(super) struct Surroundings {
     list: Vec<Watch>,
 }
 
-impl Surroundings {
+impl Clearance {
     /// Leaves out what no posture changes.
     pub(super) fn new(arm: &dyn FrameKinematics, bodies: Bodies, surface: Surface, margin: f64) -> Self {
         let mut list: Vec<Watch> = Vec::new();

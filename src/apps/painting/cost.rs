@@ -4,7 +4,7 @@ use super::strokes::{Phase, Strokes};
 use super::surface::Roller;
 use super::task::Task;
 use super::track::{Line, Postures};
-use crate::apps::painting::clearance::Surroundings;
+use crate::apps::painting::clearance::Clearance;
 use crate::apps::painting::leg_timing::{Bound, Broken, Grid, Leg, share_out};
 
 /// Start of a candidate's postures.
@@ -66,12 +66,12 @@ const LOST: f64 = 10.0;
 /// A task with what is computed once.
 pub(super) struct Judge<'a> {
     pub task: &'a Task<'a>,
-    pub around: Surroundings,
+    pub around: Clearance,
 }
 
 impl<'a> Judge<'a> {
     pub(super) fn new(task: &'a Task<'a>) -> Self {
-        let around = Surroundings::new(task.arm, task.bodies.clone(), task.surface, task.distance_margin);
+        let around = Clearance::new(task.arm, task.bodies.clone(), task.surface, task.distance_margin);
         Self { task, around }
     }
 
@@ -95,7 +95,7 @@ impl<'a> Judge<'a> {
     }
 
     /// All branches that begin where it is asked for; never empty.
-    pub(super) fn score(
+    pub(super) fn cost(
         &self,
         grid: &Grid,
         strokes: &Strokes,

@@ -17,7 +17,7 @@ const RATE: f64 = 100.0;
 
 /// The wipe from a posture in contact and back to it, in the last seconds of a settling time;
 /// towards where the plan goes. `None` where there is no time for it, or no posture.
-pub(super) fn wipe<const N: usize>(
+pub(super) fn calibration_stroke<const N: usize>(
     model: &mut RobotModel<'_>,
     first: &[f64; N],
     postures: &[[f64; N]],

@@ -14,7 +14,7 @@ use crate::model::States;
 use super::strokes::rest_to_rest;
 use super::task::Task;
 use super::track::Line;
-use crate::apps::painting::clearance::Surroundings;
+use crate::apps::painting::clearance::Clearance;
 use crate::numerics::chebyshev::Chebyshev;
 
 /// A limit that binds, or is broken.
@@ -104,7 +104,7 @@ const SMOOTH: f64 = 2e-3;
 
 impl Leg {
     /// From the postures at the grid's Chebyshev points.
-    pub(super) fn new(task: &Task<'_>, around: &Surroundings, grid: &Grid, line: Line, q: DMatrix<f64>) -> Self {
+    pub(super) fn new(task: &Task<'_>, around: &Clearance, grid: &Grid, line: Line, q: DMatrix<f64>) -> Self {
         let (n, len) = (task.dof(), grid.shares.len());
         let by_share = [0, 1, 2, 3].map(|d| &grid.rows[d] * &q);
         let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };

@@ -287,7 +287,7 @@ impl Search<'_> {
             .map(|(side, gap)| {
                 let strokes = wider(side);
                 let from = From::Near(&best.start);
-                let found = self.judge.score(&self.coarse, &strokes, &best.angles, &best.roller, from);
+                let found = self.judge.cost(&self.coarse, &strokes, &best.angles, &best.roller, from);
                 let bound = match found.first().and_then(Scored::worst) {
                     Some(worst) => format!("a centimetre more: {}", self.describe(&worst)),
                     None if strokes.lanes > 1 && strokes.step.abs() > task.roller.width + 1e-9 => {

@@ -14,7 +14,7 @@ use self::target::{PlannedMotion, TargetSchedule};
 use super::Plan;
 use super::tune::{TuneError, Tuning, plant, tune};
 use super::wall::RollerWall;
-use crate::apps::painting::drag_calibration_stroke::wipe;
+use crate::apps::painting::drag_calibration_stroke::calibration_stroke;
 use crate::control::iterative_learning::{Learned, learned};
 use crate::control::law::{Controller, ControllerError, Estimator, Model, Sample, Status};
 use crate::control::robot::RobotModel;
@@ -252,7 +252,8 @@ fn run_n<const N: usize>(
     let postures: Vec<[f64; N]> = (0..9).map(|k| plan.at(plan.seconds() * f64::from(k) / 8.0)[0]).collect();
     let demands = settings::demands(known, real, task);
     let viscous: [f64; N] = std::array::from_fn(|j| known.drives[j].plain.viscous.max(0.0));
-    let wiped = (task.law.drag > 0.0).then(|| wipe(&mut model, &first, &postures, &press, task.settle)).flatten();
+    let wiped =
+        (task.law.drag > 0.0).then(|| calibration_stroke(&mut model, &first, &postures, &press, task.settle)).flatten();
     let tuning = tune(&mut model, &postures, &viscous, &press, &demands)?;
 
     let mut controller = Controller::new(robot_model(), settings::controller(known, task, &tuning))?;

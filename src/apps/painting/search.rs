@@ -5,7 +5,7 @@
 //! 2. Compass search in swivel, `Z_u`, `Z_l`, `Y_0` and `dY` from the best of them (`T_C` follows
 //!    in closed form, see `pace`).
 //! 3. Beyond the paper: the angle at each way point, by dynamic programming over a grid, then
-//!    compass search in all variables. A leg depends only on its two ends, so the grid's optimum is
+//!    pattern search in all variables. A leg depends only on its two ends, so the grid's optimum is
 //!    exact.
 
 use super::strokes::Strokes;
@@ -61,7 +61,7 @@ impl<'a> Search<'a> {
     /// The same candidate on another grid.
     fn again(&self, grid: &Grid, scored: &Scored) -> Scored {
         let from = From::Near(&scored.start);
-        let mut found = self.judge.score(grid, &scored.strokes, &scored.angles, &scored.roller, from);
+        let mut found = self.judge.cost(grid, &scored.strokes, &scored.angles, &scored.roller, from);
         found.swap_remove(0)
     }
 
@@ -84,7 +84,7 @@ impl<'a> Search<'a> {
             let mut of_part: Vec<Scored> = Vec::new();
             for roller in &rollers {
                 for angle in &angles {
-                    of_part.extend(self.judge.score(&self.coarse, strokes, &[*angle], roller, From::All));
+                    of_part.extend(self.judge.cost(&self.coarse, strokes, &[*angle], roller, From::All));
                     done += 1.0;
                     (self.progress)("every posture", done / total);
                 }
@@ -107,7 +107,7 @@ impl<'a> Search<'a> {
         // The grid is never empty: `score` always answers.
         best.unwrap_or_else(|| {
             let (strokes, roller) = (task.widest(), task.roller);
-            self.judge.score(&self.coarse, &strokes, &[0.0], &roller, From::All).swap_remove(0)
+            self.judge.cost(&self.coarse, &strokes, &[0.0], &roller, From::All).swap_remove(0)
         })
     }
 
@@ -207,7 +207,7 @@ impl<'a> Search<'a> {
         let mut make = |x: &mut Vec<f64>, best: &Scored| {
             let (strokes, angles) = self.meaning(x);
             let from = From::Near(&best.start);
-            let mut found = self.judge.score(grid, &strokes, &angles, &best.roller, from);
+            let mut found = self.judge.cost(grid, &strokes, &angles, &best.roller, from);
             (!found.is_empty()).then(|| found.swap_remove(0))
         };
         pattern_search(&mut x, best, &scale, &directions, &effort, &mut make, &|a: &Scored, b: &Scored, size| {
@@ -222,7 +222,7 @@ impl<'a> Search<'a> {
         }
         for round in 0..2 {
             if let Some(angles) = self.dynamic(best, round) {
-                let mut found = self.judge.score(
+                let mut found = self.judge.cost(
                     &self.coarse,
                     &best.strokes,
                     &angles,

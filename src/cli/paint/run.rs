@@ -268,7 +268,7 @@ impl Run {
             None => "there is no roller here".into(),
         };
         Err(Failure::input(format!(
-            "{}: the plan was made for a roller of {} m x {} m (length x width), and {has}; give the plan's --tool, or plan anew",
+            "{}: the plan was made for a roller of {} m x {} m (length x width), and {has}; give the plan's --tool, or plan again",
             self.plan.display(),
             planned[0],
             planned[1]

@@ -15,7 +15,7 @@
 use nalgebra::DMatrix;
 
 use super::central;
-use super::even::Evener;
+use super::even::Resampler;
 use super::low_pass;
 
 /// Of the mean square that any unknown common to all joints would take: how many times must the
@@ -120,7 +120,7 @@ pub(super) fn times(stamps: &[f64], q: &[&[f64]], period: f64) -> Option<Times> 
 fn above(at: &[f64], q: &[&[f64]], period: f64, band: f64) -> Option<Above> {
     let (start, end) = (*at.first()?, *at.last()?);
     let count = ((end - start) / period).ceil() as usize + 4;
-    let evener = Evener::new(at, start - period, period, count);
+    let evener = Resampler::new(at, start - period, period, count);
     let sos = low_pass(ORDER, band / period, period.recip()).ok()?;
     let pad = (2.0 / band).ceil() as usize;
     let mut above = Above { residual: Vec::new(), velocity: Vec::new() };

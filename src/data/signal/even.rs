@@ -11,7 +11,7 @@
 const PENALTY: f64 = 0.1;
 
 /// Factor of the normal equations, one for all channels that share the times.
-pub(super) struct Evener {
+pub(super) struct Resampler {
     /// First grid point and the four weights of each sample.
     rows: Vec<(usize, [f64; 4])>,
     /// `L` of `L D L'`, three below the diagonal, and `D`.
@@ -19,7 +19,7 @@ pub(super) struct Evener {
     diagonal: Vec<f64>,
 }
 
-impl Evener {
+impl Resampler {
     /// For samples at `times` and a grid of `count` points (at least 4) from `start`, `period`
     /// apart.
     pub fn new(times: &[f64], start: f64, period: f64, count: usize) -> Self {
@@ -107,7 +107,7 @@ mod tests {
         let times: Vec<f64> = (0..200).map(|k| 0.1 * f64::from(k) + 0.08 * (1.7 * f64::from(k)).sin()).collect();
         let f = |t: f64| 1.0 - 0.3 * t + 0.02 * t * t;
         let x: Vec<f64> = times.iter().map(|t| f(*t)).collect();
-        let evener = Evener::new(&times, 0.0, 0.1, 200);
+        let evener = Resampler::new(&times, 0.0, 0.1, 200);
         let even = evener.even(&x);
         for (k, y) in even.iter().enumerate() {
             assert!((y - f(0.1 * k as f64)).abs() < 1e-8, "{k}: {y}");
@@ -119,7 +119,7 @@ mod tests {
         near[101] = near[100] + 1e-5;
         noisy[100] += 1.0;
         noisy[101] -= 1.0;
-        let most = Evener::new(&near, 0.0, 0.1, 200)
+        let most = Resampler::new(&near, 0.0, 0.1, 200)
             .even(&noisy)
             .iter()
             .zip(0..)

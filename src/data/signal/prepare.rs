@@ -9,7 +9,7 @@ use super::Motion;
 use super::central;
 use super::clock;
 use super::deserved::{Deserved, deserved};
-use super::even::Evener;
+use super::even::Resampler;
 use super::low_pass;
 use super::resample;
 use super::rest;
@@ -21,7 +21,7 @@ use crate::data::log::{
 };
 use crate::data::signal::breakaway_band::Derived;
 use crate::data::signal::resample::smoother_evenly;
-use crate::data::signal::stiction::{Stick, sticks, stuck};
+use crate::data::signal::stiction::{Stiction, sticks, stuck};
 use crate::model::{States, VelocitySum};
 use crate::numerics::sos::Sos;
 
@@ -640,7 +640,7 @@ impl Preparer {
         }
         let before = ((times[0] - clock.start) / clock.period).floor().max(0.0) as usize;
         let count = ((times[n - 1] - clock.start) / clock.period).ceil() as usize + 2 - before;
-        let evener = Evener::new(&times, clock.start + before as f64 * clock.period, clock.period, count.max(4));
+        let evener = Resampler::new(&times, clock.start + before as f64 * clock.period, clock.period, count.max(4));
         let known = if end { n - 1 } else { n - TIMED_EDGE };
         let last = ((times[known] - clock.start) / clock.period) as usize;
         for (to, from) in self.evened.iter_mut().zip(&self.raw) {
@@ -909,7 +909,7 @@ impl Preparer {
     }
 
     /// Where a joint sticks as it turns about, unless rest is switched off.
-    fn held(&self, joint: usize, q: &[f64], filter: Filter, period: f64) -> Vec<Stick> {
+    fn held(&self, joint: usize, q: &[f64], filter: Filter, period: f64) -> Vec<Stiction> {
         match self.settings.dead_zone {
             DeadZone::Off => Vec::new(),
             _ => sticks(&self.evened[joint], q, filter.cutoff, period),
@@ -918,7 +918,13 @@ impl Preparer {
 
     /// Rest of joints, and of the sums of velocities, and the signs of their velocities: of the
     /// samples `span`. `reversals`: where each joint sticks as it turns about.
-    fn rests(&self, motion: &mut Motion, speeds: &[Vec<f64>], reversals: &[Vec<Stick>], span: std::ops::Range<usize>) {
+    fn rests(
+        &self,
+        motion: &mut Motion,
+        speeds: &[Vec<f64>],
+        reversals: &[Vec<Stiction>],
+        span: std::ops::Range<usize>,
+    ) {
         if self.settings.derivatives == Derivatives::AtRest {
             return;
         }

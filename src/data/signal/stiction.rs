@@ -20,7 +20,7 @@ const LONGEST: f64 = 0.3;
 
 /// A joint held by dry friction where it turns about.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Stick {
+pub(super) struct Stiction {
     /// Samples at which it does not move.
     pub held: Range<usize>,
     /// The same, and what the low-pass makes of them.
@@ -29,7 +29,7 @@ pub(super) struct Stick {
     pub to: f64,
 }
 
-impl Stick {
+impl Stiction {
     /// Expected dry friction by its level while the joint is held: it passes from one level to the
     /// other with the torques that it balances, and nothing is known of its path but the ends.
     pub fn put_friction(&self, signs: &mut [f64]) {
@@ -41,7 +41,7 @@ impl Stick {
 }
 
 /// Whether each of `n` samples belongs to one of these.
-pub(super) fn stuck(held: &[Stick], n: usize) -> Vec<bool> {
+pub(super) fn stuck(held: &[Stiction], n: usize) -> Vec<bool> {
     let mut marks = vec![false; n];
     held.iter().for_each(|stick| marks[stick.seen.clone()].fill(true));
     marks
@@ -49,7 +49,7 @@ pub(super) fn stuck(held: &[Stick], n: usize) -> Vec<bool> {
 
 /// Where the joint sticks as it turns about. `raw`, `smooth`: recorded position, unfiltered and
 /// behind a low-pass of `cutoff` Hz; `period`: spacing, s.
-pub(super) fn sticks(raw: &[f64], smooth: &[f64], cutoff: f64, period: f64) -> Vec<Stick> {
+pub(super) fn sticks(raw: &[f64], smooth: &[f64], cutoff: f64, period: f64) -> Vec<Stiction> {
     let n = raw.len();
     let mut found = Vec::new();
     let near = ((NEAR / period).round() as usize).max(1);
@@ -70,7 +70,7 @@ pub(super) fn sticks(raw: &[f64], smooth: &[f64], cutoff: f64, period: f64) -> V
         let long = near.div_ceil(2) + 1..=(LONGEST / period) as usize;
         let seen = k.saturating_sub(wide)..(end + wide).min(n);
         if let Some(to) = turns(&smooth[seen.clone()]).filter(|_| long.contains(&(end - k))) {
-            found.push(Stick { held: k - near..end + near, seen, to });
+            found.push(Stiction { held: k - near..end + near, seen, to });
         }
         k = end;
     }
@@ -144,7 +144,7 @@ mod tests {
     }
 
     /// Sticks away from the ends.
-    fn within(found: &[Stick]) -> usize {
+    fn within(found: &[Stiction]) -> usize {
         found.iter().filter(|s| s.seen.end > 100 && s.seen.start < 3900).count()
     }
 

@@ -135,7 +135,7 @@ pub fn parameters(
     let variance = |k: usize| whole[(k, k)].max(0.0).sqrt();
     let mut x = DVector::from_column_slice(&chosen.x);
     let mut covariance = DMatrix::from_fn(at.len(), at.len(), |i, k| whole[(at[i], at[k])]);
-    if let Some(std) = chosen.cause.beliefs(&tested.scene, &chosen.place, &fitted.terms[index]) {
+    if let Some(std) = chosen.cause.prior_std(&tested.scene, &chosen.place, &fitted.terms[index]) {
         let information = fitted.moments.information(&fitted.solution.weights);
         let own = information.view((fitted.first[index], fitted.first[index]), (x.len(), x.len()));
         let loose = undetermined(&own.into_owned(), &std);

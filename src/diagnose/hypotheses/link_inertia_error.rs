@@ -56,7 +56,7 @@ impl Hypothesis for LinkInertiaError {
         (last && mass > 0.0).then_some(&Payload as &dyn Hypothesis)
     }
 
-    fn beliefs(&self, scene: &WindowedData<'_>, place: &[usize], terms: &[Term]) -> Option<Vec<f64>> {
+    fn prior_std(&self, scene: &WindowedData<'_>, place: &[usize], terms: &[Term]) -> Option<Vec<f64>> {
         let (parameters, row) = (scene.plant.standard_parameters(), scene.plant.rows()[place[0]]);
         let std = deviations(parameters, scene.plant.given()?)?;
         let of = |symbol: Symbol| {

@@ -143,7 +143,7 @@ const SAME: f64 = 0.002;
 fn least_change_first(all: &mut [Candidate], tested: &ModelUnderTest<'_>) {
     let change = |c: &Candidate| {
         let terms = tested.family(c.cause, &c.place, &c.shape);
-        let std = c.cause.beliefs(&tested.scene, &c.place, &terms)?;
+        let std = c.cause.prior_std(&tested.scene, &c.place, &terms)?;
         Some(c.gain.x.iter().zip(std).map(|(x, s)| (x / s).powi(2)).sum::<f64>().sqrt())
     };
     let last = |c: &Candidate| c.place.first().is_some_and(|j| j + 1 == tested.scene.dof());

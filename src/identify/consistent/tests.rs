@@ -350,7 +350,7 @@ fn the_announced_uncertainty_elsewhere_is_honest() {
     for seed in 0..runs {
         let logs = [factors(&arm, &motion(&arm, &truth, 6.0, 0.3, 900 + seed))];
         let found = solve(&arm, &logs, &[], &IdentifySettings::default()).unwrap();
-        let carry = crate::identify::carry_over(&arm, &arm, &found);
+        let carry = crate::identify::extrapolation(&arm, &arm, &found);
         let error: Vec<f64> = found.parameters.iter().zip(&base).map(|(p, t)| p.value - t).collect();
         let mut torque = vec![0.0; n * elsewhere.len];
         for (k, &(row, column)) in arm.base_pattern().iter().enumerate() {

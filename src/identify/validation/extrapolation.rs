@@ -5,7 +5,7 @@ use crate::model::{Arm, LinkExtents, States};
 
 /// Uncertainty of the torques over the arm's whole range.
 #[derive(Debug, Clone, PartialEq)]
-pub struct CarryOver {
+pub struct Extrapolation {
     /// Per joint: root mean square over random states of the standard deviation of the predicted
     /// torque, N m. Infinite where a parameter that the data leave open acts on it.
     pub torque_std: Vec<f64>,
@@ -13,7 +13,7 @@ pub struct CarryOver {
     pub ratio: Vec<f64>,
 }
 
-impl CarryOver {
+impl Extrapolation {
     /// Whether the fit is useless on unrecorded motions: the torque of every joint is uncertain
     /// there by more than the measured torque, root mean square.
     pub fn says_nothing(&self, found: &Identification) -> bool {
@@ -39,7 +39,7 @@ const STATES: usize = 256;
 /// `sqrt(mean_s w_s C w_s')` per joint, with `C` the covariance of the estimates and `w_s` the
 /// joint's row of the base regressor. States are spread evenly over the positions' ranges, at up to
 /// half of the largest speeds, which change sign within a quarter of a second.
-pub fn carry_over(arm: &dyn Arm, reach: &dyn LinkExtents, found: &Identification) -> CarryOver {
+pub fn extrapolation(arm: &dyn Arm, reach: &dyn LinkExtents, found: &Identification) -> Extrapolation {
     let (n, b) = (arm.dof(), arm.base_parameters().len());
     let ranges = reach.ranges();
     let mut states = States { len: STATES, ..States::default() };
@@ -70,7 +70,7 @@ pub fn carry_over(arm: &dyn Arm, reach: &dyn LinkExtents, found: &Identification
         let r = found.correlation[i * b + k];
         if r.is_finite() { r * found.parameters[i].std * found.parameters[k].std } else { 0.0 }
     };
-    let mut result = CarryOver { torque_std: Vec::new(), ratio: Vec::new() };
+    let mut result = Extrapolation { torque_std: Vec::new(), ratio: Vec::new() };
     for joint in 0..n {
         let row: Vec<(usize, usize)> = arm
             .base_pattern()

@@ -11,7 +11,7 @@ const TIMES: f64 = 2.0;
 
 /// Whether the logs contradict each other, and which is most at odds with the rest. `weights`: of
 /// the joints, as in the fit.
-pub(in crate::identify) fn disagree(logs: &[Factors], weights: &[f64], parameters: usize) -> Option<Finding> {
+pub(in crate::identify) fn log_consistency(logs: &[Factors], weights: &[f64], parameters: usize) -> Option<Finding> {
     let active: Vec<usize> = (0..parameters).collect();
     let factor = |logs: &[Factors]| stacked(&JointSystem::all(logs, parameters), weights, &active, parameters);
     // Norm of what the best parameters leave of these logs.

@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use crate::data::signal::Prepared;
 use crate::identify::{
-    Accuracy, Better, CarryOver, Consistent, ConsistentError, Factors, Identification, LeftOutError, Nonnegative,
+    Accuracy, Better, Consistent, ConsistentError, Extrapolation, Factors, Identification, LeftOutError, Nonnegative,
     Preference, Source, Standing, Underdetermined, accuracy,
 };
 use crate::report::Warnings;
@@ -234,7 +234,7 @@ pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> Strin
 }
 
 /// `"carry_over"` of `identify --json`.
-pub fn carry_over_json(carry: &CarryOver) -> Value {
+pub fn extrapolation_json(carry: &Extrapolation) -> Value {
     json!({ "torque_std": carry.torque_std, "ratio": carry.ratio, "doubtful_joints": carry.doubtful() })
 }
 
@@ -242,7 +242,7 @@ pub fn carry_over_json(carry: &CarryOver) -> Value {
 pub fn identify_warnings(
     found: &Identification,
     logs: &[Prepared],
-    carry: Option<&CarryOver>,
+    carry: Option<&Extrapolation>,
     possible: Option<&Possible<'_>>,
 ) -> Warnings {
     let mut warnings = Warnings::default();
@@ -256,7 +256,7 @@ pub fn identify_warnings(
     if let Some(Possible { result: Err(error), .. }) = possible {
         warnings.push(format!("no possible bodies: {error}"));
     }
-    if let Some(text) = carry.filter(|_| fitted).and_then(|carry| carry_over_text(found, carry)) {
+    if let Some(text) = carry.filter(|_| fitted).and_then(|carry| extrapolation_text(found, carry)) {
         warnings.push(text);
     }
     warnings.logs(logs);
@@ -304,7 +304,7 @@ fn underdetermined_text(found: &Identification) -> Option<String> {
 }
 
 /// Expected accuracy of the plain fit elsewhere; nothing if it suffices.
-fn carry_over_text(found: &Identification, carry: &CarryOver) -> Option<String> {
+fn extrapolation_text(found: &Identification, carry: &Extrapolation) -> Option<String> {
     let doubtful = carry.doubtful();
     if doubtful.is_empty() {
         return None;

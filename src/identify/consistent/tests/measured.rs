@@ -47,7 +47,7 @@ fn fits((robot, arm): &(Robot, Interpreted), fit: Factors, validate: Factors) ->
     let drives = vec![0.0; arm.standard_names().len()];
     let bodies = consistent(arm, &fit, &validate, &found, &prior, &drives, &settings).unwrap();
     Fits {
-        doubtful: crate::identify::carry_over(arm, arm, &found).doubtful().len(),
+        doubtful: crate::identify::extrapolation(arm, arm, &found).doubtful().len(),
         rms: [found.validation, bodies.possible.validation, bodies.cost.validation].map(|v| v.unwrap().rms),
     }
 }
