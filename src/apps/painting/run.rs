@@ -252,15 +252,15 @@ fn run_n<const N: usize>(
     let postures: Vec<[f64; N]> = (0..9).map(|k| plan.at(plan.seconds() * f64::from(k) / 8.0)[0]).collect();
     let demands = settings::demands(known, real, task);
     let viscous: [f64; N] = std::array::from_fn(|j| known.drives[j].plain.viscous.max(0.0));
-    let wiped =
-        (task.law.drag > 0.0).then(|| calibration_stroke(&mut model, &first, &postures, &press, task.settle)).flatten();
+    let calibrate = || calibration_stroke(&mut model, &first, &postures, &press, task.settle);
+    let stroke = (task.law.drag > 0.0).then(calibrate).flatten();
     let tuning = tune(&mut model, &postures, &viscous, &press, &demands)?;
 
     let mut controller = Controller::new(robot_model(), settings::controller(known, task, &tuning))?;
     let mut estimator = Estimator::new(robot_model(), settings::estimator(known, task));
     let mut sensor = FilteredWallSensor::new(task);
     let mut recorder = Recorder::new(task, robot_model());
-    let mut targets = TargetSchedule::new(task, start, plan, wiped);
+    let mut targets = TargetSchedule::new(task, start, plan, stroke);
     let run = Sampled {
         start: start.to_vec(),
         seconds: targets.painting_begins() + targets.plan.seconds(),
