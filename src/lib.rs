@@ -41,6 +41,6 @@ pub mod numerics;
 pub mod report;
 pub mod simulate;
 
-/// Robot files and symbolic robots: [`Robot::open`](robot::Robot::open). Re-exported, so that a user
-/// names one dependency.
+/// Robot files and symbolic robots: [`Robot::open`](robot::Robot::open). Re-exported, so that a
+/// user names one dependency.
 pub use dh_codegen::robot;

@@ -258,9 +258,9 @@ fn an_effect_is_named_in_its_own_file_alone() {
     );
 }
 
-/// A key of an effect is a constant of its type (`effects::JointSpring::KS`), so that a misspelt one
-/// does not compile. Keys in small letters are words of English too, and those of bodies, rotor and
-/// plain friction the names of standard parameters.
+/// A key of an effect is a constant of its type (`effects::JointSpring::KS`), so that a misspelt
+/// one does not compile. Keys in small letters are words of English too, and those of bodies, rotor
+/// and plain friction the names of standard parameters.
 #[test]
 fn a_key_of_an_effect_is_written_in_its_own_file_alone() {
     let apart = [EffectKind::LinkInertiaError, EffectKind::Payload];

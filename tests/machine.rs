@@ -25,8 +25,8 @@ const WELL: Seen = Seen {
 const LIMITS: [Fault; 7] =
     [Fault::Frozen, Fault::Joint, Fault::Speed, Fault::Torque, Fault::Reach, Fault::Excess, Fault::Stuck];
 
-/// Every guard value. Of the limits one for each of the two graver reactions and two for the mildest
-/// stand for all of them: [`transitions_to_each_fault`] has each.
+/// Every guard value. Of the limits one for each of the two graver reactions and two for the
+/// mildest stand for all of them: [`transitions_to_each_fault`] has each.
 fn guards() -> Vec<Seen> {
     let both = [false, true];
     let mut all = Vec::new();

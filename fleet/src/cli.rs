@@ -70,8 +70,8 @@ struct Factor {
     /// Processes that share the recordings. If one dies, the same command does what is missing.
     #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
     workers: u16,
-    /// Only every n-th recording from the k-th on, as `k/n`; the rows are committed, and no table is
-    /// made of them. For runners of one's own.
+    /// Only every n-th recording from the k-th on, as `k/n`; the rows are committed, and no table
+    /// is made of them. For runners of one's own.
     #[arg(long, value_name = "K/N", conflicts_with = "workers")]
     share: Option<String>,
     #[command(flatten)]

@@ -62,8 +62,8 @@ pub fn recordings_below(path: &Path) -> std::io::Result<Vec<PathBuf>> {
     Ok(found)
 }
 
-/// The row of a recording: its factor, or the reason why there is none. `name` is what the row calls
-/// the file at `path`, `robot` the arm.
+/// The row of a recording: its factor, or the reason why there is none. `name` is what the row
+/// calls the file at `path`, `robot` the arm.
 pub fn row(name: &str, path: &Path, robot: &str, reader: &RecordingReader<'_>) -> FactorRow {
     let read = |source: &mut dyn Source| reader.factor(name, source);
     match with_source(name, path, &reader.preparation().reading, read) {

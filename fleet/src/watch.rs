@@ -1,8 +1,8 @@
 //! The watch over a fleet: references, tests of drift, causes.
 //!
 //! Two passes over the table, day by day: the first merges each robot's reference days and solves
-//! them, the second tests. What is kept per robot is its model and its detector, whatever the number
-//! of days. A robot with a change is read a third time, for the cause and its history.
+//! them, the second tests. What is kept per robot is its model and its detector, whatever the
+//! number of days. A robot with a change is read a third time, for the cause and its history.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;

@@ -10,7 +10,8 @@
 //!   `leg_timing`: shortest time, cost of the jerk and broken limits of a leg.
 //! - `clearance`: distances. `cost`: a candidate's cost. `search`: the search over candidates, by
 //!   `numerics::pattern_search`. `motion`: the joints' spline.
-//! - `joint_torques`: what the motion and the wall ask of the joints. `plan`: the result. `coverage`: the painted area.
+//! - `joint_torques`: what the motion and the wall ask of the joints. `plan`: the result.
+//!   `coverage`: the painted area.
 //! - [`run`]: a plan under control against the simulated wall ([`wall`]), with the gains of
 //!   [`tune`].
 

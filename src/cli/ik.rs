@@ -21,9 +21,9 @@ const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py
 /// Find the postures that bring the arm to given poses: all of them in closed form where the arm
 /// has one.
 ///
-/// Six turning joints without one (class `none`) are solved by elimination, all postures too. An arm
-/// that nearly has one is refined from a nominal arm, and the rest is searched numerically. These
-/// two print `exact: false`. All three print for each pose whether postures may be missing.
+/// Six turning joints without one (class `none`) are solved by elimination, all postures too. An
+/// arm that nearly has one is refined from a nominal arm, and the rest is searched numerically.
+/// These two print `exact: false`. All three print for each pose whether postures may be missing.
 ///
 /// A pose is that of the last DH frame in the world frame, m, as `denavit eval --quantity
 /// forward_kinematics` prints it. Its columns are `r11 r12 r13 px r21 r22 r23 py r31 r32 r33 pz`.

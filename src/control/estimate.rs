@@ -1,13 +1,13 @@
 //! The force on the tool without a force sensor: from joint torques, the identified model and what
 //! is known of its errors.
 //!
-//! A [`ForceEstimator`] takes a [`EstimatorInput`]: measured torques and the identified model's torque,
-//! mass matrix, Jacobian and covariance. It gives an [`Estimate`]: the wrench that the surroundings
-//! exert on the tool, in the tool's axes about its origin, with its covariance. Three ways:
-//! [`Residual`] (the paper's equation 14), [`Momentum`] (De Luca's observer, no acceleration),
-//! [`Kalman`]. [`ContactDetector`] says whether something touches, [`StateVariableFilter`] makes
-//! velocities and accelerations on line. All of these are plain arrays with the number of joints as
-//! a constant; they use `core` and `libm` alone.
+//! A [`ForceEstimator`] takes a [`EstimatorInput`]: measured torques and the identified model's
+//! torque, mass matrix, Jacobian and covariance. It gives an [`Estimate`]: the wrench that the
+//! surroundings exert on the tool, in the tool's axes about its origin, with its covariance. Three
+//! ways: [`Residual`] (the paper's equation 14), [`Momentum`] (De Luca's observer, no
+//! acceleration), [`Kalman`]. [`ContactDetector`] says whether something touches,
+//! [`StateVariableFilter`] makes velocities and accelerations on line. All of these are plain
+//! arrays with the number of joints as a constant; they use `core` and `libm` alone.
 //!
 //! On logs: [`Motion`](crate::data::signal::Motion)s -> [`Run`] -> [`Series`], with an
 //! [`Uncertainty`] from an identification, and a [`Consistency`] that checks the band.

@@ -478,8 +478,8 @@ pub fn by_name(name: &str) -> Option<&'static dyn Hypothesis> {
     EffectKind::of(name).map(hypothesis)
 }
 
-/// To what the coefficient of a [`Hypothesis::unit`] is known to be 1: filters and windows leave so much
-/// of a law open.
+/// To what the coefficient of a [`Hypothesis::unit`] is known to be 1: filters and windows leave so
+/// much of a law open.
 pub(super) const UNIT: f64 = 0.05;
 
 /// Whether a number of a shape has run to the end of its search range: then it is no estimate, and

@@ -1,5 +1,5 @@
-//! A planar arm of two links for the tests of identification, written out by hand; and motions and noise
-//! for it.
+//! A planar arm of two links for the tests of identification, written out by hand; and motions and
+//! noise for it.
 
 use crate::data::log::{Layout, Log};
 use crate::data::signal::Motion;

@@ -19,9 +19,9 @@
 //! | 16, 16 | least and largest torque, least and largest position |
 //! | 4 (n + 1)(n + 2) | upper triangle of `R`, column by column; the torque is the last column |
 //!
-//! The batches, of which [`solve`](super::solve) finds how correlated the residual is, are left out:
-//! they would be sixty times as large. Standard deviations then count the independent samples that
-//! the band of the torque has room for.
+//! The batches, of which [`solve`](super::solve) finds how correlated the residual is, are left
+//! out: they would be sixty times as large. Standard deviations then count the independent samples
+//! that the band of the torque has room for.
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
@@ -111,8 +111,8 @@ impl RecordingFactor {
         out
     }
 
-    /// From bytes, whoever wrote them. `name` is that of the recording. Memory is at most some times
-    /// that of `bytes`.
+    /// From bytes, whoever wrote them. `name` is that of the recording. Memory is at most some
+    /// times that of `bytes`.
     ///
     /// # Errors
     /// Where they are no factor.

@@ -1,5 +1,5 @@
-//! All of identification on the planar arm: exact without noise, honest with it, frank where the data say
-//! nothing.
+//! All of identification on the planar arm: exact without noise, honest with it, frank where the
+//! data say nothing.
 
 mod fit;
 mod honesty;

@@ -502,8 +502,8 @@ fn a_log_that_was_fitted_before_is_called_so() {
     assert!(!said["warnings"].to_string().contains("was fitted"), "{}", said["warnings"]);
 }
 
-/// A robot file with the geometry alone leaves most of a real arm's torque, whose columns are right:
-/// friction is what it lacks, and no exchange of columns is advised.
+/// A robot file with the geometry alone leaves most of a real arm's torque, whose columns are
+/// right: friction is what it lacks, and no exchange of columns is advised.
 #[test]
 fn a_file_without_friction_is_told_what_it_lacks() {
     let place = folder("identify-geometry");

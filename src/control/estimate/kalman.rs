@@ -26,8 +26,8 @@ pub struct Kalman<const N: usize> {
     /// How large wrenches are.
     pub scale: Scale,
     /// How fast they wander at most: standard deviations after a second, N and N m. The pace of
-    /// each component is found from the estimate (`random_walk_rate.rs`); the band is that of a wrench which
-    /// wanders so.
+    /// each component is found from the estimate (`random_walk_rate.rs`); the band is that of a
+    /// wrench which wanders so.
     pub wander: Scale,
     state: Option<State<N>>,
     /// Time of unusable samples since the last usable one, s.

@@ -49,8 +49,8 @@ const HELD: f64 = 0.5;
 /// friction explains it: to begin with, and as long as it did.
 const EXPLAINED: [f64; 2] = [9.0, 25.0];
 
-/// How far a joint may go while no torque changes by a bit, rad or m. Beyond it the torques are those
-/// of another time.
+/// How far a joint may go while no torque changes by a bit, rad or m. Beyond it the torques are
+/// those of another time.
 const FROZEN: f64 = 0.05;
 
 /// State that runs along with the arm.

@@ -50,8 +50,8 @@ pub struct Settings<const N: usize> {
     /// Pole of the low-pass of that force, rad/s.
     pub aside_pole: f64,
     /// Share of the drag that is fed forward before the estimate shows it: friction along the
-    /// tool's axes as learned so far ([`Drag`](super::Drag)), where and when the plan slides. With 0
-    /// all information about it comes late, from the estimate.
+    /// tool's axes as learned so far ([`Drag`](super::Drag)), where and when the plan slides. With
+    /// 0 all information about it comes late, from the estimate.
     pub drag: f64,
     /// Corner of the low-pass of the estimate (three equal poles), Hz: how late it is.
     pub corner: f64,

@@ -73,8 +73,8 @@ impl Format {
     }
 }
 
-/// Has it the header of a matrix of MATLAB 4? It begins with four numbers of four bytes: type, rows,
-/// columns, and whether there are imaginary parts.
+/// Has it the header of a matrix of MATLAB 4? It begins with four numbers of four bytes: type,
+/// rows, columns, and whether there are imaginary parts.
 fn is_matlab_4(magic: &[u8]) -> bool {
     let numbers = |read: fn([u8; 4]) -> u32| -> Option<[u32; 4]> {
         let mut all = magic.chunks_exact(4).filter_map(|b| Some(read(b.try_into().ok()?)));

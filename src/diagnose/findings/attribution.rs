@@ -133,8 +133,8 @@ pub(in crate::diagnose) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
 /// A margin beyond which more of it says nothing.
 pub(in crate::diagnose) const MOST_MARGIN: f64 = 1e4;
 
-/// Puts causes in order of what they are expected to gain: of two that take the same error the surer
-/// one comes first. Those of values come after those of structure.
+/// Puts causes in order of what they are expected to gain: of two that take the same error the
+/// surer one comes first. Those of values come after those of structure.
 pub(in crate::diagnose) fn in_order(causes: &mut Vec<Cause>, scale: &[f64]) {
     let expected = |c: &Cause| c.probability * taken(c, scale);
     causes.sort_by(|a, b| expected(b).total_cmp(&expected(a)));

@@ -1,7 +1,7 @@
 //! Gain in likelihood where errors have a memory.
 //!
-//! What is left of a joint is mostly slow: it goes with nothing measured, and hundreds of windows in
-//! a row repeat it. To count so many windows as one is right for a cause that is as slow, and
+//! What is left of a joint is mostly slow: it goes with nothing measured, and hundreds of windows
+//! in a row repeat it. To count so many windows as one is right for a cause that is as slow, and
 //! wrong for one that is not: a step of friction stands out of a slow background at once. So
 //! errors are taken as an autoregression (Yule and Walker's equations by Levinson's recursion), and
 //! the gain is that of its innovations, what of each window the windows before it don't predict.

@@ -366,8 +366,8 @@ impl<'a> ModelUnderTest<'a> {
         unreachable!("the loop returns")
     }
 
-    /// Sizes that stand in the shape of a law ([`Hypothesis::unit`]), by Gauss's and Newton's steps with
-    /// everything else refitted.
+    /// Sizes that stand in the shape of a law ([`Hypothesis::unit`]), by Gauss's and Newton's steps
+    /// with everything else refitted.
     pub fn polish(&mut self, chosen: &mut [Chosen]) -> Fitted {
         let mut fitted = self.fit(chosen);
         for index in (0..chosen.len()).filter(|&i| chosen[i].cause.unit()).collect::<Vec<usize>>() {

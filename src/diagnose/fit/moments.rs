@@ -276,7 +276,8 @@ impl Moments {
         }
     }
 
-    /// Normal matrix and right-hand side of the whole data with these weights, the regulariser included.
+    /// Normal matrix and right-hand side of the whole data with these weights, the regulariser
+    /// included.
     pub fn normal(&self, weights: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
         self.assemble(&self.whole, weights)
     }

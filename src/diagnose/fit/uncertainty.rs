@@ -159,9 +159,9 @@ pub fn parameters(
 }
 
 /// Directions, one a column, of unknowns in units of their prior deviation (`std`), on which the
-/// data (`information`, their normal matrix) have less information than that prior. Of a mass on the axis
-/// and a first moment along it, for example, often only a sum is determined. There the least change
-/// is as good as any other, and as uncertain as the prior.
+/// data (`information`, their normal matrix) have less information than that prior. Of a mass on
+/// the axis and a first moment along it, for example, often only a sum is determined. There the
+/// least change is as good as any other, and as uncertain as the prior.
 fn undetermined(information: &DMatrix<f64>, std: &[f64]) -> DMatrix<f64> {
     let n = std.len();
     let white = DMatrix::from_fn(n, n, |i, k| information[(i, k)] * std[i] * std[k]);

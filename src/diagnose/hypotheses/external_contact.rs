@@ -97,8 +97,8 @@ impl Hypothesis for ExternalContact {
             .collect()
     }
 
-    /// What is very short is an impact; what is short and at an end of a recording is a bristle that bends or a low-pass that
-    /// settles.
+    /// What is very short is an impact; what is short and at an end of a recording is a bristle
+    /// that bends or a low-pass that settles.
     fn shows(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> bool {
         let [start, end] = [shape[0], shape[1]];
         let at_an_end = |run: &std::ops::Range<usize>| {

@@ -160,8 +160,8 @@ fn least_change_first(all: &mut [Candidate], tested: &ModelUnderTest<'_>) {
 }
 
 /// Of candidates on one joint that gain nearly the same, the one beside which fewest terms of plain
-/// friction are needed goes first. Whether models were fitted for that, so that the model under test is left
-/// with another.
+/// friction are needed goes first. Whether models were fitted for that, so that the model under
+/// test is left with another.
 pub(in crate::diagnose) fn sparest_first(
     all: &mut [Candidate],
     tested: &mut ModelUnderTest<'_>,

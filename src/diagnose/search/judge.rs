@@ -83,9 +83,9 @@ impl Judge<'_> {
         joints.into_iter().any(|j| b.nearly_all(&a, j, NEARLY))
     }
 
-    /// Twice the gain in log-likelihood, in independent windows, less the cost of the unknowns and of
-    /// the choice; `None` where it is not enough. [`THROUGHOUT`] where correlated windows count for
-    /// too few and the errors of stretches, or innovations, decide.
+    /// Twice the gain in log-likelihood, in independent windows, less the cost of the unknowns and
+    /// of the choice; `None` where it is not enough. [`THROUGHOUT`] where correlated windows count
+    /// for too few and the errors of stretches, or innovations, decide.
     fn support(&self, before: &Fitted, after: &Fitted, trial: &[Chosen], unknowns: f64) -> Option<f64> {
         let counts = &before.solution.counts;
         let windows = || counts.iter().zip(&after.memory).map(|(n, m)| n / m);

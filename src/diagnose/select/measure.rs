@@ -99,7 +99,8 @@ pub(in crate::diagnose) fn here(item: &Item, after: &Measured) -> bool {
     item.hypothesis.local() || item.accepted.is_some_and(|index| !after.shown[index])
 }
 
-/// Errors of the model that is fitted without one of its causes; the model under test is left with that.
+/// Errors of the model that is fitted without one of its causes; the model under test is left with
+/// that.
 pub(in crate::diagnose) fn leave_out<'a>(
     plant: &'a dyn PerturbableArm,
     fit: &'a [Recording],

@@ -267,8 +267,8 @@ impl<'a> Session<'a> {
         Ok(Choice { offered, why, changed, file_holds: false, model })
     }
 
-    /// The unchanged file and a sentence, where it errs less over all joints on every validating log
-    /// than a model for which the fitted logs ask. (One joint that a model makes worse beside
+    /// The unchanged file and a sentence, where it errs less over all joints on every validating
+    /// log than a model for which the fitted logs ask. (One joint that a model makes worse beside
     /// others that it halves is a matter of that joint's causes.)
     fn holding_file(
         &self,

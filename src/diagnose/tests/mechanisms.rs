@@ -219,8 +219,8 @@ fn a_refit_has_rotors() {
     assert!((rotor - 0.09).abs() < 0.02, "{rotor}");
 }
 
-/// A motor whose dry friction drives the next joint too. Beside that slow error a short log seems to
-/// show little of the joint's own friction and offset; beside its cause it shows all of it.
+/// A motor whose dry friction drives the next joint too. Beside that slow error a short log seems
+/// to show little of the joint's own friction and offset; beside its cause it shows all of it.
 #[test]
 fn what_a_log_shows_is_judged_beside_the_causes_found() {
     use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};

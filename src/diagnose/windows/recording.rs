@@ -65,8 +65,8 @@ pub struct Stretch {
 pub struct Recording {
     /// Its name.
     pub name: String,
-    /// Stamp from which times are counted: that of its first sample, s. Stretches begin later, where
-    /// filters have settled.
+    /// Stamp from which times are counted: that of its first sample, s. Stretches begin later,
+    /// where filters have settled.
     pub begin: f64,
     /// Its stretches, in time.
     pub stretches: Vec<Stretch>,
@@ -78,8 +78,8 @@ impl Recording {
         Self { name: name.into(), begin: 0.0, stretches: Vec::new() }
     }
 
-    /// Takes in a stretch of motion. Long stretches come in parts, each of which is a stretch of its
-    /// own here: its windows do not reach into the next, and it is split by itself.
+    /// Takes in a stretch of motion. Long stretches come in parts, each of which is a stretch of
+    /// its own here: its windows do not reach into the next, and it is split by itself.
     pub fn absorb(&mut self, motion: &Motion) {
         let (dof, len) = (motion.dof(), motion.states.len);
         let core = motion.core.clone();

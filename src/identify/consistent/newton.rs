@@ -133,8 +133,8 @@ impl Problem {
 
     /// The quadratic model at `v` of all but the misfit as a least squares problem, `1/2 |A d - b|^2`
     /// plus a constant: its normal matrix is the Hessian, `-A'b` the gradient. Solved by an
-    /// orthogonal transformation ([`Stacked`]), half of the digits are lost that the normal equations
-    /// would lose, which matters where `w` is small.
+    /// orthogonal transformation ([`Stacked`]), half of the digits are lost that the normal
+    /// equations would lose, which matters where `w` is small.
     fn model(&self, v: &DVector<f64>, weights: Weights) -> Option<(DMatrix<f64>, DVector<f64>)> {
         let Weights { w, mu } = weights;
         let n = self.j.ncols();

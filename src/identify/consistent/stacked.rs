@@ -1,5 +1,5 @@
-//! Newton's steps of one problem: its equations are brought to an upper trapezoid once, and each step
-//! annihilates the rows of prior and barrier below it.
+//! Newton's steps of one problem: its equations are brought to an upper trapezoid once, and each
+//! step annihilates the rows of prior and barrier below it.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -47,8 +47,8 @@ impl<'a> Stacked<'a> {
         step.iter().all(|d| d.is_finite()).then_some((step, slope))
     }
 
-    /// Factor and right-hand side of `[R; A] d = [missing; b]`; `None` where there are fewer equations
-    /// than unknowns.
+    /// Factor and right-hand side of `[R; A] d = [missing; b]`; `None` where there are fewer
+    /// equations than unknowns.
     fn triangle(
         &self,
         missing: &DVector<f64>,
@@ -123,8 +123,8 @@ mod tests {
     use super::*;
     use crate::numerics::prng::Random;
 
-    /// Steps equal those of a dense factorisation of all rows, for more and for fewer equations than
-    /// unknowns, with columns that no equation has and with a wall across.
+    /// Steps equal those of a dense factorisation of all rows, for more and for fewer equations
+    /// than unknowns, with columns that no equation has and with a wall across.
     #[test]
     fn steps_are_those_of_a_dense_factorisation() {
         let mut random = Random::new(5);

@@ -9,8 +9,8 @@ use crate::report::Warnings;
 use crate::report::identify::text::logs_text;
 use crate::report::parts::number::{digits, figure, pad, percent};
 
-/// Whether the mass is beyond what an empty hand gives: three deviations, less is what it gives once
-/// in 400 logs.
+/// Whether the mass is beyond what an empty hand gives: three deviations, less is what it gives
+/// once in 400 logs.
 fn seen(carried: &Carried) -> bool {
     carried.known_mass.is_some() || carried.values[0] > 3.0 * carried.std[0]
 }

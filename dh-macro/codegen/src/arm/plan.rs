@@ -41,8 +41,8 @@ const REACH: usize = 2;
 pub const ROUNDS: usize = 3;
 
 /// Plans that are tried at most, times the rows to the third power, which the cost of one grows
-/// with. Chains of up to [`WHOLE`] rows are searched to the end; of longer ones the first moves find
-/// most.
+/// with. Chains of up to [`WHOLE`] rows are searched to the end; of longer ones the first moves
+/// find most.
 const WORK: usize = 1_600_000;
 /// Rows up to which a search ends by itself.
 const WHOLE: usize = 8;

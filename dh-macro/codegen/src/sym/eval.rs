@@ -289,8 +289,8 @@ impl Step {
         }
     }
 
-    /// Eight states at a time: what does not fit into the registers of the plainest processors would
-    /// go through memory once more.
+    /// Eight states at a time: what does not fit into the registers of the plainest processors
+    /// would go through memory once more.
     #[inline(always)]
     fn each<const K: usize>(&self, slots: &mut [Lane], operation: impl Fn([f64; K]) -> f64) {
         for start in (0..LANES).step_by(8) {
