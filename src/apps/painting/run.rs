@@ -38,7 +38,8 @@ pub struct Known<'a> {
     /// Standard deviation of each joint's torque error, N m: weights of the estimate.
     pub spread: Vec<f64>,
     /// Largest error of each joint's friction just after a reversal, N m; infinite where nothing is
-    /// known of it, 0 where noise explains all torque errors: [`EstimatorSettings::turning`].
+    /// known of it, 0 where noise explains all torque errors:
+    /// [`EstimatorSettings::turning`](crate::control::law::EstimatorSettings::turning).
     pub turning: Vec<f64>,
 }
 
@@ -54,13 +55,16 @@ pub enum Feedback {
 /// Additions of the inner loop to equation (13): shares from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Law {
-    /// Of the desired force: see [`Settings::carry`].
+    /// Of the desired force: see [`Settings::carry`](crate::control::law::Settings::carry).
     pub carry: f64,
-    /// Of the planned motion's torques: see [`Settings::feed`].
+    /// Of the planned motion's torques: see
+    /// [`Settings::feed`](crate::control::law::Settings::feed).
     pub feed: f64,
-    /// Of the estimated force aside of the normal: see [`Settings::aside`].
+    /// Of the estimated force aside of the normal: see
+    /// [`Settings::aside`](crate::control::law::Settings::aside).
     pub aside: f64,
-    /// Of the drag that is predicted: see [`Settings::drag`]. It is learned in a wipe of 4 cm along
+    /// Of the drag that is predicted: see
+    /// [`Settings::drag`](crate::control::law::Settings::drag). It is learned in a stroke of 4 cm along
     /// the roller's axis, before the painting, where there are 3 s for it.
     pub drag: f64,
 }
@@ -84,7 +88,7 @@ pub struct RunTask<'a> {
     /// Force in the feedback.
     pub feedback: Feedback,
     /// How large a moment the estimate allows for at the contact, N m, as a standard deviation: see
-    /// [`EstimatorSettings::moment`] and [`roller_moment`].
+    /// [`EstimatorSettings::moment`](crate::control::law::EstimatorSettings::moment) and [`roller_moment`].
     pub moment: f64,
     /// Additions of the inner loop to equation (13).
     pub law: Law,
