@@ -123,10 +123,10 @@ mod tests {
     use super::*;
     use crate::numerics::prng::Random;
 
-    /// Steps equal those of a dense factorisation of all rows, for more and for fewer equations
+    /// The gradient vanishes after a step but for what keeps `e'v`: for more and for fewer equations
     /// than unknowns, with columns that no equation has and with a wall across.
     #[test]
-    fn steps_are_those_of_a_dense_factorisation() {
+    fn steps_meet_the_conditions_of_the_minimum() {
         let mut random = Random::new(5);
         for (rows, n) in [(5, 23), (23, 23), (60, 23), (0, 13)] {
             let mut normal = || random.uniform(-1.0, 1.0);

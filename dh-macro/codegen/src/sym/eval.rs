@@ -56,7 +56,7 @@ fn fused(tape: &Tape, order: &[usize], roots: &[Operand]) -> Vec<Fused> {
             readers[t as usize] += 1;
         }
     }
-    // `Neg` and the like name their operand twice.
+    // A product that is added to itself counts as read twice.
     let product = |operand: Operand| match operand {
         Operand::Temp(t) if tape.code[t as usize].kind == Kind::Mul && readers[t as usize] == 1 => Some(t as usize),
         _ => None,

@@ -1,6 +1,7 @@
 //! Targets over time: rest, come to the wall, press, wipe, paint.
 
 use super::RunTask;
+use crate::apps::painting::strokes::rest_to_rest;
 use crate::control::iterative_learning::Learned;
 use crate::control::law::Target;
 use crate::simulate::Trajectory;
@@ -105,12 +106,8 @@ impl<'a, const N: usize> TargetSchedule<'a, N> {
 
     /// Rest, then a polynomial of fifth degree to the plan's first posture.
     fn approach(&self, t: f64) -> Target<N> {
-        let s = ((t - REST) / COME).clamp(0.0, 1.0);
-        let along = [
-            s * s * s * (10.0 + s * (6.0 * s - 15.0)),
-            30.0 * s * s * (1.0 - s) * (1.0 - s) / COME,
-            60.0 * s * (1.0 - s) * (1.0 - 2.0 * s) / (COME * COME),
-        ];
+        let [s, ds, dds, _] = rest_to_rest(((t - REST) / COME).clamp(0.0, 1.0));
+        let along = [s, ds / COME, dds / (COME * COME)];
         let way = |s: f64| -> [f64; N] { std::array::from_fn(|j| s * (self.first[j] - self.start[j])) };
         let [q, dq, ddq] = along.map(way);
         let q = std::array::from_fn(|j| self.start[j] + q[j]);
