@@ -48,7 +48,8 @@ def row(what, robot, fit, validate, options=()):
     cells += [""] * (7 - len(cells))
     against = (said["consistent"].get("against_plain") or {}).get("validate")
     bodies = "" if not against else "{:+.0f} % ({:+.0f} to {:+.0f})".format(against["percent"], *against["interval"])
-    print(f"| {what} | {' | '.join(cells)} | {said['relative_error_percent']['validate']:.2g} % | {bodies} |", flush=True)
+    error = said["relative_error_percent"]["validate"]
+    print(f"| {what} | {' | '.join(cells)} | {error:.{1 if error < 9.95 else 0}f} % | {bodies} |", flush=True)
 
 
 def log(*path):
