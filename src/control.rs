@@ -13,5 +13,7 @@ pub mod iterative_learning;
 mod iterative_learning_tests;
 pub mod law;
 pub mod robot;
+#[cfg(test)]
+mod robot_tests;
 
 pub use law::{Command, Controller, ControllerError, Fault, Sample, Settings, Status, Target};

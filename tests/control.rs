@@ -5,7 +5,7 @@ mod gantry;
 
 use denavit::control::law::{
     Body, Command, Controller, ControllerError, Estimator, EstimatorSettings, Fault, ForceSettings, Sample, Settings,
-    Status, Target, Tool, damped,
+    Status, Target, Tool, damped, moved,
 };
 use gantry::{Gantry, T, World, pressing, settings, target};
 use proptest::prelude::*;
@@ -116,6 +116,48 @@ fn drag_is_learned_and_then_known_before_the_estimate_shows_it() {
     assert!(nothing == 0.0 && (learned - FRICTION).abs() < 0.05, "{learned}");
     // With the prediction in place of what the estimate shows of it, or the reverse, it is a tenth.
     assert!(known < 0.05 * late, "{known} {late}");
+}
+
+/// A push along the motion is no friction, and none is learned from it.
+#[test]
+fn drag_is_never_negative() {
+    let settings = Settings { carry: 1.0, drag: 1.0, ..settings() };
+    let mut controller = Controller::new(Gantry::default(), settings).unwrap();
+    let mut world = World::new();
+    for k in 0..9000 {
+        let mut target = target();
+        if k > 6000 {
+            let t = T * f64::from(k - 6000);
+            target.q[1] = 0.05 * (1.0 - (2.0 * t).cos());
+            (target.dq[1], target.ddq[1]) = (0.1 * (2.0 * t).sin(), 0.2 * (2.0 * t).cos());
+        }
+        let push = [world.force(), -8.0 * target.dq[1].signum(), 0.0];
+        let command = controller.step(&target, &Sample { push, ..world.sample() });
+        world.run(&command);
+        assert!(controller.drag().coefficients().iter().all(|c| *c >= 0.0), "{:?}", controller.drag());
+    }
+}
+
+/// Newton's steps with the Jacobian move the point and keep the tool's direction, on an arm where
+/// one needs the other.
+#[test]
+fn a_posture_is_moved_without_turning_the_tool() {
+    let tool = |q: &[f64; 7]| {
+        let frame = kuka_lwr4::forward_kinematics(q);
+        Tool {
+            origin: [frame[0][3], frame[1][3], frame[2][3]],
+            rotation: [0, 1, 2].map(|i| [frame[i][0], frame[i][1], frame[i][2]]),
+            jacobian: kuka_lwr4::jacobian(q),
+        }
+    };
+    let (q, by) = ([0.3, -0.6, 0.2, 1.2, -0.4, 0.8, 0.1], [0.02, -0.03, 0.025]);
+    let (start, end) = (tool(&q), tool(&moved(&q, &by, tool).unwrap()));
+    for i in 0..3 {
+        assert!((end.origin[i] - start.origin[i] - by[i]).abs() < 1e-5);
+        for k in 0..3 {
+            assert!((end.rotation[i][k] - start.rotation[i][k]).abs() < 1e-4, "{end:?} {start:?}");
+        }
+    }
 }
 
 #[test]
@@ -231,6 +273,16 @@ fn a_late_sample_stops_it() {
         world.run(&command);
     }
     assert_eq!(controller.step(&target(), &world.sample()).status, Status::Stopped(Fault::Clock));
+}
+
+/// By a period and a half more than the patience of five.
+#[test]
+fn a_sample_may_be_late_by_the_patience() {
+    for (late, expected) in [(5.4, None), (5.6, Some(Fault::Clock))] {
+        let (mut controller, mut world) = pressing();
+        world.t += late * T;
+        assert_eq!(controller.step(&target(), &world.sample()).status.fault(), expected, "{late}");
+    }
 }
 
 #[test]

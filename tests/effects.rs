@@ -136,6 +136,12 @@ fn laws_of_transmission_and_sensor() {
         tau[1] += 0.02 * k * a[0] + 0.3 * k * v[0] + s;
         tau
     });
+    let carried = planar("", ", gear_coupling: { joint: 1, CQ: 0.3 }", "");
+    check(&carried, "gear_coupling that carries the link", |q, v, a| {
+        let link = |x: [f64; 2]| [x[0], x[1] + 0.3 * x[0]];
+        let load = rods(link(q), link(v), link(a));
+        plain([load[0] + 0.3 * load[1], load[1]], v, a)
+    });
     let soft = planar(", joint_elasticity: 300", ", joint_elasticity: 200, load_dependent_friction: 0.1", "");
     check(&soft, "joint_elasticity", |q, v, a| {
         let load = rods(q, v, a);
@@ -148,6 +154,40 @@ fn laws_of_transmission_and_sensor() {
         let load = rods(q, v, a)[1];
         let side = load / (load * load + 0.016 * 0.016_f64).sqrt();
         plain(rods([q[0], q[1] - 0.01 * side], v, a), v, a)
+    });
+}
+
+/// A point of 2 kg that slides on a link of 0.3 kg m^2 in a vertical plane, by Lagrange's equations.
+fn polar(q: [f64; 2], v: [f64; 2], a: [f64; 2]) -> [f64; 2] {
+    let (m, g) = (2.0, 9.81);
+    let turning = (0.3 + m * q[1] * q[1]) * a[0] + 2.0 * m * q[1] * v[1] * v[0] + m * g * q[1] * q[0].sin();
+    [turning, m * a[1] - m * q[1] * v[0] * v[0] - m * g * q[0].cos()]
+}
+
+#[test]
+fn laws_of_a_sliding_joint() {
+    let arm = |slide: &str| {
+        read(&format!(
+            "name: polar
+convention: modified
+gravity: [0, -9.81, 0]
+joints:
+  - {{ type: revolute, torque: 20 }}
+  - {{ type: prismatic, alpha: pi/2, torque: 50{slide} }}
+links:
+  - {{ M: 1, MS: [0, 0, 0], I: [0.3, 0.3, 0.3, 0, 0, 0] }}
+  - {{ M: 2, MS: [0, 0, 0], I: [0, 0, 0, 0, 0, 0] }}
+"
+        ))
+    };
+    check(&arm(""), "polar arm", polar);
+    check(&arm(", drive: { joint_elasticity: 4000 }"), "joint_elasticity", |q, v, a| {
+        polar([q[0], q[1] - polar(q, v, a)[1] / 4000.0], v, a)
+    });
+    check(&arm(", drive: { gear_coupling: { joint: 1, CQ: 0.1 } }"), "gear_coupling", |q, v, a| {
+        let link = |x: [f64; 2]| [x[0], x[1] + 0.1 * x[0]];
+        let load = polar(link(q), link(v), link(a));
+        [load[0] + 0.1 * load[1], load[1]]
     });
 }
 

@@ -216,10 +216,12 @@ fn a_joint_beyond_its_range_is_stopped() {
     // The arm was driven away while its sensor said otherwise: faster than can be true, and damped.
     let (_, status) = go_on(&mut controller, &mut world, 2000, |_, _| {});
     assert!(status == Status::Stopped(Fault::Joint) && fastest(&world) < 0.01, "{status:?} {:?}", world.v);
-    // Targets outside are not followed.
-    let (mut controller, mut world) = limited(|s| s.limits.position[1] = [-0.1, 0.1]);
-    let found = until_fault(&mut controller, &mut world, 20, |_, target, _| target.q[1] = 0.101);
-    assert_eq!(found, (6, Status::Leaving(Fault::Plan)));
+    // Targets outside are not followed, to either side.
+    for outside in [0.101, -0.101] {
+        let (mut controller, mut world) = limited(|s| s.limits.position[1] = [-0.1, 0.1]);
+        let found = until_fault(&mut controller, &mut world, 20, |_, target, _| target.q[1] = outside);
+        assert_eq!(found, (6, Status::Leaving(Fault::Plan)), "{outside}");
+    }
 }
 
 #[test]
@@ -312,6 +314,23 @@ fn a_plan_beyond_its_limits_is_not_followed() {
         assert_eq!(found, (6, Status::Leaving(Fault::Plan)), "{which}");
         assert_stopped(&mut controller, &mut world, Fault::Plan);
     }
+}
+
+/// Jerk is the change of the acceleration: an acceleration that was come to smoothly may stay.
+#[test]
+fn a_steady_acceleration_has_no_jerk() {
+    let (mut controller, mut world) = pressing();
+    let found = until_fault(&mut controller, &mut world, 300, |k, target, _| {
+        // 900 m/s^3 for 10 ms, 9 m/s^2 for 50 ms, and so back.
+        let after = |begin: f64| (T * f64::from(k) - begin).max(0.0);
+        let rises = [(0.0, 900.0), (0.01, -900.0), (0.06, -900.0), (0.07, 900.0)];
+        let sum = |f: fn(f64) -> f64| rises.iter().map(|(begin, jerk)| jerk * f(after(*begin))).sum::<f64>();
+        target.q[1] = sum(|t| t * t * t / 6.0);
+        target.dq[1] = sum(|t| 0.5 * t * t);
+        target.ddq[1] = sum(|t| t);
+    });
+    assert_eq!(found.1.fault(), None, "{found:?}");
+    assert!(world.q[1] > 0.05, "{:?}", world.q);
 }
 
 #[test]

@@ -18,6 +18,8 @@ pub struct Honesty {
     /// Estimates within three of their own standard deviations of the truth, over all runs and
     /// parameters: a share.
     pub within_three: f64,
+    /// The same of 95 % bands, 1.96 standard deviations to either side.
+    pub within_band: f64,
     /// Per base parameter: name, that share, and the root mean square of the distances (1 if all is
     /// well).
     pub parameters: Vec<(String, f64, f64)>,
@@ -26,6 +28,9 @@ pub struct Honesty {
     /// Mean over runs and joints of the held-out RMS, by the noise floor.
     pub held_out: f64,
 }
+
+/// Half of a 95 % band, in standard deviations of a normal error.
+const BAND: f64 = 1.96;
 
 /// At least this share is asked for; a normal error has 99.73 %.
 pub const ASKED: f64 = 0.99;
@@ -58,10 +63,12 @@ pub fn honesty(
         Ok((distances, rms / mean(floor)))
     };
     let (mut within, mut squares, mut held_out) = (vec![0.0; p], vec![0.0; p], 0.0);
+    let mut banded = 0.0;
     for (distances, ratio) in many(runs, &one, watch)? {
         held_out += ratio;
         for (k, z) in distances.iter().enumerate() {
             within[k] += f64::from(u8::from(z.abs() <= 3.0));
+            banded += f64::from(u8::from(z.abs() <= BAND));
             squares[k] += z * z;
         }
     }
@@ -70,6 +77,7 @@ pub fn honesty(
     Ok(Honesty {
         runs,
         within_three: mean(&within) / count,
+        within_band: banded / (count * p.max(1) as f64),
         spread: (mean(&squares) / count).sqrt(),
         held_out: held_out / count,
         parameters: names

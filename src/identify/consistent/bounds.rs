@@ -147,6 +147,23 @@ mod tests {
         assert!((lighter.iter().map(|b| b[0]).sum::<f64>() - 1.0).abs() < 1e-12 && lighter.iter().all(is_body));
     }
 
+    /// About its centre the tensor grows with the mass, wherever the centre goes.
+    #[test]
+    fn a_body_that_is_placed_keeps_its_shape() {
+        let about_center = |b: &[f64; 10]| {
+            let [m, x, y, z, xx, yy, zz, xy, xz, yz] = *b;
+            let (x2, y2, z2) = (x * x / m, y * y / m, z * z / m);
+            let (xy2, xz2, yz2) = (x * y / m, x * z / m, y * z / m);
+            [xx - y2 - z2, yy - x2 - z2, zz - x2 - y2, xy + xy2, xz + xz2, yz + yz2]
+        };
+        let body = [2.0, 0.2, -0.1, 0.3, 0.09, 0.1, 0.05, 0.012, -0.02, 0.01];
+        let there = placed(&body, 5.0, [0.3, 0.2, -0.1]);
+        assert!(there[0] == 5.0 && (there[1] - 1.5).abs() < 1e-12 && (there[3] + 0.5).abs() < 1e-12);
+        for (there, here) in about_center(&there).iter().zip(about_center(&body)) {
+            assert!((there - 2.5 * here).abs() < 1e-12, "{there} {here}");
+        }
+    }
+
     #[test]
     fn contradictions_are_named() {
         let with = |mass, total_mass| Bounds { mass, center: vec![], total_mass }.check(2).unwrap_err().to_string();

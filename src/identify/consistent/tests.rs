@@ -220,6 +220,11 @@ fn the_prior_pulls_as_it_weighs_and_bounds_hold() {
         let result = fit(&ConsistentSettings { prior_weight: weight, ..ConsistentSettings::default() });
         let now: f64 = result.distances.iter().sum();
         assert!(now <= distance && result.cost.growth_percent >= growth, "{weight}: {now} {distance}");
+        // By the errors of all joints in deviations of their noise.
+        let weighted = |rms: &[f64]| rms.iter().zip(&found.noise.sigma).map(|(r, s)| (r / s).powi(2)).sum::<f64>();
+        let grown = 100.0 * ((weighted(&result.cost.fit.rms) / weighted(&found.fit.rms)).sqrt() - 1.0);
+        let stated = result.cost.growth_percent;
+        assert!((grown - stated).abs() < 0.02 * stated + 0.01, "{weight}: {grown} {stated}");
         (distance, growth) = (now, result.cost.growth_percent);
     }
     assert!(distance < 1e-6, "{distance}");

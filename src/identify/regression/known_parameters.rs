@@ -155,4 +155,17 @@ mod tests {
         let whole = rest.whole(&one.values());
         assert!(known.iter().zip(&whole).all(|(k, w)| k.is_none_or(|k| k == *w)));
     }
+
+    /// Of columns that are picked and summed first.
+    #[test]
+    fn a_gram_matrix_is_that_of_the_columns() {
+        let a = nalgebra::DMatrix::from_fn(7, 4, |i, k| ((3 * i + 5 * k * k + i * k) % 11) as f64 - 5.0);
+        let (unknown, rest) = ([2, 0], [0.5, -2.0, 3.0, 1.0]);
+        let gram = a.tr_mul(&a);
+        let mut b = a.select_columns(&unknown).insert_column(2, 0.0);
+        b.set_column(2, &(&a * nalgebra::DVector::from_column_slice(&rest)));
+        let found = congruent(gram.as_slice(), 4, &unknown, &rest);
+        let wanted = b.tr_mul(&b);
+        assert!(found.iter().zip(wanted.as_slice()).all(|(f, w)| (f - w).abs() < 1e-9), "{found:?} {wanted}");
+    }
 }

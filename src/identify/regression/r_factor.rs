@@ -238,6 +238,20 @@ mod tests {
         assert!((t.norm_of(&[0.0, 1.0]) - 3.0).abs() < 1e-12 && t.norm_of(&[1.0, 0.0]).is_finite());
     }
 
+    /// `[[1, 1], [e, -e]]`: two columns that hardly differ keep the digits of their difference.
+    #[test]
+    fn a_small_difference_keeps_its_digits() {
+        let e = 1e-9;
+        let mut t = RFactor::new(2);
+        t.absorb(&mut [1.0, 1.0], 1);
+        t.absorb(&mut [e, -e], 1);
+        assert!((t.get(1, 1).abs() / (2.0 * e) - 1.0).abs() < 1e-9, "{}", t.get(1, 1));
+        let mut turned = RFactor::new(2);
+        turned.absorb(&mut [-1.0, -1.0], 1);
+        turned.absorb(&mut [e, -e], 1);
+        assert!((turned.get(1, 1).abs() / (2.0 * e) - 1.0).abs() < 1e-9, "{}", turned.get(1, 1));
+    }
+
     #[test]
     fn empty_and_zero() {
         let mut t = RFactor::new(3);

@@ -203,3 +203,114 @@ fn wrong_numbers_are_refused() {
     huge.tau[3] = 1e300;
     assert!(solve(&arm, &[factors(&arm, &[huge])], &[], &IdentifySettings::default()).is_err());
 }
+
+/// The residual of few samples is smaller than the noise, as parameters take their part of it.
+#[test]
+fn noise_of_few_samples_is_not_too_small() {
+    let arm = Planar::new();
+    let (mut mean, runs) = ([0.0; 2], 80);
+    for seed in 0..runs {
+        let mut m = motion(&arm, 1.0, 60.0, 0.0);
+        add_noise(&mut m, [0.5, 0.2], false, 40 + seed);
+        let sigma = identify(&arm, &[m]).noise.sigma;
+        (0..2).for_each(|j| mean[j] += (sigma[j] / [0.5, 0.2][j]).powi(2) / runs as f64);
+    }
+    assert!(mean.iter().all(|m| (m - 1.0).abs() < 0.1), "{mean:?}");
+}
+
+/// Low-passed noise shows the same inflation in four batches as in twenty.
+#[test]
+fn few_batches_show_the_same_inflation() {
+    let arm = Planar::new();
+    let (mut mean, runs) = ([0.0; 2], 40);
+    for seed in 0..runs {
+        let mut m = motion(&arm, 10.0, 200.0, 0.0);
+        add_noise(&mut m, [2.0, 0.6], true, 300 + seed);
+        for (mean, batch) in mean.iter_mut().zip([2.5, 0.5]) {
+            let mut stack = QrAccumulator::new("test", &arm, AccumulatorSettings { batch, ..Default::default() });
+            stack.absorb(&m);
+            let found = solve(&arm, &[stack.finish()], &[], &IdentifySettings::default()).unwrap();
+            *mean += found.noise.inflation.iter().sum::<f64>() / runs as f64;
+        }
+    }
+    assert!((mean[0] / mean[1] - 1.0).abs() < 0.2, "{mean:?}");
+}
+
+/// Friction that changes from second to second makes itself less sure, and other parameters less so.
+#[test]
+fn what_changes_is_less_sure() {
+    let arm = Planar::new();
+    let mut m = motion(&arm, 20.0, 200.0, 0.0);
+    add_noise(&mut m, [0.2, 0.1], false, 9);
+    for k in 0..m.states.len {
+        let up = if (k / 200) % 2 == 0 { 0.5 } else { -0.5 };
+        m.tau[k] += up * m.states.dq[k].signum();
+    }
+    let found = identify(&arm, &[m]);
+    let wider = |name: &str| {
+        let p = found.parameters.iter().find(|p| p.name == name).unwrap();
+        p.std / p.white_std
+    };
+    assert!(wider("FC1") > 1.15 * wider("ZZ1R"), "{} {}", wider("FC1"), wider("ZZ1R"));
+}
+
+#[test]
+fn fewer_numbers_than_unknowns_determine_nothing() {
+    let arm = Planar::new();
+    let mut found = identify(&arm, &[motion(&arm, 10.0, 200.0, 0.0)]);
+    assert!(found.underdetermined().is_none());
+    found.independent = found.unknowns as f64;
+    assert!(matches!(found.underdetermined(), Some(crate::identify::Underdetermined::Equations { .. })));
+}
+
+/// The least change in sizes `m`, `m l` and `m l^2`: Lagrange's condition, that changes by the
+/// squares of their sizes are a sum of the constraints.
+#[test]
+fn standard_parameters_change_by_their_sizes() {
+    use crate::model::StandardParameter;
+    use dh_codegen::arm::param::Inertial;
+    let arm = Planar::new();
+    let mut prior = STANDARD.to_vec();
+    let parameters = arm.standard_parameters();
+    let mass = |row: usize| parameters.iter().position(|p| *p == StandardParameter::Link(row, Inertial::M)).unwrap();
+    prior[mass(0)] = 12.0;
+    let beta: Vec<f64> = arm.beta().iter().enumerate().map(|(k, b)| b + 0.1 + 0.02 * k as f64).collect();
+    let found = recover_standard(&arm, &beta, Some(&prior)).unwrap();
+    let pull: Vec<f64> = (0..prior.len())
+        .map(|i| {
+            let size = match parameters[i] {
+                StandardParameter::Link(row, which) => {
+                    let power = match which {
+                        Inertial::M => 0,
+                        Inertial::MSX | Inertial::MSY | Inertial::MSZ => 1,
+                        _ => 2,
+                    };
+                    prior[mass(row)].max(1.0) * 0.2_f64.powi(power)
+                }
+                _ => prior[i].abs().max(0.1),
+            };
+            (found[i] - prior[i]) / (size * size)
+        })
+        .collect();
+    let base = arm.base_parameters();
+    let k = nalgebra::DMatrix::from_fn(prior.len(), base.len(), |i, row| {
+        base[row].coefficients.iter().filter(|c| c.0 == i).map(|c| c.1).sum::<f64>()
+    });
+    let pull = nalgebra::DVector::from_vec(pull);
+    let left = &pull - &k * k.clone().svd(true, true).solve(&pull, 1e-12).unwrap();
+    assert!(pull.norm() > 0.1 && left.norm() < 1e-9 * pull.norm(), "{} {}", left.norm(), pull.norm());
+}
+
+/// A standard deviation: twice the errors of the motion are twice those of the torque.
+#[test]
+fn errors_of_the_motion_go_into_the_torque_as_they_are() {
+    let arm = Planar::new();
+    let states = motion(&arm, 2.0, 100.0, 0.0).states;
+    let of = |size: f64| {
+        let errors = [[1e-3, 2e-2, 0.3], [2e-3, 1e-2, 0.5]].map(|joint| joint.map(|e| size * e));
+        crate::identify::budget::torque_of_errors(&arm, &arm.beta(), &states, &errors)
+    };
+    for (one, two) in of(1.0).iter().zip(of(2.0)) {
+        assert!(*one > 0.0 && (two - 2.0 * one).abs() < 1e-9 * two, "{one} {two}");
+    }
+}

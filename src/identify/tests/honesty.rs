@@ -57,6 +57,17 @@ fn filtered_noise_is_told_from_white() {
     }
 }
 
+/// Shannon: `2 f T + 1` numbers say all of a torque below `f`.
+#[test]
+fn a_band_holds_twice_its_width_of_samples() {
+    let arm = Planar::new();
+    let m = Motion { bandwidth: Some(10.0), ..motion(&arm, 10.0, 1000.0, 0.0) };
+    let found = factors(&arm, &[m]);
+    for joint in &found.joints {
+        assert!((joint.independent / (joint.samples as f64 / 10_000.0) - 201.0).abs() < 1.0, "{}", joint.independent);
+    }
+}
+
 /// Runs of a test: few in a hurry, `DENAVIT_HONESTY=200` for figures.
 fn runs(few: u64) -> u64 {
     std::env::var("DENAVIT_HONESTY").ok().and_then(|n| n.parse().ok()).unwrap_or(few)

@@ -50,7 +50,7 @@ fn identification(found: &Experiment) -> Value {
         })).collect::<Vec<_>>(),
         "within_three_unmodelled": found.within_unmodelled,
         "honesty": found.honesty.as_ref().map(|h| json!({
-            "runs": h.runs, "within_three": h.within_three, "spread": h.spread, "held_out_by_floor": h.held_out,
+            "runs": h.runs, "within_three": h.within_three, "within_95": h.within_band, "spread": h.spread, "held_out_by_floor": h.held_out,
             "parameters": h.parameters.iter().map(|(name, share, spread)| json!({
                 "name": name, "within_three": share, "spread": spread,
             })).collect::<Vec<_>>(),

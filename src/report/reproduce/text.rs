@@ -363,6 +363,7 @@ fn honesty(found: &Experiment) -> Option<Table> {
                 percent(ASKED),
                 asked(honesty.within_three, ASKED),
             ],
+            vec!["estimates within their 95 % bands".into(), percent(honesty.within_band), String::new(), String::new()],
             vec!["spread of the errors in own standard deviations".into(), digits(honesty.spread, 3), "1".into(), String::new()],
             vec![format!("worst parameter, {name}: within three"), percent(share), String::new(), String::new()],
             vec![

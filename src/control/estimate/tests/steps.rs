@@ -153,6 +153,56 @@ fn the_covariance_is_that_of_many_draws() {
     }
 }
 
+/// Without noise: heavy damping, which loses a part of the wrench, loses no more than the band says.
+#[test]
+fn a_band_holds_what_damping_loses() {
+    let oracle = Oracle::new(5);
+    let [q, dq, ddq] = Oracle::wave(0.7);
+    let mut residual = Residual::new([1e-4; 7], Scale::default());
+    residual.weights = Weights::Equal { damping: 0.5 };
+    let found = residual.step(&oracle.sample(1e-3, [&q, &dq, &ddq], &WRENCH));
+    let lost: f64 = (0..6).map(|i| (found.wrench[i] - WRENCH[i]).abs()).sum();
+    assert!(lost > 1.0, "{found:?}");
+    assert!((0..6).all(|i| (found.wrench[i] - WRENCH[i]).abs() <= found.half_width(i)), "{found:?}");
+}
+
+/// White noise of the velocities is itself, whatever the gain; what is spread evenly over two
+/// samples has smaller differences.
+#[test]
+fn white_speed_of_white_noise_is_one() {
+    for gain in [5.0, 40.0, 200.0] {
+        let white = momentum::white_speed(gain, 1e-3, &[1.0]);
+        assert!((white - 1.0).abs() < 1e-6, "{gain}: {white}");
+        assert!(momentum::white_speed(gain, 1e-3, &[0.5, 0.5]) < 0.9);
+    }
+}
+
+#[test]
+fn static_friction_exceeds_coulombs() {
+    use stiction::breakaway;
+    assert_eq!(breakaway(2.0, Some(3.0), 100.0), 3.0);
+    assert_eq!(breakaway(2.0, Some(1.0), 100.0), 2.0);
+    assert!(breakaway(2.0, None, 100.0) > 2.0 && breakaway(2.0, None, f64::INFINITY) == 2.0);
+    assert!(breakaway(0.0, None, 100.0) > 0.0 && breakaway(0.0, None, f64::INFINITY) == 0.0);
+}
+
+/// Errors as large as they are said to be, and half as large again: chi-squared of 1,400 numbers,
+/// whose mean is known to 4 %.
+#[test]
+fn errors_that_are_too_large_are_improbable() {
+    let mut oracle = Oracle::new(6);
+    for (size, consistent) in [(1.0, true), (1.5, false)] {
+        let mut checker = consistency::Checker::new(0.1);
+        for _ in 0..200 {
+            let error: Vec<f64> = (0..7).map(|_| size * oracle.normal()).collect();
+            checker.add(&error, &DMatrix::zeros(7, 1), &[1.0; 7], None);
+        }
+        let found = checker.finish().unwrap();
+        assert!((found.probability > 1e-3) == consistent, "{size}: {found:?}");
+        assert!((found.ratio - size * size).abs() < 0.2 * size * size, "{found:?}");
+    }
+}
+
 #[test]
 fn the_observer_is_a_low_pass_of_the_external_torque() {
     let oracle = Oracle::new(3);
