@@ -63,6 +63,24 @@ pub fn links(gain: f64, error: f64) -> f64 {
 mod tests {
     use super::*;
 
+    /// The law of the first comment, in odds: each piece of evidence multiplies them by its own.
+    #[test]
+    fn each_piece_of_evidence_counts_by_itself() {
+        let odds = |found: &Features| {
+            let p = probability(false, found);
+            p / (1.0 - p)
+        };
+        let weak = Features { support: 5.0, margin: 2.0, share: 0.1, recurrence: 0.5, confirmed: true };
+        let times = |found: Features| odds(&found) / odds(&weak);
+        let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
+        close(times(Features { support: 50.0, ..weak }), (51.0_f64 / 6.0).powf(1.2 / 5.0));
+        close(times(Features { margin: 20.0, ..weak }), (21.0_f64 / 3.0).powf(1.3 / 5.0));
+        // A margin beyond 100 says no more than one of 100.
+        close(times(Features { margin: 1e6, ..weak }), (101.0_f64 / 3.0).powf(1.3 / 5.0));
+        close(times(Features { share: 0.4, ..weak }), (2.7 * 0.3_f64).exp());
+        close(times(Features { recurrence: 0.2, ..weak }), (-5.2 * (2.0 - 1.0_f64)).exp());
+    }
+
     #[test]
     fn more_evidence_is_never_less_likely() {
         for plain in [false, true] {

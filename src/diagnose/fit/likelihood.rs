@@ -137,6 +137,22 @@ mod tests {
         assert!(over <= 5, "{over}");
     }
 
+    /// `x' = 0.9 x + e`: the variance that is left is that of `e`.
+    #[test]
+    fn an_autoregression_leaves_its_innovations() {
+        let mut random = Random::new(10);
+        let mut x = 0.0;
+        let series: Vec<f64> = (0..20_000)
+            .map(|_| {
+                x = 0.9 * x + 0.3 * normal(&mut random);
+                x
+            })
+            .collect();
+        let found = autoregression(&series, &vec![true; series.len()], 0.0);
+        assert!((found.coefficients[0] - 0.9).abs() < 0.03, "{:?}", found.coefficients);
+        assert!((found.variance / 0.09 - 1.0).abs() < 0.05, "{}", found.variance);
+    }
+
     #[test]
     fn a_white_error_gains_what_windows_do() {
         let mut random = Random::new(9);

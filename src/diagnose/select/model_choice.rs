@@ -137,6 +137,25 @@ mod tests {
     }
 
     #[test]
+    fn the_files_links_are_given_up_for_one_and_a_half_errors() {
+        let refit = |gain, error, whole| Paired { gain, error, whole }.worth_refit();
+        assert!(refit(0.1, 0.06, true) && !refit(0.1, 0.08, true));
+        assert!(!refit(0.04, 0.001, true) && !refit(0.1, 0.06, false));
+    }
+
+    /// What every stretch gains alike is sure; its error is how stretches differ.
+    #[test]
+    fn an_error_is_how_stretches_differ() {
+        let model = |squares: [f64; 4]| LeftOut::new(&squares.map(|s| vec![100.0 * s]), &[(); 4].map(|()| vec![100.0]));
+        let alike = model([1.0; 4]).less(&model([2.0; 4]), &[0.0]);
+        assert!((alike.gain - 1.0 / 3.0).abs() < 1e-12 && alike.error < 1e-12 && alike.whole, "{alike:?}");
+        let uneven = model([1.0; 4]).less(&model([1.0, 3.0, 1.0, 3.0]), &[0.0]);
+        // Gains of 0 and 2 of 12: a deviation of 2 / sqrt(12) / 2 a stretch, twice that of their sum.
+        assert!((uneven.gain - 1.0 / 3.0).abs() < 1e-12, "{uneven:?}");
+        assert!((uneven.error - 2.0 * (4.0_f64 / 3.0).sqrt() / 12.0).abs() < 1e-12, "{uneven:?}");
+    }
+
+    #[test]
     fn a_better_model_is_surely_better_and_the_same_is_not() {
         let mut random = Random::new(3);
         let (one, worse) = (noisy(&mut random, 1.0), noisy(&mut random, 2.0));
