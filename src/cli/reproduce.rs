@@ -59,6 +59,9 @@ pub(super) struct Reproduce {
     /// Sizes of what --on-real adds, in root mean squares of the identified model's residual.
     #[arg(long, value_name = "TIMES", value_delimiter = ',', value_parser = residuals, requires = "on_real", default_values_t = RealSettings::default().sizes)]
     sizes: Vec<f64>,
+    /// Diagnose only those of --on-real whose size a fit that knows the form recovers within 20 %.
+    #[arg(long, requires = "on_real")]
+    recoverable: bool,
     /// Hide nothing in the cases of the diagnosis: all that is named is a false alarm.
     #[arg(long)]
     clean: bool,
@@ -184,6 +187,7 @@ impl Reproduce {
             cases: self.cases.unwrap_or(RealSettings::default().cases),
             seed: self.seed,
             sizes: self.sizes.clone(),
+            recoverable: self.recoverable,
             ..RealSettings::default()
         };
         let recorded = self.recorded()?;

@@ -25,6 +25,7 @@ mod load_dependent_friction;
 mod nonlinear_viscous_friction;
 mod payload;
 mod plain;
+mod point_mass;
 mod position_dependent_friction;
 mod presliding_hysteresis;
 mod rotor_inertia;
@@ -320,6 +321,16 @@ pub trait Hypothesis: Sync {
         false
     }
 
+    /// Shape that these coefficients of its terms ask for, where the shape follows them.
+    fn follows(&self, _terms: &[Term], _x: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+
+    /// Whether its columns go with accelerations, so that errors of derivatives look like it.
+    fn follows_acceleration(&self) -> bool {
+        matches!(self.kind(), Kind::Body | Kind::Transmission)
+    }
+
     /// Whether its size is in its shape, and its one coefficient is 1 where its law holds: known to
     /// [`UNIT`].
     fn unit(&self) -> bool {
@@ -457,10 +468,12 @@ pub fn hypothesis(effect: EffectKind) -> &'static dyn Hypothesis {
 }
 
 /// A further law by which an effect may act: the same keys, other columns.
-fn further(effect: EffectKind) -> Option<&'static dyn Hypothesis> {
+pub(in crate::diagnose) fn further(effect: EffectKind) -> Option<&'static dyn Hypothesis> {
     match effect {
         EffectKind::GearCoupling => Some(&gear_coupling::CarriedAxis),
         EffectKind::JointSpring => Some(&joint_spring::CableSpring),
+        EffectKind::Payload => Some(&point_mass::POINT_PAYLOAD),
+        EffectKind::LinkInertiaError => Some(&point_mass::POINT_LINK),
         _ => None,
     }
 }

@@ -1,6 +1,7 @@
 //! The diagnosis from end to end: recordings in, [`Diagnosis`] out.
 
 use super::findings::attribution::{curve, in_order, unknown};
+use super::findings::calibration;
 use super::findings::deflection::deflections;
 use super::findings::impacts::impacts;
 use super::findings::reported_cause::quiet;
@@ -11,7 +12,8 @@ use super::search::SearchSettings;
 use super::select::contenders::Refit;
 use super::select::excess::explained;
 use super::select::measure::{Meter, root_mean_square};
-use super::select::refine_and_select::{Choice, Selected, Session};
+use super::select::offer::Choice;
+use super::select::refine_and_select::{Selected, Session};
 use super::windows::motion_error::budget;
 use super::windows::recording::{Recording, unexplained};
 use super::windows::torque_noise::torque_noise;
@@ -146,6 +148,11 @@ fn torque_rms(recordings: &[Recording], dof: usize) -> Vec<f64> {
     (0..dof).map(|j| root_mean_square(&all(j))).collect()
 }
 
+/// The smaller of two errors, per joint, N m.
+fn least(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a.min(*b)).collect()
+}
+
 /// Causes that no column of the recorded motion has, and the structure that they do not explain.
 fn without_columns(model: &Selected<'_>, left: Vec<Structure>, noise: &[f64]) -> (Vec<Structure>, Vec<Cause>) {
     let mut causes = deflections(model, noise);
@@ -154,7 +161,8 @@ fn without_columns(model: &Selected<'_>, left: Vec<Structure>, noise: &[f64]) ->
     let left = impacts.iter().fold(left, |left, i| i.explain(left, &model.after_fit, noise));
     causes.extend(impacts.map(|i| i.cause(&model.after_fit, noise)));
     // A cause that the model has already is not named twice.
-    causes.retain(|c| !model.causes.iter().any(|k| k.cause == c.cause && k.joints == c.joints));
+    let known = |c: &Cause| model.causes.iter().any(|k| k.cause == c.cause && k.joints == c.joints);
+    causes.retain(|c| !known(c) && c.probability >= calibration::NAMED);
     (left, causes)
 }
 
@@ -178,9 +186,8 @@ fn once(
     let (fit, validate) = if own_validation { (&whole[..], &other[..]) } else { (&first[..], &rest[..]) };
     let seconds: f64 = fit.iter().map(Recording::seconds).sum();
     let dof = plant.dof();
-    let zeros = plant.delays();
     let noise = torque_noise(&recorded, dof);
-    let start = ModelUnderTest::new(plant, fit, settings.rate, Mode::Trusted, &zeros, false);
+    let start = ModelUnderTest::new(plant, fit, settings.rate, Mode::Trusted, &plant.delays(), false);
     if seconds < 2.0 || start.scene.len < 100 {
         return Err(DiagnoseError::TooShort { seconds });
     }
@@ -202,7 +209,8 @@ fn once(
     let refit = Refit::new(plant, fit, validate, own_validation, settings)?;
     let has_links = plant.given().is_some_and(|g| g.iter().any(|v| *v != 0.0));
     // The contribution of sensors, motion and clock to the error is no evidence.
-    let budget = budget(if has_links { &start.scene } else { &refit.tested.scene }, &recorded, &noise);
+    let scene = if has_links { &start.scene } else { &refit.tested.scene };
+    let budget = budget(scene, &recorded, &noise).within(&least(&baseline.fit, &refit.errors.fit));
     let (noise, motion) = (&budget.floor()[..], &budget.of_motion()[..]);
     let ground: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.max(0.004 * t)).collect::<Vec<f64>>();
     let file_out = start.file_left_out();

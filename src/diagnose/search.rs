@@ -151,7 +151,22 @@ fn in_turn(ranked: &[Candidate]) -> Vec<(usize, &Candidate)> {
             order.push((rank, candidate));
         }
     }
-    order
+    // A body whose ten parameters do not hold may be one with fewer.
+    let simpler = |of: &Candidate| {
+        let fewer = |c: &Candidate| {
+            c.cause.name() == of.cause.name() && c.place == of.place && c.gain.x.len() < of.gain.x.len()
+        };
+        of.cause.within_links().then(|| ranked.iter().enumerate().find(|(_, c)| fewer(c))).flatten()
+    };
+    let mut all: Vec<(usize, &Candidate)> = Vec::new();
+    for (rank, candidate) in order {
+        for next in std::iter::once((rank, candidate)).chain(simpler(candidate)) {
+            if all.iter().all(|(known, _)| *known != next.0) {
+                all.push(next);
+            }
+        }
+    }
+    all
 }
 
 /// Bodies that are one body, delays that are one delay, and laws that are a simpler one.

@@ -5,6 +5,7 @@ pub(super) mod contenders;
 pub(super) mod excess;
 pub(super) mod measure;
 pub(super) mod model_choice;
+pub(super) mod offer;
 mod prune;
 pub(super) mod reduction;
 pub(super) mod refine_and_select;

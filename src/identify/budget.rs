@@ -92,6 +92,20 @@ impl ErrorBudget {
         self.motion.iter().zip(&self.clock).map(|(m, c)| m.hypot(*c)).collect()
     }
 
+    /// With motion and clock no larger than a model's error (per joint, N m) leaves room for: they
+    /// are reckoned from estimates of the encoders' noise.
+    pub fn within(mut self, error: &[f64]) -> Self {
+        for (j, error) in error.iter().enumerate() {
+            let (own, most) =
+                (self.motion[j].hypot(self.clock[j]), (error.powi(2) - self.sensor[j].powi(2)).max(0.0).sqrt());
+            if own > most {
+                self.motion[j] *= most / own;
+                self.clock[j] *= most / own;
+            }
+        }
+        self
+    }
+
     /// With what is left of a model's error, per joint, N m.
     pub fn of_errors(mut self, errors: &[f64]) -> Self {
         self.left = errors.iter().zip(self.floor()).map(|(e, f)| (e * e - f * f).max(0.0).sqrt()).collect();
@@ -182,5 +196,29 @@ impl BudgetCollector {
             left: Vec::new(),
         };
         Some(budget.of_errors(errors))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_reckoned_of_motion_is_no_more_than_a_model_errs() {
+        let budget = ErrorBudget {
+            sensor: vec![0.3, 0.3, 0.3],
+            motion: vec![0.4, 3.0, 1.0],
+            clock: vec![0.0, 4.0, 0.0],
+            repeatability: None,
+            left: vec![0.0; 3],
+        };
+        let found = budget.within(&[1.0, 0.5, 0.2]);
+        // Below the error as it was; else up to it, motion and clock in their ratio; none where the
+        // sensor alone is more.
+        let wanted = [[0.4, 0.0], [0.24, 0.32], [0.0, 0.0]];
+        for (j, [motion, clock]) in wanted.into_iter().enumerate() {
+            assert!((found.motion[j] - motion).abs() < 1e-12 && (found.clock[j] - clock).abs() < 1e-12, "{found:?}");
+        }
+        assert!((found.floor()[1] - 0.5).abs() < 1e-12);
     }
 }

@@ -117,9 +117,7 @@ impl Attribution<'_> {
         if item.hypothesis.local() || item.hypothesis.moves_time() {
             return 1.0;
         }
-        let mut own: Vec<usize> = item.friction.iter().map(|k| fitted.friction + k).collect();
-        own.extend(item.accepted.iter().flat_map(|&i| (0..fitted.terms[i].len()).map(move |t| fitted.first[i] + t)));
-        self.stretches.recurrence(&fitted.solution, &own)
+        self.stretches.recurrence(&fitted.solution, &item.unknowns(fitted))
     }
 }
 

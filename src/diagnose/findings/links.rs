@@ -4,21 +4,25 @@ use super::attribution::MOST_MARGIN;
 use super::calibration;
 use super::evidence;
 use super::result::{Cause, measured_on};
-use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};
+use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest, inertial, local};
+use crate::diagnose::fit::moments::Solution;
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
-use crate::diagnose::hypotheses::{Named, Quantity};
+use crate::diagnose::hypotheses::{Hypothesis, Named, Quantity, further, hypothesis};
 use crate::diagnose::search::equivalent_robot_cause;
 use crate::diagnose::search::judge::chosen_of;
 use crate::diagnose::search::merge_bodies::single_bodies;
 use crate::diagnose::select::measure::{Measured, Meter, bootstrap, matters, root_mean_square, share, taken_of};
-use crate::diagnose::select::model_choice::LeftOut;
+use crate::diagnose::select::model_choice::{LeftOut, Paired};
 use crate::diagnose::select::refine_and_select::{Selected, Session};
 use crate::model::{DriveTerm, StandardParameter};
-use dh_codegen::robot::effects;
+use dh_codegen::robot::{EffectKind, effects};
 
 /// Of what other links gain on stretches that are left out, one body must gain this share to be the
 /// answer.
 const ONE_BODY: f64 = 0.85;
+
+/// Probability from which one of many refitted links is named: the refit has all of them.
+const LIKELY: f64 = 0.5;
 
 /// One body that says what the refitted links say.
 struct Body {
@@ -52,8 +56,8 @@ impl Session<'_> {
         if !(refit.worth_refit() && gains && matters(&without.steady, &after.steady, self.noise, self.motion)) {
             return Vec::new();
         }
-        let sure = calibration::links(refit.gain, refit.error);
-        let mut causes: Vec<Cause> = rotors.iter().map(|&j| self.rotor(model, &without, j, sure)).collect();
+        let rotors = self.needed(model, &rotors, true);
+        let mut causes: Vec<Cause> = rotors.iter().map(|(j, gain)| self.rotor(model, &without, *j, *gain)).collect();
         if links.is_empty() {
             return causes;
         }
@@ -62,35 +66,67 @@ impl Session<'_> {
         let figures = format!(
             "with the file's own and everything else that was found {missed} N m are missed on {on} (RMS over joints), with these {now} N m"
         );
-        let cause = |name, joints, parameters, probability, evidence| Cause {
-            cause: name,
-            joints,
-            parameters,
-            probability,
-            evidence,
+        if let Some(body) = self.one_body(&mut believed, &others, &known, refit.gain) {
+            let evidence = format!(
+                "one body says {:.0} % of what other base parameters of {} gain on stretches that were left out; {figures}",
+                100.0 * body.share.min(1.0),
+                of_joints(&links)
+            );
+            causes.push(Cause {
+                cause: body.cause,
+                joints: body.joints,
+                parameters: body.parameters,
+                probability: calibration::links(refit.gain, refit.error),
+                evidence,
+                ..self.refitted(model, &without)
+            });
+            return causes;
+        }
+        let link = |(j, gain): (usize, Paired)| Cause {
+            joints: vec![j],
+            probability: calibration::links(gain.gain, gain.error),
+            evidence: format!(
+                "base parameters of link {j} differ from the file's by more than five of their standard deviations, and the file's beside \
+                 all others lose {:.0} +- {:.0} % of the squared error on stretches that were left out; all changed links together: {figures}",
+                200.0 * gain.gain,
+                200.0 * gain.error
+            ),
             ..self.refitted(model, &without)
         };
-        causes.push(match self.one_body(&mut believed, &others, &known, refit.gain) {
-            Some(body) => cause(
-                body.cause,
-                body.joints,
-                body.parameters,
-                sure,
-                format!(
-                    "one body says {:.0} % of what other base parameters of {} gain on stretches that were left out; {figures}",
-                    100.0 * body.share.min(1.0),
-                    of_joints(&links)
-                ),
-            ),
-            None => {
-                let evidence = format!(
-                    "the base parameters of {} differ from the file's by more than five of their standard deviations; {figures}",
-                    of_joints(&links)
-                );
-                cause(effects::LinkInertiaError::NAME, links, Vec::new(), sure, evidence)
-            }
-        });
+        causes.extend(self.needed(model, &links, false).into_iter().map(link));
         causes
+    }
+
+    /// Those links or rotors (joints, from 1) that a refit needs, and what each gains.
+    fn needed(&self, model: &Selected<'_>, joints: &[usize], rotor: bool) -> Vec<(usize, Paired)> {
+        let likely = |gain: &Paired| gain.gain > 0.0 && calibration::links(gain.gain, gain.error) >= LIKELY;
+        let all = joints.iter().map(|&j| (j, self.without_changes(model, j, rotor)));
+        all.filter(|(_, gain)| likely(gain)).collect()
+    }
+
+    /// By how much a refit errs less on left-out stretches than with the file's base parameters of
+    /// one joint's link, or rotor (`j`, from 1), beside all others.
+    fn without_changes(&self, model: &Selected<'_>, j: usize, rotor: bool) -> Paired {
+        let (plant, fitted) = (model.tested.plant, &model.fitted);
+        let (base, row) = (plant.base_parameters(), plant.rows()[j - 1]);
+        let own = |leader: StandardParameter| match leader {
+            StandardParameter::Link(of, _) => !rotor && of == row,
+            StandardParameter::Drive(of, _) => rotor && of == row,
+            _ => false,
+        };
+        let chosen = chosen_of(&model.accepted);
+        let stretches = model.tested.stretches(&chosen);
+        let (counts, local) = (stretches.counts(), local(&chosen, fitted));
+        let (mut file, mut fixed) = (fitted.solution.clone(), local.clone());
+        for (at, b) in inertial(plant).into_iter().enumerate().filter(|(_, b)| own(base[*b].leader)) {
+            let given = |i: &usize| plant.given().map_or(0.0, |g| g[*i]);
+            file.x[at] = base[b].coefficients.iter().map(|(i, k)| k * given(i)).sum();
+            fixed.push(at);
+        }
+        let of = |solution: &Solution, fixed: &[usize]| {
+            LeftOut::new(&stretches.cross_validated_without(solution, &[], fixed), &counts)
+        };
+        of(&fitted.solution, &local).less(&of(&file, &fixed), self.ground)
     }
 
     /// Common part of all causes of refitted parameters.
@@ -117,14 +153,14 @@ impl Session<'_> {
     }
 
     /// A rotor (of joint `j`, from 1) that the file has otherwise, or not at all.
-    fn rotor(&self, model: &Selected<'_>, without: &Measured, j: usize, probability: f64) -> Cause {
+    fn rotor(&self, model: &Selected<'_>, without: &Measured, j: usize, gain: Paired) -> Cause {
         let plant = model.tested.plant;
         let rotor = StandardParameter::Drive(plant.rows()[j - 1], DriveTerm::IA);
         let at = plant.standard_parameters().iter().position(|p| *p == rotor);
         let value = at.and_then(|at| model.fitted.standard.as_ref().map(|s| s[at])).unwrap_or(0.0);
         Cause {
             cause: effects::RotorInertia::NAME,
-            probability,
+            probability: calibration::links(gain.gain, gain.error),
             joints: vec![j],
             parameters: vec![Named::new(effects::RotorInertia::IA, value, None).of_joint(Some(j))],
             evidence: format!(
@@ -145,7 +181,10 @@ impl Session<'_> {
         gain: f64,
     ) -> Option<Body> {
         let mut best: Option<(f64, Vec<Chosen>)> = None;
-        for body in single_bodies(believed) {
+        let law = hypothesis(EffectKind::LinkInertiaError);
+        let laws: Vec<&'static dyn Hypothesis> =
+            std::iter::once(law).chain(further(EffectKind::LinkInertiaError)).collect();
+        for body in single_bodies(believed, &laws) {
             let mut trial = others.to_vec();
             trial.push(body);
             let fitted = believed.fit(&mut trial);

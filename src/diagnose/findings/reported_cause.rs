@@ -18,6 +18,15 @@ pub(in crate::diagnose) struct Item {
     pub(in crate::diagnose) friction: Vec<usize>,
 }
 
+impl Item {
+    /// Its unknowns in a fit.
+    pub(in crate::diagnose) fn unknowns(&self, fitted: &Fitted) -> Vec<usize> {
+        let friction = self.friction.iter().map(|k| fitted.friction + k);
+        let own = self.accepted.iter().flat_map(|&i| (0..fitted.terms[i].len()).map(move |t| fitted.first[i] + t));
+        friction.chain(own).collect()
+    }
+}
+
 /// Place of an item, in words.
 pub(in crate::diagnose) fn place_of(place: &[usize]) -> String {
     match place {

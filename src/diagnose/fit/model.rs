@@ -134,6 +134,12 @@ pub(in crate::diagnose) fn units(chosen: &[Chosen], fitted: &Fitted) -> Vec<usiz
     of.flat_map(|((_, first), terms)| *first..first + terms.len()).collect()
 }
 
+/// Whether a shape that follows coefficients has settled: to a hundredth of its largest number.
+pub(in crate::diagnose) fn near(next: &[f64], shape: &[f64]) -> bool {
+    let size = shape.iter().fold(1e-9_f64, |most, s| most.max(s.abs()));
+    next.len() == shape.len() && next.iter().zip(shape).all(|(a, b)| (a - b).abs() <= 0.01 * size)
+}
+
 /// Key that distinguishes sets of terms.
 type Key = (&'static str, Vec<usize>, Vec<u64>);
 
@@ -350,6 +356,12 @@ impl<'a> ModelUnderTest<'a> {
                         c.shape[0] = x;
                         converged = false;
                     }
+                }
+                if let Some(next) = c.cause.follows(&fitted.terms[i], &c.x)
+                    && !near(&next, &c.shape)
+                {
+                    c.shape = next;
+                    converged = false;
                 }
                 if c.cause.rests_on_model() && !c.cause.moves_time() && before != c.x {
                     let size = c.x.iter().map(|x| x.abs()).fold(1e-12, f64::max);

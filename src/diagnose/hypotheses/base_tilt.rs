@@ -24,6 +24,10 @@ impl Hypothesis for BaseTilt {
         Kind::Body
     }
 
+    fn follows_acceleration(&self) -> bool {
+        false
+    }
+
     fn scope(&self) -> Scope {
         Scope::Robot
     }

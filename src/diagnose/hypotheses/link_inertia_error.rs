@@ -5,9 +5,11 @@ use dh_codegen::robot::effects;
 
 use super::Hypothesis;
 use super::Kind;
+use super::Law;
 use super::Symbol;
 use super::Term;
 use super::payload::{Payload, body_terms};
+use super::point_mass::POINT_LINK;
 use crate::diagnose::fit::regulariser::deviations;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::{Inertial, StandardParameter};
@@ -26,6 +28,10 @@ impl Hypothesis for LinkInertiaError {
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
         body_terms(scene, scene.plant.rows()[place[0]], effects::LinkInertiaError::BODY)
+    }
+
+    fn simpler(&self, _: &WindowedData<'_>, _: &[usize], _: &[f64]) -> Vec<Law> {
+        vec![(&POINT_LINK, vec![vec![0.0; 3]])]
     }
 
     fn within_links(&self) -> bool {

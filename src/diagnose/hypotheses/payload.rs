@@ -5,41 +5,44 @@ use dh_codegen::robot::effects::{self, Key};
 
 use super::Hypothesis;
 use super::Kind;
+use super::Law;
 use super::Scope;
 use super::Sign;
 use super::Term;
+use super::point_mass::POINT_PAYLOAD;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 
 /// The ten parameters of a body in the last frame.
 pub struct Payload;
 
-/// Columns of the ten parameters of a row's body, through the base parameters that they belong to,
-/// under these keys.
-pub(super) fn body_terms(scene: &WindowedData<'_>, row: usize, keys: [Key; 10]) -> Vec<Term> {
+/// Torques of one unit of each of the ten parameters of a row's body, per joint, through the base
+/// parameters that they belong to.
+pub(super) fn body_columns(scene: &WindowedData<'_>, row: usize) -> [Vec<Vec<f64>>; 10] {
     let base = scene.plant.base_parameters();
     let rows = scene.base_rows();
-    keys.into_iter()
-        .enumerate()
-        .filter_map(|(which, key)| {
-            let standard = 10 * row + which;
-            let factor: Vec<f64> = base
-                .iter()
-                .map(|b| b.coefficients.iter().filter(|c| c.0 == standard).map(|c| c.1).sum::<f64>())
-                .collect();
-            let torques: Vec<Vec<f64>> = rows
-                .iter()
-                .map(|entries| {
-                    let mut out = vec![0.0; scene.len];
-                    for (b, series) in entries.iter().filter(|(b, _)| factor[*b] != 0.0) {
-                        out.iter_mut().zip(series).for_each(|(o, s)| *o += factor[*b] * s);
-                    }
-                    out
-                })
-                .collect();
-            let column: Column = scene.column(torques);
-            (!column.rows.is_empty()).then(|| Term::new(key, column, Sign::Any))
-        })
-        .collect()
+    std::array::from_fn(|which| {
+        let standard = 10 * row + which;
+        let factor: Vec<f64> =
+            base.iter().map(|b| b.coefficients.iter().filter(|c| c.0 == standard).map(|c| c.1).sum::<f64>()).collect();
+        let torque = |entries: &Vec<(usize, Vec<f64>)>| {
+            let mut out = vec![0.0; scene.len];
+            for (b, series) in entries.iter().filter(|(b, _)| factor[*b] != 0.0) {
+                out.iter_mut().zip(series).for_each(|(o, s)| *o += factor[*b] * s);
+            }
+            out
+        };
+        rows.iter().map(torque).collect()
+    })
+}
+
+/// Columns of the ten parameters of a row's body under these keys, those without effect left out.
+pub(super) fn body_terms(scene: &WindowedData<'_>, row: usize, keys: [Key; 10]) -> Vec<Term> {
+    let columns = keys.into_iter().zip(body_columns(scene, row));
+    let term = |(key, torques): (Key, Vec<Vec<f64>>)| {
+        let column: Column = scene.column(torques);
+        (!column.rows.is_empty()).then(|| Term::new(key, column, Sign::Any))
+    };
+    columns.filter_map(term).collect()
 }
 
 impl Hypothesis for Payload {
@@ -60,6 +63,10 @@ impl Hypothesis for Payload {
             Some(&row) => body_terms(scene, row, effects::Payload::BODY),
             None => Vec::new(),
         }
+    }
+
+    fn simpler(&self, _: &WindowedData<'_>, _: &[usize], _: &[f64]) -> Vec<Law> {
+        vec![(&POINT_PAYLOAD, vec![vec![0.0; 3]])]
     }
 
     fn within_links(&self) -> bool {

@@ -27,6 +27,10 @@ impl Hypothesis for TimeDelay {
         Kind::Measurement
     }
 
+    fn follows_acceleration(&self) -> bool {
+        true
+    }
+
     fn scope(&self) -> Scope {
         Scope::JointOrRobot
     }

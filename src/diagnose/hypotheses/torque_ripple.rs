@@ -94,6 +94,10 @@ impl Hypothesis for TorqueRipple {
         Kind::Transmission
     }
 
+    fn follows_acceleration(&self) -> bool {
+        false
+    }
+
     fn shape(&self) -> &'static [Shape] {
         &[Shape {
             symbol: Symbol::Key(effects::TorqueRipple::RN),

@@ -4,7 +4,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::judge::SURE;
-use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
+use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, near};
 use crate::diagnose::fit::moments::Gain;
 use crate::diagnose::hypotheses::{Hypothesis, Sign, UNIT, at_edge, causes};
 
@@ -219,6 +219,21 @@ fn simplest_first(all: &mut [Candidate], fitted: &Fitted) {
     }
 }
 
+/// Lets a shape that follows the coefficients settle.
+fn follow(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate) {
+    for _ in 0..4 {
+        let terms = tested.family(candidate.cause, &candidate.place, &candidate.shape);
+        let Some(next) = candidate.cause.follows(&terms, &candidate.gain.x) else { break };
+        if near(&next, &candidate.shape) {
+            break;
+        }
+        match evaluate(tested, fitted, candidate.cause, &candidate.place, &next) {
+            Some(better) => *candidate = better,
+            None => break,
+        }
+    }
+}
+
 /// Walks each number of the shape up and down with shrinking steps.
 pub(in crate::diagnose) fn refine(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate) {
     let shape = candidate.cause.shape();
@@ -238,6 +253,7 @@ pub(in crate::diagnose) fn refine(tested: &ModelUnderTest<'_>, fitted: &Fitted, 
             }
         }
     }
+    follow(tested, fitted, candidate);
     for (k, number) in shape.iter().enumerate() {
         let Some(first) = number.step else { continue };
         let mut step = first;

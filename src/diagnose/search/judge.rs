@@ -7,7 +7,7 @@ use super::candidate::{logs, unknowns};
 use crate::diagnose::fit::likelihood::gain as autoregressive_gain;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::fit::moments::Solution;
-use crate::diagnose::hypotheses::{Sign, at_edge};
+use crate::diagnose::hypotheses::{Hypothesis, Sign, at_edge};
 
 /// An accepted cause with the evidence.
 #[derive(Clone)]
@@ -61,10 +61,11 @@ impl Judge<'_> {
         rss.iter().zip(counts).zip(self.noise).any(|((rss, count), noise)| *rss > count * noise * noise)
     }
 
-    /// Least that a cause takes of a joint's squared error, (N m)^2: a share of the noise, and more
-    /// than errors of the recorded motion can make.
-    fn least(&self, joint: usize) -> f64 {
-        let motion = self.tested.motion_error.get(joint).copied().unwrap_or(0.0);
+    /// Least that a cause takes of a joint's squared error, (N m)^2: a share of the noise, and where
+    /// errors of derivatives look like it, more than they can make.
+    fn least(&self, cause: &dyn Hypothesis, joint: usize) -> f64 {
+        let motion = self.tested.motion_error.get(joint).filter(|_| cause.follows_acceleration());
+        let motion = motion.copied().unwrap_or(0.0);
         (self.settings.least_effect * self.noise[joint]).max(motion).powi(2)
     }
 
@@ -116,7 +117,7 @@ impl Judge<'_> {
         // Large enough beside the noise, on some joint?
         let taken = variance_taken(before, after);
         let size = |j: usize| if counts[j] > 0.0 { before.solution.rss[j] / counts[j] } else { 0.0 };
-        if !(0..taken.len()).any(|j| taken[j] > self.least(j).max(settings.least_gain * size(j))) {
+        if !(0..taken.len()).any(|j| taken[j] > self.least(*cause, j).max(settings.least_gain * size(j))) {
             return None;
         }
         let variance: f64 = taken.iter().filter(|t| **t > 0.0).sum();
@@ -144,7 +145,7 @@ impl Judge<'_> {
             }
         } else if confirmed < 0.75
             || predicted < 0.6 * settings.least_gain
-            || spoilt > bearable(predicted)
+            || spoilt > bearable(*cause, predicted)
             || stirred > (0.5 * predicted).max(0.1)
         {
             return None;
@@ -166,9 +167,11 @@ pub(in crate::diagnose) fn stands(tested: &ModelUnderTest<'_>, j: usize) -> bool
 
 /// Share by which another joint's error may grow. A cause that explains most of one joint's error
 /// is not refuted by earlier causes, found beside that error, that still have to change. A tenth up
-/// to six tenths of the error, a half from nine tenths on.
-fn bearable(predicted: f64) -> f64 {
-    0.1 + 0.4 * ((predicted - 0.6) / 0.3).clamp(0.0, 1.0)
+/// to six tenths of the error, a half from nine tenths on. A body acts on many joints, each with
+/// errors of its own: half of what it explains.
+fn bearable(cause: &dyn Hypothesis, predicted: f64) -> f64 {
+    let most = 0.1 + 0.4 * ((predicted - 0.6) / 0.3).clamp(0.0, 1.0);
+    if cause.within_links() { most.max(0.5 * predicted) } else { most }
 }
 
 /// Result of leaving parts of the data out of the fit in turn.

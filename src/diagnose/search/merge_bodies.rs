@@ -4,17 +4,22 @@ use super::candidate::logs;
 use super::equivalent_robot_cause;
 use super::judge::{Accepted, adopt, chosen_of};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
-use crate::diagnose::hypotheses::hypothesis;
+use crate::diagnose::hypotheses::{Hypothesis, hypothesis};
 use dh_codegen::robot::EffectKind;
 
 /// Of the error that several bodies take, one must take this share to be all of them.
 const NEARLY_ALL: f64 = 0.97;
 
-/// Each link of the arm as a wrong body, the fit still to come.
-pub(in crate::diagnose) fn single_bodies(tested: &ModelUnderTest<'_>) -> Vec<Chosen> {
-    let cause = hypothesis(EffectKind::LinkInertiaError);
-    let of = |place| Chosen { cause, place, shape: Vec::new(), x: Vec::new() };
-    cause.places(&tested.scene).into_iter().map(of).collect()
+/// Each link of the arm as a wrong body, by each of the given laws, the fit still to come.
+pub(in crate::diagnose) fn single_bodies(tested: &ModelUnderTest<'_>, laws: &[&'static dyn Hypothesis]) -> Vec<Chosen> {
+    let mut all = Vec::new();
+    for &cause in laws {
+        for place in cause.places(&tested.scene) {
+            let shape = cause.grid(&tested.scene, &place, &[]).into_iter().next();
+            all.extend(shape.map(|shape| Chosen { cause, place, shape, x: Vec::new() }));
+        }
+    }
+    all
 }
 
 /// A body that was found first as its neighbour, for the columns of links are alike, leaves a rest
@@ -36,7 +41,7 @@ pub(in crate::diagnose) fn merge_bodies(
     let without = tested.fit(&mut others.clone());
     let misfit = |f: &Fitted| f.solution.rss.iter().zip(&fitted.solution.weights).map(|(r, w)| r * w).sum::<f64>();
     let mut best: Option<(f64, Vec<Chosen>, Fitted)> = None;
-    for body in single_bodies(tested) {
+    for body in single_bodies(tested, &[hypothesis(EffectKind::LinkInertiaError)]) {
         let mut trial = others.clone();
         trial.push(body);
         let next = tested.fit(&mut trial);

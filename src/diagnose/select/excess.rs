@@ -28,7 +28,7 @@ const APART: f64 = 1.3;
 const NEARLY: f64 = 0.8;
 
 /// Sum over joints of the logarithms of error ratios above which a model is worse.
-const WORSE: f64 = 0.02;
+pub(super) const WORSE: f64 = 0.02;
 
 /// Least speed of a joint, by its fastest, at which its error counts as excess: about a reversal
 /// dry friction is no function of the recorded velocity.

@@ -96,7 +96,9 @@ pub(in crate::diagnose) fn root_mean_square(x: &[f64]) -> f64 {
 /// Whether a cause is measured on the fitted logs: it acts in a part of one of them, or the
 /// validating ones can't show it, and so can't refute it.
 pub(in crate::diagnose) fn here(item: &Item, after: &Measured) -> bool {
-    item.hypothesis.local() || item.accepted.is_some_and(|index| !after.shown[index])
+    // A sensor that was off shows nothing.
+    let off = !item.place.is_empty() && item.place.iter().all(|&j| after.rms[j] == 0.0);
+    off || item.hypothesis.local() || item.accepted.is_some_and(|index| !after.shown[index])
 }
 
 /// Errors of the model that is fitted without one of its causes; the model under test is left with
@@ -217,6 +219,7 @@ pub(in crate::diagnose) fn share(before: &[f64], after: &[f64], noise: &[f64], p
     let joint = (0..before.len())
         .max_by(|a, b| (gain(*a) / noise[*a].powi(2).max(1e-12)).total_cmp(&(gain(*b) / noise[*b].powi(2).max(1e-12))));
     let joint = place.first().copied().or(joint).unwrap_or(0);
-    let above = before[joint].powi(2) - noise[joint].powi(2);
+    // Where the noise is said to be nearly all of an error, it is not known well enough for that.
+    let above = (before[joint].powi(2) - noise[joint].powi(2)).max(0.5 * before[joint].powi(2));
     if above > 0.0 { (gain(joint) / above).clamp(-1.0, 1.0) } else { 0.0 }
 }

@@ -2,10 +2,11 @@
 //! stretches.
 
 use super::measure::reduced;
-use super::model_choice::LeftOut;
+use super::model_choice::{LeftOut, Paired};
 use crate::diagnose::findings::reported_cause::{Item, items, place_of};
 use crate::diagnose::fit::likelihood::gain;
-use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest, given_friction, local};
+use crate::diagnose::fit::model::{Chosen, Fitted, Mode, ModelUnderTest, given_friction, local};
+use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::uncertainty::Uncertainty;
 use crate::diagnose::search::judge::{Accepted, SURE, adopt, chosen_of};
 use crate::diagnose::windows::recording::Recording;
@@ -35,6 +36,20 @@ pub(in crate::diagnose) fn without(
     fitted
 }
 
+/// By how much less a fitted model errs on stretches that are left out in turn than the same
+/// without one of its causes, which must not move the data in time.
+pub(in crate::diagnose) fn gain_on_left_out(
+    stretches: &Moments,
+    fitted: &Fitted,
+    chosen: &[Chosen],
+    item: &Item,
+    ground: &[f64],
+) -> Paired {
+    let (counts, local) = (stretches.counts(), local(chosen, fitted));
+    let of = |out: &[usize]| LeftOut::new(&stretches.cross_validated_without(&fitted.solution, out, &local), &counts);
+    of(&[]).less(&of(&item.unknowns(fitted)), ground)
+}
+
 /// Takes out, one after the other, what makes stretches of the fitted logs that are left out in
 /// turn worse.
 pub(in crate::diagnose) fn backward_eliminate(
@@ -50,36 +65,24 @@ pub(in crate::diagnose) fn backward_eliminate(
         let chosen = chosen_of(accepted);
         let items = items(tested, accepted, &fitted);
         let stretches = tested.stretches(&chosen);
-        let (counts, local) = (stretches.counts(), local(&chosen, &fitted));
-        let with = LeftOut::new(&stretches.cross_validated_without(&fitted.solution, &[], &local), &counts);
-        let mut worst = None;
+        let mut worst: Option<(&Item, Paired)> = None;
         for item in items.iter().filter(|i| !i.hypothesis.local()) {
-            let others = if item.hypothesis.moves_time() {
+            let paired = if item.hypothesis.moves_time() {
                 if round > 0 {
                     continue;
                 }
-                let (reduced, others, fitted) = reduced(plant, fit, tested, &chosen, item);
-                reduced.left_out(&others, &fitted)
+                let (reduced, others, fitted_without) = reduced(plant, fit, tested, &chosen, item);
+                tested.left_out(&chosen, &fitted).less(&reduced.left_out(&others, &fitted_without), ground)
             } else {
-                let mut out: Vec<usize> = item.friction.iter().map(|k| fitted.friction + k).collect();
-                out.extend(
-                    item.accepted
-                        .iter()
-                        .flat_map(|&i| (0..fitted.terms[i].len()).map(move |t| (i, t)))
-                        .map(|(i, t)| fitted.first[i] + t),
-                );
-                LeftOut::new(&stretches.cross_validated_without(&fitted.solution, &out, &local), &counts)
+                gain_on_left_out(&stretches, &fitted, &chosen, item, ground)
             };
-            let paired = with.less(&others, ground);
-            if paired.gain < -1e-6
-                && worst.as_ref().is_none_or(|(_, w): &(&Item, super::model_choice::Paired)| paired.gain < w.gain)
-            {
+            if paired.gain < -1e-6 && worst.as_ref().is_none_or(|(_, least)| paired.gain < least.gain) {
                 worst = Some((item, paired));
             }
         }
         let Some((item, paired)) = worst else { break };
         why.push(format!(
-            "{} {} is not in the model: stretches of the fitted logs that were left out are predicted better without it ({:.1} +- {:.1} % of their squared error).",
+            "{} {} is not in the model: without it the squared error of stretches of the fitted logs that were left out is {:.1} +- {:.1} % less.",
             item.hypothesis.name(),
             place_of(&item.place),
             -200.0 * paired.gain,

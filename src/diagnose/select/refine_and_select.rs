@@ -1,15 +1,13 @@
-//! From what a search found to a model that holds on data which were not used; and which of several
-//! such models is offered.
+//! From what a search found to a model that holds on data which were not used.
 
 use super::beside::{Beside, Without};
-use super::contenders::Refit;
 use super::measure::{Measured, Meter, matters, taken_of, takes};
 use super::model_choice::LeftOut;
 use super::reduction::{backward_eliminate, drop_insignificant, fix_friction, free_friction, without};
 use crate::diagnose::findings::attribution::Attribution;
-use crate::diagnose::findings::evidence;
-use crate::diagnose::findings::reported_cause::items;
-use crate::diagnose::findings::result::{Cause, Offered};
+use crate::diagnose::findings::calibration;
+use crate::diagnose::findings::reported_cause::{Item, items, place_of};
+use crate::diagnose::findings::result::Cause;
 use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
 use crate::diagnose::fit::uncertainty::Uncertainty;
 use crate::diagnose::run::Settings;
@@ -40,20 +38,31 @@ pub(in crate::diagnose) struct Session<'a> {
     pub(in crate::diagnose) progress: &'a dyn Fn(&str),
 }
 
-/// The offered model, why, and what differs between the logs.
-pub(in crate::diagnose) struct Choice<'a> {
-    pub(in crate::diagnose) offered: Offered,
-    pub(in crate::diagnose) why: Vec<String>,
-    /// Joints, from 0, that one model does not predict on fitted and validating logs.
-    pub(in crate::diagnose) changed: Vec<usize>,
-    /// [`Diagnosis::file_holds`](crate::diagnose::findings::result::Diagnosis::file_holds).
-    pub(in crate::diagnose) file_holds: bool,
-    pub(in crate::diagnose) model: Selected<'a>,
-}
-
 /// Least share of a joint's squared error that a cause takes where it acts, if that is a part of a
 /// log only: no other stretch can confirm it.
 const LOCAL_SHARE: f64 = 0.25;
+
+/// Rounds in which causes that do not hold are taken out.
+const MOST_ROUNDS: usize = 8;
+
+/// Causes that are not likely enough to be named: all of those far below the limit, or the least
+/// likely one, for without it another may be likelier.
+fn unlikely(causes: &[Cause]) -> Vec<usize> {
+    let below = |limit: f64| (0..causes.len()).filter(move |&i| causes[i].probability < limit);
+    let far: Vec<usize> = below(0.5 * calibration::NAMED).collect();
+    if !far.is_empty() {
+        return far;
+    }
+    let least = below(calibration::NAMED).min_by(|&a, &b| causes[a].probability.total_cmp(&causes[b].probability));
+    least.into_iter().collect()
+}
+
+/// A sentence on a cause that is too unlikely to be named.
+fn not_named(cause: &Cause, item: &Item) -> Option<String> {
+    let place = place_of(&item.place);
+    (cause.probability < calibration::NAMED)
+        .then(|| format!("{} {place} is not named: its probability is {:.2}.", cause.cause, cause.probability))
+}
 
 /// The fit inside what is possible; the accepted causes have its values.
 fn inside(
@@ -138,6 +147,26 @@ impl<'a> Session<'a> {
         self.validated(tested, accepted, fitted, rivals, why)
     }
 
+    /// Causes (index) that do not hold on validating and fitted logs (errors of the model there).
+    fn failed(&self, items: &[Item], others: &[Without], causes: &[Cause], errors: [&Measured; 2]) -> Vec<usize> {
+        let [after, after_fit] = errors;
+        let still = vec![0.0; self.motion.len()];
+        // A cause that loses on data that was not used is no cause, and not in the model.
+        let holds = |i: usize| {
+            let (without, with) = (&others[i].alike(after), &after.steady);
+            let motion = if items[i].hypothesis.follows_acceleration() { self.motion } else { &still };
+            taken_of(without, with, self.scale) > 0.0 && matters(without, with, self.noise, motion)
+        };
+        // A cause that acts in a part of a log, or on joints that differ between the logs, must
+        // still stand out beside everything else.
+        let out = |i: usize| takes(&others[i].measured.rms, &after_fit.rms, self.settings.search.least_gain);
+        let stands = |i: usize| match items[i].hypothesis.local() {
+            true => others[i].within.is_some_and(|share| share >= LOCAL_SHARE) && !others[i].may_be_chance(),
+            false => !others[i].differs(&items[i].place) || out(i),
+        };
+        (0..causes.len()).filter(|&i| if causes[i].on == "fit" { !stands(i) } else { !holds(i) }).collect()
+    }
+
     /// Takes out what does not hold on data that were not used, and measures; all of it of the
     /// model inside what is possible.
     pub(super) fn validated(
@@ -146,7 +175,7 @@ impl<'a> Session<'a> {
         mut accepted: Vec<Accepted>,
         mut fitted: Fitted,
         rivals: Vec<BaselineFriction>,
-        why: Vec<String>,
+        mut why: Vec<String>,
     ) -> Result<Selected<'a>, ConsistentError> {
         for round in 0.. {
             (self.progress)("measuring on data that was not used");
@@ -178,24 +207,13 @@ impl<'a> Session<'a> {
                     weighing.attribute(item, [&other.measured, with], other.shares(), other.interval, on)
                 })
                 .collect();
-            // A cause that loses on data that was not used is no cause, and not in the model.
-            let holds = |i: usize| {
-                let (without, with) = (&others[i].alike(&after), &after.steady);
-                taken_of(without, with, self.scale) > 0.0 && matters(without, with, self.noise, self.motion)
-            };
-            // A cause that acts in a part of a log, or on joints that differ between the logs, must
-            // still stand out beside everything else.
-            let out = |i: usize| takes(&others[i].measured.rms, &after_fit.rms, self.settings.search.least_gain);
-            let stands = |i: usize| match items[i].hypothesis.local() {
-                true => others[i].within.is_some_and(|share| share >= LOCAL_SHARE) && !others[i].may_be_chance(),
-                false => !others[i].differs(&items[i].place) || out(i),
-            };
-            let failed: Vec<usize> =
-                (0..causes.len()).filter(|&i| if causes[i].on == "fit" { !stands(i) } else { !holds(i) }).collect();
-            if failed.is_empty() || round >= 3 {
+            let failed = self.failed(&items, &others, &causes, [&after, &after_fit]);
+            let failed = if failed.is_empty() { unlikely(&causes) } else { failed };
+            if failed.is_empty() || round >= MOST_ROUNDS {
                 let left_out = tested.possible_left_out(&chosen_of(&accepted), &fitted)?;
                 return Ok(Selected { tested, accepted, fitted, after, after_fit, causes, left_out, rivals, why });
             }
+            why.extend(failed.iter().filter_map(|&i| not_named(&causes[i], &items[i])));
             for &k in failed.iter().flat_map(|&i| &items[i].friction) {
                 let which = if tested.mode == Mode::Refitted { &mut tested.quiet } else { &mut tested.frozen };
                 which[k] = true;
@@ -204,149 +222,5 @@ impl<'a> Session<'a> {
             fitted = without(&mut tested, &mut accepted, &out);
         }
         unreachable!("the loop returns")
-    }
-
-    /// Choice of the offered model, by its predictions of stretches of the fitted logs that are
-    /// left out in turn; and the reason. `models`: with the file's links, with all base parameters
-    /// refitted, either or both; `file`: errors of the unchanged file.
-    pub(in crate::diagnose) fn choose(
-        &self,
-        models: Vec<Selected<'a>>,
-        file: &LeftOut,
-        refitted: &Refit<'_>,
-    ) -> Result<Choice<'a>, ConsistentError> {
-        let refit = &refitted.left_out;
-        let [mut believing, mut free] = [None, None];
-        for model in models {
-            match model.tested.mode {
-                Mode::Trusted => believing = Some(model),
-                Mode::Refitted => free = Some(model),
-            }
-        }
-        let mut said = Vec::new();
-        // Of two models that are as good the one with fewer unknowns.
-        if let Some(all) = free.take_if(|f| !f.accepted.is_empty() && !f.left_out.less(refit, self.ground).sure()) {
-            said.push(self.says(
-                "a plain refit predicts as well as one with further causes, or better",
-                refit,
-                &all.left_out,
-            ));
-            free = Some(self.plain()?);
-        }
-        let mut model = self.better_links(believing, free, refitted, &mut said)?;
-        let refitted = model.tested.mode == Mode::Refitted;
-        let changed = refitted || !model.accepted.is_empty() || model.tested.frozen.iter().any(|f| !f);
-        let mut offered = match (changed, refitted && model.accepted.is_empty()) {
-            (false, _) => Offered::File,
-            (_, true) => Offered::Refitted,
-            _ => Offered::Extended,
-        };
-        // No other part can predict a cause that acts in one part of a log; it must only stand out
-        // there.
-        let local = model.accepted.iter().any(|a| a.chosen.cause.local());
-        if changed && !local && !model.left_out.less(file, self.ground).sure() {
-            said.push(self.says("nothing predicts surely better than the unchanged file", &model.left_out, file));
-            let why = std::mem::take(&mut model.why);
-            (offered, model) = (Offered::File, Selected { why, ..self.file()? });
-        } else if let Some((file, sentence)) = self.holding_file(changed, &model)? {
-            let differ = self.changed(&model, self.noise);
-            said.push(sentence);
-            let mut why = std::mem::take(&mut model.why);
-            why.extend(said);
-            return Ok(Choice { offered: Offered::File, why, changed: differ, file_holds: true, model: file });
-        } else if changed {
-            let what = match offered {
-                Offered::Extended => "the extended model predicts better than the file",
-                _ => "the refitted file predicts better than the unchanged file",
-            };
-            said.push(self.says(what, &model.left_out, file));
-        }
-        let mut why = std::mem::take(&mut model.why);
-        why.extend(said);
-        let changed = if self.own_validation { self.changed(&model, self.noise) } else { Vec::new() };
-        Ok(Choice { offered, why, changed, file_holds: false, model })
-    }
-
-    /// The unchanged file and a sentence, where it errs less over all joints on every validating
-    /// log than a model for which the fitted logs ask. (One joint that a model makes worse beside
-    /// others that it halves is a matter of that joint's causes.)
-    fn holding_file(
-        &self,
-        changed: bool,
-        model: &Selected<'a>,
-    ) -> Result<Option<(Selected<'a>, String)>, ConsistentError> {
-        if !changed || !self.own_validation {
-            return Ok(None);
-        }
-        let file = self.file()?;
-        if !self.worse_as_a_whole(model, &self.by_log_of(&file)) {
-            return Ok(None);
-        }
-        let gap = |j: &usize| (model.after.steady[*j] - file.after.steady[*j]) / self.scale[*j];
-        let joint = (0..self.scale.len()).max_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(0);
-        let [here, there] = [&file, model].map(|m| evidence::short(m.after.steady[joint]));
-        let sentence = format!(
-            "The fitted logs ask for another model, but the unchanged file errs less than it on every validating log \
-             (joint {}: {here} N m against {there}), so the file is offered. Either something changed between the logs, or the \
-             fitted ones show too little.",
-            joint + 1
-        );
-        Ok(Some((file, sentence)))
-    }
-
-    /// The file's links with further causes, or all base parameters refitted with further causes.
-    fn better_links(
-        &self,
-        believing: Option<Selected<'a>>,
-        free: Option<Selected<'a>>,
-        refit: &Refit<'_>,
-        said: &mut Vec<String>,
-    ) -> Result<Selected<'a>, ConsistentError> {
-        Ok(match (believing, free) {
-            (Some(few), Some(all)) if all.left_out.less(&few.left_out, self.ground).worth_refit() => {
-                said.push(self.says(
-                    "all base parameters refitted predict better than the file's links with further causes",
-                    &all.left_out,
-                    &few.left_out,
-                ));
-                all
-            }
-            (Some(few), Some(all))
-                if self.worse_than(&few, refit) && !few.left_out.less(&all.left_out, self.ground).sure() =>
-            {
-                said.push(self.says(
-                    "all base parameters refitted predict as well as the file's links with further causes, and err less on a validating log",
-                    &all.left_out,
-                    &few.left_out,
-                ));
-                all
-            }
-            (Some(few), _) => few,
-            (None, Some(all)) => all,
-            (None, None) => self.file()?,
-        })
-    }
-
-    fn says(&self, what: &str, a: &LeftOut, b: &LeftOut) -> String {
-        let (paired, joint) = (a.less(b, self.ground), a.most_changed(b, self.ground));
-        // The gain is a difference by a sum: 2 g / (1 + g) by the other's square.
-        let percent = |g: f64| 200.0 * g.clamp(-0.9, 1.0) / (1.0 + g.clamp(-0.9, 1.0));
-        let sense = if paired.gain < 0.0 { "more" } else { "less" };
-        let one = if paired.gain < 0.0 { -1.0 } else { 1.0 };
-        let ends = [-one, one].map(|side| one * percent(paired.gain + side * paired.error));
-        let (of, whole) =
-            ([a, b].map(|m| evidence::short(m.joint_rms(joint))), [a, b].map(|m| evidence::short(m.rms())));
-        format!(
-            "On stretches of the fitted logs that were left out in turn {what}. The error of joint {}, which differs most, is {} N m against {} N m; \
-             over all joints (RMS) it is {} N m against {} N m. With every joint counting alike its square is {:.0} ({:.0} to {:.0}) % {sense}.",
-            joint + 1,
-            of[0],
-            of[1],
-            whole[0],
-            whole[1],
-            percent(paired.gain).abs(),
-            ends[0],
-            ends[1],
-        )
     }
 }

@@ -39,6 +39,11 @@ pub struct Stability {
     pub causes: Vec<(String, &'static str, Vec<usize>, f64, Tally)>,
 }
 
+/// Whether the size that an informed fit finds, by the true one, is near enough to 1.
+pub(super) fn is_recovered(size: f64) -> bool {
+    (size - 1.0).abs() < RECOVERED
+}
+
 /// Whether two causes are one in one place.
 fn same(a: &Cause, b: &Cause) -> bool {
     a.cause == b.cause && a.joints == b.joints
@@ -53,7 +58,7 @@ pub(super) fn new_causes(found: &Diagnosis, plain: &Diagnosis) -> Vec<usize> {
 impl RealCase {
     /// Whether an informed fit recovers the size within 20 %.
     pub fn recovered(&self) -> bool {
-        (self.informed - 1.0).abs() < RECOVERED
+        is_recovered(self.informed)
     }
 
     /// Whether a cause is what was added, in its place.

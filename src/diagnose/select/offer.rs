@@ -1,0 +1,195 @@
+//! The offered model: with the file's links and further causes, with all base parameters refitted,
+//! or the unchanged file.
+
+use super::contenders::Refit;
+use super::excess::WORSE;
+use super::measure::taken_of;
+use super::model_choice::LeftOut;
+use super::refine_and_select::{Selected, Session};
+use crate::diagnose::findings::evidence;
+use crate::diagnose::findings::result::Offered;
+use crate::diagnose::fit::model::Mode;
+use crate::identify::ConsistentError;
+
+/// The offered model, why, and what differs between the logs.
+pub(in crate::diagnose) struct Choice<'a> {
+    pub(in crate::diagnose) offered: Offered,
+    pub(in crate::diagnose) why: Vec<String>,
+    /// Joints, from 0, that one model does not predict on fitted and validating logs.
+    pub(in crate::diagnose) changed: Vec<usize>,
+    /// [`Diagnosis::file_holds`](crate::diagnose::findings::result::Diagnosis::file_holds).
+    pub(in crate::diagnose) file_holds: bool,
+    pub(in crate::diagnose) model: Selected<'a>,
+}
+
+/// Which of the nested models it is.
+fn offer(model: &Selected<'_>) -> Offered {
+    let refitted = model.tested.mode == Mode::Refitted;
+    let changed = refitted || !model.accepted.is_empty() || model.tested.frozen.iter().any(|f| !f);
+    match (changed, refitted && model.accepted.is_empty()) {
+        (false, _) => Offered::File,
+        (_, true) => Offered::Refitted,
+        _ => Offered::Extended,
+    }
+}
+
+impl<'a> Session<'a> {
+    /// Choice of the offered model, by its predictions of stretches of the fitted logs that are
+    /// left out in turn; and the reason. `models`: with the file's links, with all base parameters
+    /// refitted, either or both; `file`: errors of the unchanged file.
+    pub(in crate::diagnose) fn choose(
+        &self,
+        models: Vec<Selected<'a>>,
+        file: &LeftOut,
+        refitted: &Refit<'_>,
+    ) -> Result<Choice<'a>, ConsistentError> {
+        let refit = &refitted.left_out;
+        let [mut believing, mut free] = [None, None];
+        for model in models {
+            match model.tested.mode {
+                Mode::Trusted => believing = Some(model),
+                Mode::Refitted => free = Some(model),
+            }
+        }
+        let mut said = Vec::new();
+        // Of two models that are as good the one with fewer unknowns.
+        if let Some(all) = free.take_if(|f| !f.accepted.is_empty() && !self.pays(f, refit, &refitted.errors.moving)) {
+            said.push(self.says(
+                "a plain refit predicts as well as one with further causes, or better",
+                refit,
+                &all.left_out,
+            ));
+            free = Some(self.plain()?);
+        }
+        let mut models = self.by_preference(believing, free, refitted, &mut said);
+        let unchanged = self.file()?;
+        // No other part can predict a cause that acts in one part of a log; it must only stand out
+        // there.
+        let local = |m: &Selected<'_>| m.accepted.iter().any(|a| a.chosen.cause.local());
+        let pays = |m: &Selected<'_>| local(m) || self.pays(m, file, &unchanged.after.steady);
+        let Some(at) = models.iter().position(|m| offer(m) != Offered::File && pays(m)) else {
+            return Ok(self.unchanged(unchanged, models.into_iter().next(), file, said));
+        };
+        let mut model = models.swap_remove(at);
+        let offered = offer(&model);
+        if let Some(sentence) = self.holding(&unchanged, &model) {
+            let differ = self.changed(&model, self.noise);
+            said.push(sentence);
+            let mut why = std::mem::take(&mut model.why);
+            why.extend(said);
+            return Ok(Choice { offered: Offered::File, why, changed: differ, file_holds: true, model: unchanged });
+        }
+        let what = match offered {
+            Offered::Extended => "the extended model predicts better than the file",
+            _ => "the refitted file predicts better than the unchanged file",
+        };
+        said.push(self.says(what, &model.left_out, file));
+        let mut why = std::mem::take(&mut model.why);
+        why.extend(said);
+        let changed = if self.own_validation { self.changed(&model, self.noise) } else { Vec::new() };
+        Ok(Choice { offered, why, changed, file_holds: false, model })
+    }
+
+    /// The unchanged file, for the `best` of the other models is not worth having beside it.
+    fn unchanged(
+        &self,
+        model: Selected<'a>,
+        best: Option<Selected<'a>>,
+        file: &LeftOut,
+        said: Vec<String>,
+    ) -> Choice<'a> {
+        let mut why = Vec::new();
+        if let Some(best) = best {
+            let changed = offer(&best) != Offered::File;
+            let sentence = || self.says("nothing predicts surely better than the unchanged file", &best.left_out, file);
+            let sentence = changed.then(sentence);
+            why.extend(best.why.into_iter().chain(said).chain(sentence));
+        } else {
+            why.extend(said);
+        }
+        let changed = if self.own_validation { self.changed(&model, self.noise) } else { Vec::new() };
+        Choice { offered: Offered::File, why, changed, file_holds: false, model }
+    }
+
+    /// Whether a model is worth having beside a simpler one (its errors on left-out stretches of the
+    /// fitted logs, and on the validating data where joints move, N m): surely better on the
+    /// former, or not worse there and better on the latter.
+    fn pays(&self, model: &Selected<'_>, simpler: &LeftOut, validated: &[f64]) -> bool {
+        let paired = model.left_out.less(simpler, self.ground);
+        paired.sure() || paired.gain > 0.0 && taken_of(validated, &model.after.steady, self.scale) > WORSE
+    }
+
+    /// A sentence, where the unchanged file errs less over all joints on every validating log than a
+    /// model for which the fitted logs ask. (One joint that a model makes worse beside others that
+    /// it halves is a matter of that joint's causes.)
+    fn holding(&self, file: &Selected<'a>, model: &Selected<'a>) -> Option<String> {
+        if !self.own_validation || !self.worse_as_a_whole(model, &self.by_log_of(file)) {
+            return None;
+        }
+        let gap = |j: &usize| (model.after.steady[*j] - file.after.steady[*j]) / self.scale[*j];
+        let joint = (0..self.scale.len()).max_by(|a, b| gap(a).total_cmp(&gap(b))).unwrap_or(0);
+        let [here, there] = [file, model].map(|m| evidence::short(m.after.steady[joint]));
+        let sentence = format!(
+            "The fitted logs ask for another model, but the unchanged file errs less than it on every validating log \
+             (joint {}: {here} N m against {there}), so the file is offered. Either something changed between the logs, or the \
+             fitted ones show too little.",
+            joint + 1
+        );
+        Some(sentence)
+    }
+
+    /// The file's links with further causes, and all base parameters refitted with further causes,
+    /// the better one first; one alone where the other is not worth having.
+    fn by_preference(
+        &self,
+        believing: Option<Selected<'a>>,
+        free: Option<Selected<'a>>,
+        refit: &Refit<'_>,
+        said: &mut Vec<String>,
+    ) -> Vec<Selected<'a>> {
+        match (believing, free) {
+            (Some(few), Some(all)) if all.left_out.less(&few.left_out, self.ground).worth_refit() => {
+                said.push(self.says(
+                    "all base parameters refitted predict better than the file's links with further causes",
+                    &all.left_out,
+                    &few.left_out,
+                ));
+                vec![all, few]
+            }
+            (Some(few), Some(all))
+                if self.worse_than(&few, refit) && !few.left_out.less(&all.left_out, self.ground).sure() =>
+            {
+                said.push(self.says(
+                    "all base parameters refitted predict as well as the file's links with further causes, and err less on a validating log",
+                    &all.left_out,
+                    &few.left_out,
+                ));
+                vec![all, few]
+            }
+            (believing, free) => believing.or(free).into_iter().collect(),
+        }
+    }
+
+    fn says(&self, what: &str, a: &LeftOut, b: &LeftOut) -> String {
+        let (paired, joint) = (a.less(b, self.ground), a.most_changed(b, self.ground));
+        // The gain is a difference by a sum: 2 g / (1 + g) by the other's square.
+        let percent = |g: f64| 200.0 * g.clamp(-0.9, 1.0) / (1.0 + g.clamp(-0.9, 1.0));
+        let sense = if paired.gain < 0.0 { "more" } else { "less" };
+        let one = if paired.gain < 0.0 { -1.0 } else { 1.0 };
+        let ends = [-one, one].map(|side| one * percent(paired.gain + side * paired.error));
+        let (of, whole) =
+            ([a, b].map(|m| evidence::short(m.joint_rms(joint))), [a, b].map(|m| evidence::short(m.rms())));
+        format!(
+            "On stretches of the fitted logs that were left out in turn {what}. The error of joint {}, which differs most, is {} N m against {} N m; \
+             over all joints (RMS) it is {} N m against {} N m. With every joint counting alike its square is {:.0} ({:.0} to {:.0}) % {sense}.",
+            joint + 1,
+            of[0],
+            of[1],
+            whole[0],
+            whole[1],
+            percent(paired.gain).abs(),
+            ends[0],
+            ends[1],
+        )
+    }
+}
