@@ -10,7 +10,7 @@ use denavit::report::visible;
 use crate::Fleet;
 use crate::error::FleetError;
 use crate::functions::diagnose::verdict;
-use crate::open::recordings_below;
+use crate::remote::{Place, RecordingFile, is_url};
 use crate::report;
 use crate::sequential::Sequential;
 use crate::store::{Store, Written};
@@ -55,7 +55,8 @@ impl Threads {
 
 #[derive(Args)]
 struct Factor {
-    /// Recordings, or folders of them.
+    /// Recordings, or folders of them; or URLs of an object store (`s3://`, `https://`, `http://`,
+    /// `file://`), with the credentials of the environment.
     #[arg(required = true, value_name = "LOG")]
     logs: Vec<PathBuf>,
     /// Robot file.
@@ -80,7 +81,7 @@ struct Factor {
 
 #[derive(Args)]
 struct Watch {
-    /// Table of factors: a file or a folder.
+    /// Table of factors: a file, a folder, or a URL that ends with `/`.
     #[arg(value_name = "FACTORS")]
     factors: PathBuf,
     /// Robot files.
@@ -116,7 +117,7 @@ struct Sql {
     /// Query.
     #[arg(value_name = "QUERY")]
     query: String,
-    /// Table of factors: a file or a folder.
+    /// Table of factors: a file, a folder, or a URL that ends with `/`.
     #[arg(long, value_name = "FACTORS")]
     factors: Option<PathBuf>,
     /// Robot files of the factors.
@@ -164,7 +165,7 @@ impl Factor {
         let (store, fleet) = (Store::new(&self.out)?, Fleet::new(self.threads.count()));
         let robot = fleet.robots.open(&self.robot)?;
         let name = self.name.clone().unwrap_or_else(|| robot.robot.name.clone());
-        let all = self.files()?;
+        let all = self.files(&fleet).await?;
         let count = all.len();
         let missing = store.missing(self.shared(all)?, &name).await?;
         let (todo, workers) = (missing.len(), usize::from(self.workers));
@@ -185,14 +186,15 @@ impl Factor {
         Ok(())
     }
 
-    fn files(&self) -> Result<Vec<PathBuf>, FleetError> {
+    async fn files(&self, fleet: &Fleet) -> Result<Vec<RecordingFile>, FleetError> {
         let mut all = Vec::new();
         for path in &self.logs {
-            let unreadable = |source| FleetError::File { path: path.clone(), verb: "read", source };
-            all.extend(recordings_below(path).map_err(unreadable)?);
+            let text = path.to_string_lossy();
+            let place = if is_url(&text) { Place::of(&text)? } else { Place::Folder(path.clone()) };
+            all.extend(place.recordings(&fleet.context.runtime_env()).await?);
         }
-        all.sort();
-        all.dedup();
+        all.sort_by_key(RecordingFile::name);
+        all.dedup_by_key(|file| file.name());
         match all.is_empty() {
             true => Err(FleetError::Empty {
                 path: self.logs[0].clone(),
@@ -204,7 +206,7 @@ impl Factor {
     }
 
     /// The recordings of `--share`.
-    fn shared(&self, all: Vec<PathBuf>) -> Result<Vec<PathBuf>, FleetError> {
+    fn shared(&self, all: Vec<RecordingFile>) -> Result<Vec<RecordingFile>, FleetError> {
         let Some(share) = &self.share else { return Ok(all) };
         let parts = share.split_once('/').and_then(|(k, n)| Some((k.parse::<usize>().ok()?, n.parse::<usize>().ok()?)));
         match parts.filter(|(k, n)| (1..=*n).contains(k)) {
@@ -250,9 +252,10 @@ impl Watch {
         };
         let mut watched = fleet.watch(&settings).await?;
         if self.diagnose {
-            let robot = fleet.robots.open(&self.robot[0])?;
+            let stores = fleet.context.runtime_env();
             for change in &mut watched.changes {
-                let said = change.files.iter().map(|file| format!("{file}: {}", verdict(Path::new(file), &robot)));
+                let robot = fleet.robots.open(&change.robot_file)?;
+                let said = change.files.iter().map(|file| format!("{file}: {}", verdict(file, &robot, &stores)));
                 change.diagnosis = Some(said.collect::<Vec<_>>().join("\n"));
             }
         }
@@ -280,8 +283,11 @@ async fn opened(factors: Option<&Path>, robots: &[PathBuf], threads: usize) -> R
         fleet.robots.open(path)?;
     }
     if let Some(path) = factors {
-        std::fs::metadata(path).map_err(|source| FleetError::File { path: path.into(), verb: "read", source })?;
-        fleet.factors(&path.display().to_string()).await?;
+        let name = path.display().to_string();
+        if !is_url(&name) {
+            std::fs::metadata(path).map_err(|source| FleetError::File { path: path.into(), verb: "read", source })?;
+        }
+        fleet.factors(&name).await?;
     }
     Ok(fleet)
 }

@@ -86,7 +86,14 @@ impl FleetError {
 
 impl From<DataFusionError> for FleetError {
     fn from(error: DataFusionError) -> Self {
-        Self::Engine(error)
+        match error {
+            // Our own, on its way through the engine.
+            DataFusionError::External(inner) => match inner.downcast::<Self>() {
+                Ok(own) => *own,
+                Err(other) => Self::Engine(DataFusionError::External(other)),
+            },
+            error => Self::Engine(error),
+        }
     }
 }
 

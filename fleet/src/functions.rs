@@ -1,23 +1,45 @@
 //! `solve`, `drift`, `predict_error`, `diagnose`: what SQL asks of one factor or one file.
 
 pub mod diagnose;
-pub mod drift;
-pub mod predict_error;
-pub mod solve;
+mod drift;
+mod predict_error;
+mod solve;
 
 use std::sync::Arc;
 
-use datafusion::arrow::array::{ArrayRef, BinaryArray, StringArray};
-use datafusion::common::Result;
+use datafusion::arrow::array::{ArrayRef, BinaryArray, Float64Builder, StringArray, StringBuilder, StructBuilder};
+use datafusion::arrow::datatypes::{DataType, Field, Fields};
 use datafusion::common::cast::{as_binary_array, as_string_array};
-use datafusion::logical_expr::ScalarFunctionArgs;
+use datafusion::common::{Result, ScalarValue};
+use datafusion::execution::runtime_env::RuntimeEnv;
+use datafusion::logical_expr::{ColumnarValue, ScalarUDF, Volatility, create_udf};
 use denavit::identify::RecordingFactor;
 
 use crate::error::FleetError;
+use crate::robots::Robots;
 
-/// Arguments as arrays, all of the length of the batch.
-fn arrays(args: &ScalarFunctionArgs) -> Result<Vec<ArrayRef>> {
-    args.args.iter().map(|value| value.to_array(args.number_rows)).collect()
+/// All of them, for the robots and the object stores of a session.
+pub fn all(robots: &Arc<Robots>, stores: &Arc<RuntimeEnv>) -> [ScalarUDF; 4] {
+    let own = || Arc::clone(robots);
+    [solve::solve(own()), drift::drift(own()), predict_error::predict_error(), diagnose::udf(own(), Arc::clone(stores))]
+}
+
+/// A function from columns of one length to a column.
+fn function(
+    name: &str,
+    inputs: Vec<DataType>,
+    output: DataType,
+    volatility: Volatility,
+    of: impl Fn(&[ArrayRef]) -> Result<ArrayRef> + Send + Sync + 'static,
+) -> ScalarUDF {
+    let body = move |values: &[ColumnarValue]| {
+        let column = of(&ColumnarValue::values_to_arrays(values)?)?;
+        match values.iter().all(|value| matches!(value, ColumnarValue::Scalar(_))) {
+            true => Ok(ColumnarValue::Scalar(ScalarValue::try_from_array(&column, 0)?)),
+            false => Ok(ColumnarValue::Array(column)),
+        }
+    };
+    create_udf(name, inputs, output, volatility, Arc::new(body))
 }
 
 /// A column of bytes.
@@ -35,20 +57,22 @@ fn factor(bytes: &[u8]) -> Result<RecordingFactor> {
     Ok(RecordingFactor::from_bytes("factor", bytes).map_err(FleetError::from)?)
 }
 
-/// The robots of a session, in a function's state. Two of a kind are of one session.
-#[derive(Debug, Clone)]
-pub struct SessionRobots(pub Arc<crate::robots::Robots>);
-
-impl PartialEq for SessionRobots {
-    fn eq(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.0, &other.0)
-    }
+/// Fields that may be null.
+fn fields<const N: usize>(all: [(&str, DataType); N]) -> Fields {
+    all.into_iter().map(|(name, kind)| Field::new(name, kind, true)).collect()
 }
 
-impl Eq for SessionRobots {}
+/// A list of rows with these fields.
+fn list(fields: Fields) -> DataType {
+    DataType::new_list(DataType::Struct(fields), true)
+}
 
-impl std::hash::Hash for SessionRobots {
-    fn hash<H: std::hash::Hasher>(&self, state: &mut H) {
-        Arc::as_ptr(&self.0).hash(state);
-    }
+/// Appends to a field that holds texts.
+fn text_field(row: &mut StructBuilder, at: usize, text: &str) {
+    row.field_builder::<StringBuilder>(at).into_iter().for_each(|builder| builder.append_value(text));
+}
+
+/// Appends to a field that holds numbers.
+fn number_field(row: &mut StructBuilder, at: usize, value: f64) {
+    row.field_builder::<Float64Builder>(at).into_iter().for_each(|builder| builder.append_value(value));
 }

@@ -23,10 +23,9 @@ pub mod watch;
 use std::sync::Arc;
 
 use datafusion::execution::context::SessionContext;
-use datafusion::logical_expr::{AggregateUDF, ScalarUDF};
+use datafusion::logical_expr::AggregateUDF;
 use datafusion::prelude::SessionConfig;
 
-use functions::SessionRobots;
 use robots::Robots;
 
 /// A session with the functions of a fleet.
@@ -49,13 +48,9 @@ impl Fleet {
         // Files of samples can be named in a query, too.
         let context = SessionContext::new_with_config(config).enable_url_table();
         let robots = Arc::new(Robots::default());
-        let own = SessionRobots(Arc::clone(&robots));
         context.register_udtf("recordings", Arc::new(recordings::Recordings(Arc::clone(&robots))));
         context.register_udaf(AggregateUDF::from(merge::MergeFactor::default()));
-        context.register_udf(ScalarUDF::from(functions::solve::Solve::new(own.clone())));
-        context.register_udf(ScalarUDF::from(functions::drift::Drift::new(own.clone())));
-        context.register_udf(ScalarUDF::from(functions::diagnose::Diagnose::new(own)));
-        context.register_udf(ScalarUDF::from(functions::predict_error::PredictError::default()));
+        functions::all(&robots, &context.runtime_env()).into_iter().for_each(|own| context.register_udf(own));
         Self { context, robots, threads: partitions.max(1) }
     }
 }

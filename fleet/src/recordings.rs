@@ -23,9 +23,8 @@ use datafusion::physical_plan::{
 use denavit::identify::RecordingReader;
 use denavit::identify::recording::plain_preparation;
 
-use crate::error::FleetError;
-use crate::open::{recordings_below, row};
-use crate::remote::{Place, RemoteFile, fetched, listed};
+use crate::open::row;
+use crate::remote::{Place, RecordingFile, fetched};
 use crate::robots::{KnownRobot, Robots};
 use crate::table::{SCHEMA, batch};
 
@@ -89,29 +88,11 @@ impl TableProvider for RecordingsTable {
         _filters: &[Expr],
         _limit: Option<usize>,
     ) -> Result<Arc<dyn ExecutionPlan>> {
-        let files: Vec<RecordingFile> = match &self.place {
-            Place::Files(paths) => paths.iter().cloned().map(RecordingFile::Local).collect(),
-            Place::Folder(path) => {
-                let unreadable = |source| FleetError::File { path: path.clone(), verb: "read", source };
-                recordings_below(path).map_err(unreadable)?.into_iter().map(RecordingFile::Local).collect()
-            }
-            Place::Store(url) => {
-                listed(state.runtime_env(), url).await?.into_iter().map(RecordingFile::Remote).collect()
-            }
-        };
+        let files = self.place.recordings(state.runtime_env()).await?;
         let partitions = state.config_options().execution.target_partitions.clamp(1, files.len().max(1));
         let plan = RecordingsExec::new(self, files, partitions, projection.cloned())?;
         Ok(Arc::new(plan))
     }
-}
-
-/// Where one recording is.
-#[derive(Debug, Clone)]
-enum RecordingFile {
-    /// In a file.
-    Local(PathBuf),
-    /// In an object store.
-    Remote(RemoteFile),
 }
 
 /// The leaf: partition `k` reads every `partitions`-th file from the `k`-th on.

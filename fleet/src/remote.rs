@@ -1,30 +1,53 @@
-//! Recordings in an object store that the session knows: listed by it, and read from a temporary
-//! file, one at a time.
+//! Recordings in folders and object stores. Those of a store are listed by it, and read from a
+//! temporary file, one at a time.
 
 use std::io::Write;
 use std::path::PathBuf;
+use std::sync::Arc;
 
-use datafusion::common::Result;
 use datafusion::common::error::DataFusionError;
+use datafusion::common::{Result, plan_err};
 use datafusion::datasource::listing::ListingTableUrl;
-use datafusion::execution::object_store::ObjectStoreUrl;
 use datafusion::execution::runtime_env::RuntimeEnv;
 use futures::StreamExt;
-use object_store::ObjectStoreExt;
 use object_store::path::Path;
+use object_store::{ObjectStore, ObjectStoreExt};
 use tempfile::NamedTempFile;
 
-use crate::open::is_recording;
+use crate::error::FleetError;
+use crate::open::{is_recording, recordings_below};
 
 /// Where recordings are.
 #[derive(Debug, Clone)]
 pub enum Place {
     /// These files.
-    Files(Vec<PathBuf>),
+    Files(Vec<RecordingFile>),
     /// A file or folder.
     Folder(PathBuf),
-    /// A prefix of an object store: `s3://fleet/2026-11-21/`.
+    /// A prefix or an object of an object store: `s3://fleet/2026-11-21/`.
     Store(ListingTableUrl),
+}
+
+/// Where one recording is.
+#[derive(Debug, Clone)]
+pub enum RecordingFile {
+    /// In a file.
+    Local(PathBuf),
+    /// In an object store.
+    Remote(RemoteFile),
+}
+
+/// One object.
+#[derive(Debug, Clone)]
+pub struct RemoteFile {
+    location: Path,
+    /// Its URL.
+    pub name: String,
+}
+
+/// Whether a name is a URL, and no path.
+pub fn is_url(text: &str) -> bool {
+    text.contains("://")
 }
 
 impl Place {
@@ -33,37 +56,89 @@ impl Place {
     /// # Errors
     /// Where a URL has no meaning.
     pub fn of(text: &str) -> Result<Self> {
-        if !text.contains("://") {
+        if !is_url(text) {
             return Ok(Self::Folder(text.into()));
         }
         let url = ListingTableUrl::parse(text)?;
-        Ok(match text.strip_prefix("file://") {
-            Some(path) => Self::Folder(path.into()),
-            None => Self::Store(url),
-        })
+        if url.scheme() != "file" {
+            return Ok(Self::Store(url));
+        }
+        match url.get_url().to_file_path() {
+            Ok(path) => Ok(Self::Folder(path)),
+            Err(()) => plan_err!("{text}: a path on this machine follows file://"),
+        }
+    }
+
+    /// The recordings there, sorted.
+    pub(crate) async fn recordings(&self, runtime: &RuntimeEnv) -> Result<Vec<RecordingFile>> {
+        match self {
+            Self::Files(files) => Ok(files.clone()),
+            Self::Folder(path) => {
+                let unreadable = |source| FleetError::File { path: path.clone(), verb: "read", source };
+                let files = recordings_below(path).map_err(unreadable)?;
+                Ok(files.into_iter().map(RecordingFile::Local).collect())
+            }
+            Self::Store(url) => Ok(listed(runtime, url).await?.into_iter().map(RecordingFile::Remote).collect()),
+        }
     }
 }
 
-/// One object.
-#[derive(Debug, Clone)]
-pub struct RemoteFile {
-    store: ObjectStoreUrl,
-    location: Path,
-    /// Its URL.
-    pub name: String,
+impl RecordingFile {
+    /// Path or URL.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Local(path) => path.display().to_string(),
+            Self::Remote(remote) => remote.name.clone(),
+        }
+    }
 }
 
-/// The recordings of a prefix, sorted.
-pub(crate) async fn listed(runtime: &RuntimeEnv, url: &ListingTableUrl) -> Result<Vec<RemoteFile>> {
-    let store = runtime.object_store(url)?;
+/// A file of this machine: the recording's own, or a copy that ends with this.
+pub(crate) enum LocalFile {
+    Own(PathBuf),
+    Copy(NamedTempFile),
+}
+
+impl LocalFile {
+    pub(crate) fn path(&self) -> &std::path::Path {
+        match self {
+            Self::Own(path) => path,
+            Self::Copy(file) => file.path(),
+        }
+    }
+}
+
+/// The recording of a path or URL, in a file. For callers that do not await: within a runtime.
+pub(crate) fn local(runtime: &RuntimeEnv, name: &str) -> Result<LocalFile> {
+    let url = match Place::of(name)? {
+        Place::Folder(path) => return Ok(LocalFile::Own(path)),
+        Place::Store(url) => url,
+        Place::Files(_) => return plan_err!("{name}: no recording"),
+    };
+    let handle = tokio::runtime::Handle::current();
+    let fetching = || handle.block_on(fetched(runtime, &object(&url)));
+    let waited = std::thread::scope(|scope| scope.spawn(fetching).join());
+    waited.unwrap_or_else(|panic| std::panic::resume_unwind(panic)).map(LocalFile::Copy)
+}
+
+/// The object that a URL names.
+fn object(url: &ListingTableUrl) -> RemoteFile {
+    RemoteFile { location: url.prefix().clone(), name: url.as_str().into() }
+}
+
+/// The recordings of a prefix, sorted; or the one object that a URL names, which needs no listing.
+async fn listed(runtime: &RuntimeEnv, url: &ListingTableUrl) -> Result<Vec<RemoteFile>> {
+    if !url.as_str().ends_with('/') && is_recording(url.as_str()) {
+        return Ok(vec![object(url)]);
+    }
+    let store = store(runtime, url)?;
     let mut objects = store.list(Some(url.prefix()));
     let mut found = Vec::new();
     while let Some(object) = objects.next().await {
         let location = object.map_err(external)?.location;
-        let base = url.object_store();
-        let name = format!("{}{location}", base.as_str());
+        let name = format!("{}{location}", url.object_store().as_str());
         if is_recording(&name) {
-            found.push(RemoteFile { store: base, location, name });
+            found.push(RemoteFile { location, name });
         }
     }
     found.sort_by(|a, b| a.name.cmp(&b.name));
@@ -72,13 +147,52 @@ pub(crate) async fn listed(runtime: &RuntimeEnv, url: &ListingTableUrl) -> Resul
 
 /// A copy of an object, until it is dropped. Memory holds a chunk of it.
 pub(crate) async fn fetched(runtime: &RuntimeEnv, file: &RemoteFile) -> Result<NamedTempFile> {
-    let store = runtime.object_store(&file.store)?;
+    let store = store(runtime, &ListingTableUrl::parse(&file.name)?)?;
     let mut local = NamedTempFile::new()?;
     let mut chunks = store.get(&file.location).await.map_err(external)?.into_stream();
     while let Some(chunk) = chunks.next().await {
         local.write_all(&chunk.map_err(external)?)?;
     }
     Ok(local)
+}
+
+/// The store of a URL: one that the session knows, or else one made of the environment's
+/// credentials.
+pub(crate) fn store(runtime: &RuntimeEnv, url: &ListingTableUrl) -> Result<Arc<dyn ObjectStore>> {
+    let base = url.object_store();
+    if let Ok(known) = runtime.object_store(&base) {
+        return Ok(known);
+    }
+    let made = made(url)?;
+    runtime.register_object_store(base.as_ref(), Arc::clone(&made));
+    Ok(made)
+}
+
+/// As the tools of each store do it: `AWS_ACCESS_KEY_ID`, `AWS_REGION`, `AWS_ENDPOINT` and so on, or
+/// the role of the machine.
+#[cfg(feature = "cloud")]
+fn made(url: &ListingTableUrl) -> Result<Arc<dyn ObjectStore>> {
+    use object_store::ClientOptions;
+    use object_store::aws::AmazonS3Builder;
+    use object_store::http::HttpBuilder;
+    match url.scheme() {
+        "s3" | "s3a" => {
+            let built = AmazonS3Builder::from_env().with_url(url.as_str()).build();
+            Ok(Arc::new(built.map_err(external)?))
+        }
+        "http" | "https" => {
+            let options = ClientOptions::new().with_allow_http(true);
+            let base = url.object_store();
+            let built = HttpBuilder::new().with_url(base.as_str()).with_client_options(options).build();
+            Ok(Arc::new(built.map_err(external)?))
+        }
+        other => plan_err!("{}: no store is known for {other}://; s3, http, https and file are", url.as_str()),
+    }
+}
+
+#[cfg(not(feature = "cloud"))]
+fn made(url: &ListingTableUrl) -> Result<Arc<dyn ObjectStore>> {
+    plan_err!("{}: this program was built without the feature `cloud`", url.as_str())
 }
 
 fn external(error: object_store::Error) -> DataFusionError {

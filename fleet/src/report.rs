@@ -40,7 +40,7 @@ pub fn verdict(watched: &Watched) -> String {
     let years = watched.robot_days as f64 / 365.25;
     let expected = watched.robot_days as f64 / watched.days_between;
     format!(
-        "{} robots, {} robot-days ({years:.1} robot-years): {} changes; at most {} of them are false on average",
+        "{} robots, {} robot-days ({years:.1} robot-years): {} changes; on average at most {} alarms would be false",
         watched.robots,
         watched.robot_days,
         watched.changes.len(),
@@ -52,16 +52,46 @@ pub fn verdict(watched: &Watched) -> String {
 fn line(change: &Change) -> String {
     let causes: Vec<String> = change.causes.iter().take(NAMED).map(cause).collect();
     format!(
-        "{}: changed after {}, certain on {}: {}; {} by {} ± {} {}",
+        "{}: changed after {}, found on {}: {}; {} by {}",
         change.robot,
         date(change.before),
         date(change.found),
         causes.join(", or "),
         change.parameter,
-        figure(change.size[0]),
-        figure(change.size[1]),
-        change.unit,
+        between(change.size, change.unit),
     )
+}
+
+/// A change with its unit; gains, which have none, in percent.
+pub(crate) fn amount(value: f64, unit: &str) -> String {
+    let (value, unit) = if unit.is_empty() { (100.0 * value, "%") } else { (value, unit) };
+    format!("{}{} {unit}", if value > 0.0 { "+" } else { "" }, figure(value))
+}
+
+/// A change with its standard deviation.
+pub(crate) fn between([value, std]: [f64; 2], unit: &str) -> String {
+    let (scale, unit) = if unit.is_empty() { (100.0, "%") } else { (1.0, unit) };
+    let sign = if value > 0.0 { "+" } else { "" };
+    format!("{sign}{} ± {} {unit}", figure(scale * value), figure(scale * std))
+}
+
+/// How rare an alarm of this evidence is without a change.
+pub(crate) fn rarity(evidence: f64) -> String {
+    let years = evidence / 365.25;
+    if years < 2.0 { format!("{} robot-days", figure(evidence)) } else { format!("{} robot-years", figure(years)) }
+}
+
+/// What a parameter is, from its name in the robot file.
+pub(crate) fn meaning(parameter: &str) -> &'static str {
+    match parameter.trim_end_matches(|c: char| c.is_ascii_digit()) {
+        "FC" => "Coulomb friction",
+        "FV" => "viscous friction",
+        "FO" => "offset of the torque",
+        "gain" => "gain of the torque",
+        "M" => "mass",
+        "MSX" | "MSY" | "MSZ" => "first moment of mass",
+        _ => "parameter",
+    }
 }
 
 /// A cause with the share that it explains.
@@ -107,6 +137,9 @@ pub fn json(watched: &Watched) -> Value {
 pub(crate) fn figure(x: f64) -> String {
     if x == 0.0 || !x.is_finite() {
         return format!("{x}");
+    }
+    if x.abs() >= 1e6 {
+        return format!("{x:.1e}");
     }
     let places = (2 - x.abs().log10().floor() as i32).clamp(0, 9) as usize;
     let text = format!("{x:.places$}");

@@ -23,7 +23,7 @@ use crate::Fleet;
 use crate::error::FleetError;
 use crate::open::digest;
 use crate::recordings::RecordingsTable;
-use crate::remote::Place;
+use crate::remote::{Place, RecordingFile, is_url};
 use crate::robots::{KnownRobot, hexadecimal};
 
 /// Rows of recordings that are not in a table yet, below the folder.
@@ -57,46 +57,32 @@ impl Store {
         Ok(store)
     }
 
-    /// The recordings that have no row yet.
+    /// The recordings that have no row yet. A file is known by its digest; an object of a store,
+    /// which would have to be fetched for that, by its URL.
     ///
     /// # Errors
     /// Where the folder or its tables can't be read.
-    pub async fn missing(&self, files: Vec<PathBuf>, name: &str) -> Result<Vec<PathBuf>, FleetError> {
-        let mut known = self.in_tables(name).await?;
-        for entry in fs::read_dir(self.0.join(UNFINISHED)).map_err(unreadable(&self.0))? {
-            let name = entry.map_err(unreadable(&self.0))?.file_name();
-            known.extend(name.to_string_lossy().strip_suffix(".row").map(String::from));
-        }
-        let mut missing = Vec::new();
-        for file in files {
-            // Two copies of one recording are one recording.
-            if known.insert(key(name, digest(&file).as_deref(), &file.display().to_string())) {
-                missing.push(file);
-            }
-        }
-        Ok(missing)
-    }
-
-    /// Keys of the robot's rows in the tables.
-    async fn in_tables(&self, robot: &str) -> Result<BTreeSet<String>, FleetError> {
+    pub async fn missing(&self, files: Vec<RecordingFile>, name: &str) -> Result<Vec<RecordingFile>, FleetError> {
         let mut known = BTreeSet::new();
-        if self.tables()?.is_empty() {
-            return Ok(known);
+        if !self.tables()?.is_empty() {
+            rows(&self.0, ".parquet", name, &mut known).await?;
         }
-        let fleet = Fleet::new(1);
-        fleet.factors(&self.0.display().to_string()).await?;
-        let rows = fleet.context.table(crate::watch::TABLE).await?;
-        let rows = rows.select(vec![col("robot"), col("sha256"), col("file")])?;
-        let mut stream = rows.execute_stream().await?;
-        while let Some(batch) = stream.next().await {
-            let batch = batch?;
-            let column = |k: usize| batch.column(k).as_string::<i32>();
-            for row in (0..batch.num_rows()).filter(|&row| column(0).value(row) == robot) {
-                let digest = (!column(1).is_null(row)).then(|| column(1).value(row));
-                known.insert(key(robot, digest, column(2).value(row)));
-            }
+        let (folder, mut unfinished) = (self.0.join(UNFINISHED), 0);
+        for entry in fs::read_dir(&folder).map_err(unreadable(&self.0))? {
+            let name = entry.map_err(unreadable(&self.0))?.file_name();
+            let row = name.to_string_lossy().strip_suffix(".row").map(String::from);
+            unfinished += usize::from(row.is_some());
+            known.extend(row);
         }
-        Ok(known)
+        if unfinished > 0 && files.iter().any(|file| matches!(file, RecordingFile::Remote(_))) {
+            rows(&folder, ".row", name, &mut known).await?;
+        }
+        let new = |file: &RecordingFile| match file {
+            // Two copies of one recording are one recording.
+            RecordingFile::Local(path) => known.insert(key(name, digest(path).as_deref(), &file.name())),
+            RecordingFile::Remote(remote) => known.insert(key(name, None, &remote.name)),
+        };
+        Ok(files.into_iter().filter(new).collect())
     }
 
     /// The tables of the folder.
@@ -122,7 +108,7 @@ impl Store {
         fleet: &Fleet,
         robot: std::sync::Arc<KnownRobot>,
         name: &str,
-        files: Vec<PathBuf>,
+        files: Vec<RecordingFile>,
         mut said: impl FnMut(&str, &str),
     ) -> Result<Written, FleetError> {
         let table = RecordingsTable { robot, name: name.into(), place: Place::Files(files) };
@@ -201,6 +187,26 @@ impl Store {
         }
         Ok(Some(table))
     }
+}
+
+/// Adds the keys of the robot's rows in a folder of Parquet files.
+async fn rows(folder: &Path, ending: &str, robot: &str, known: &mut BTreeSet<String>) -> Result<(), FleetError> {
+    let context = Fleet::new(1).context;
+    let options = ParquetReadOptions::default().file_extension(ending);
+    let rows = context.read_parquet(folder.display().to_string(), options).await?;
+    let mut stream = rows.select(vec![col("robot"), col("sha256"), col("file")])?.execute_stream().await?;
+    while let Some(batch) = stream.next().await {
+        let batch = batch?;
+        let column = |k: usize| batch.column(k).as_string::<i32>();
+        for row in (0..batch.num_rows()).filter(|&row| column(0).value(row) == robot) {
+            let (digest, file) = (column(1), column(2).value(row));
+            known.insert(key(robot, (!digest.is_null(row)).then(|| digest.value(row)), file));
+            if is_url(file) {
+                known.insert(key(robot, None, file));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// A Parquet file that has no name yet, for rows like these.

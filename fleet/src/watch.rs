@@ -5,21 +5,24 @@
 //! number of days. A robot with a change is read a third time, for the cause and its history.
 
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::path::PathBuf;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use datafusion::arrow::array::{Array, AsArray, RecordBatch};
 use datafusion::arrow::datatypes::{Date32Type, Float64Type};
 use datafusion::dataframe::DataFrame;
+use datafusion::datasource::listing::ListingTableUrl;
 use datafusion::functions_aggregate::expr_fn::max;
-use datafusion::prelude::{ParquetReadOptions, col, lit};
+use datafusion::prelude::{Expr, ParquetReadOptions, col, lit};
 use datafusion::scalar::ScalarValue;
-use denavit::identify::{FactorError, KeyedFactors, RecordingFactor};
+use denavit::identify::{JointFactor, KeyedFactors, RecordingFactor};
 use futures::StreamExt;
 
 use crate::Fleet;
 use crate::channel::{ChannelEstimate, Explanation};
 use crate::error::FleetError;
 use crate::reference::Reference;
+use crate::remote::{is_url, store};
 use crate::robots::KnownRobot;
 use crate::sequential::{Detection, Detector, Observed, Sequential};
 
@@ -31,6 +34,8 @@ pub const TABLE: &str = "factors";
 pub struct Change {
     /// The robot.
     pub robot: String,
+    /// Its robot file.
+    pub robot_file: PathBuf,
     /// Last day without the change, days since 1970.
     pub before: i32,
     /// Day on which it was certain enough.
@@ -49,6 +54,8 @@ pub struct Change {
     pub history: Vec<(i32, f64, f64)>,
     /// The parameter of the history.
     pub plotted: String,
+    /// Its unit.
+    pub plotted_unit: &'static str,
     /// Recordings of the day on which it was found.
     pub files: Vec<String>,
     /// What the diagnosis of the raw log says, where it was asked for.
@@ -82,24 +89,30 @@ const TOGETHER: usize = 64;
 struct Watching {
     known: Arc<KnownRobot>,
     reference: Reference,
-    detector: Detector,
+    /// Robots are tested side by side, each by one thread.
+    detector: Mutex<Detector>,
 }
 
-/// One robot on one day.
+/// Recordings of one robot and day.
+#[derive(Default)]
 struct RobotDay {
     robot: String,
     day: i32,
-    factor: RecordingFactor,
-    temperature: Option<f64>,
+    /// Keys and factors, as they are in the table.
+    recordings: Vec<(String, Vec<u8>)>,
+    warmth: Vec<f64>,
     files: Vec<String>,
 }
 
 impl Fleet {
-    /// Registers a table of factors: a file or a folder of Parquet.
+    /// Registers a table of factors: a file, a folder of Parquet, or a URL of one.
     ///
     /// # Errors
     /// Where it can't be read.
     pub async fn factors(&self, path: &str) -> Result<(), FleetError> {
+        if is_url(path) {
+            store(&self.context.runtime_env(), &ListingTableUrl::parse(path)?)?;
+        }
         Ok(self.context.register_parquet(TABLE, path, ParquetReadOptions::default()).await?)
     }
 
@@ -111,15 +124,14 @@ impl Fleet {
         let mut watched = Watched { days_between: settings.days_between, ..Watched::default() };
         self.unusable(&mut watched).await?;
         let days = self.days().await?;
-        let mut robots = self.references(&days, settings, &mut watched).await?;
+        let robots = self.references(&days, settings, &mut watched).await?;
         let mut found: Vec<(String, i32, Detection, Vec<String>)> = Vec::new();
         for &day in &days {
             self.each_robot(day, |some| {
                 watched.robot_days += some.len();
-                let seen = self.parallel(&some, |today| robots.get(&today.robot).map(|robot| robot.observed(today)));
-                for (today, seen) in some.into_iter().zip(seen) {
-                    let Some((robot, seen)) = robots.get_mut(&today.robot).zip(seen) else { continue };
-                    let detected = robot.detector.day(day, today.temperature, &seen);
+                let tested = self.parallel(&some, |today| robots.get(&today.robot).map(|robot| robot.tested(today)));
+                for (today, tested) in some.into_iter().zip(tested) {
+                    let detected = tested.transpose()?.flatten();
                     found.extend(detected.map(|detection| (today.robot, day, detection, today.files)));
                 }
                 Ok(())
@@ -141,7 +153,7 @@ impl Fleet {
 
     /// Recordings without a factor.
     async fn unusable(&self, watched: &mut Watched) -> Result<(), FleetError> {
-        let rows = self.table().await?.filter(col("factor").is_null())?;
+        let rows = self.table().await?.filter(col("why").is_not_null())?;
         let rows =
             rows.select(vec![col("file"), col("why")])?.sort_by(vec![col("file")])?.limit(0, Some(MOST_LISTED))?;
         for batch in rows.collect().await? {
@@ -155,7 +167,7 @@ impl Fleet {
 
     /// Days with a factor, in order.
     async fn days(&self) -> Result<Vec<i32>, FleetError> {
-        let rows = self.table().await?.filter(col("factor").is_not_null().and(col("day").is_not_null()))?;
+        let rows = self.table().await?.filter(with_factor())?;
         let rows = rows.select(vec![col("day")])?.distinct()?.sort_by(vec![col("day")])?;
         let mut days = Vec::new();
         for batch in rows.collect().await? {
@@ -182,10 +194,7 @@ impl Fleet {
             }
             self.each_robot(day, |some| {
                 let some: Vec<RobotDay> = some.into_iter().filter(|today| !done.contains_key(&today.robot)).collect();
-                let merged = self.parallel(&some, |today| match open.get(&today.robot) {
-                    Some((count, before)) => merged_with(before, &today.factor).map(|merged| (count + 1, merged)),
-                    None => Ok((1, today.factor.clone())),
-                });
+                let merged = self.parallel(&some, |today| today.merged_into(open.get(&today.robot)));
                 let merged: Vec<(usize, RecordingFactor)> = merged.into_iter().collect::<Result<_, _>>()?;
                 let solved = self
                     .parallel(&merged, |(count, merged)| (*count >= wanted).then(|| self.reference(merged, settings)));
@@ -213,7 +222,7 @@ impl Fleet {
         let known = self.robots.of(merged)?;
         let none = || FleetError::NoReference { what: known.robot.name.clone() };
         let reference = Reference::of(&merged.factors).ok_or_else(none)?;
-        Ok(Watching { known, reference, detector: Detector::new(*settings) })
+        Ok(Watching { known, reference, detector: Mutex::new(Detector::new(*settings)) })
     }
 
     /// The same of all, on the threads of the session, in order.
@@ -231,7 +240,7 @@ impl Fleet {
 
     /// Each robot's last day.
     async fn last_days(&self) -> Result<BTreeMap<String, i32>, FleetError> {
-        let rows = self.table().await?.filter(col("factor").is_not_null().and(col("day").is_not_null()))?;
+        let rows = self.table().await?.filter(with_factor())?;
         let rows = rows.aggregate(vec![col("robot")], vec![max(col("day"))])?;
         let mut last = BTreeMap::new();
         for batch in rows.collect().await? {
@@ -272,11 +281,12 @@ impl Fleet {
         let mut after = None::<RecordingFactor>;
         let mut estimates: Vec<(i32, Vec<ChannelEstimate>)> = Vec::new();
         each(self.table().await?.filter(col("robot").eq(lit(name)))?, |today| {
-            estimates.push((today.day, robot.known.channels.estimates(&today.factor.factors, &robot.reference)));
+            let factor = today.factor()?;
+            estimates.push((today.day, robot.known.channels.estimates(&factor.factors, &robot.reference)));
             if today.day > detection.before && today.day <= day {
                 match &mut after {
-                    Some(after) => after.merge(&today.factor)?,
-                    None => after = Some(today.factor),
+                    Some(after) => after.merge(&factor)?,
+                    None => after = Some(factor),
                 }
             }
             Ok(())
@@ -294,6 +304,7 @@ impl Fleet {
         let best = &channels.list[detection.channel];
         Ok(Change {
             robot: name.into(),
+            robot_file: robot.known.path.clone(),
             before: detection.before,
             found: day,
             evidence: detection.evidence,
@@ -303,76 +314,98 @@ impl Fleet {
             causes,
             history: estimates.into_iter().map(point).collect(),
             plotted: channels.list[shown].parameter.clone(),
+            plotted_unit: channels.list[shown].unit,
             files,
             diagnosis: None,
         })
     }
 }
 
-/// A copy of a factor with another one in it.
-fn merged_with(factor: &RecordingFactor, other: &RecordingFactor) -> Result<RecordingFactor, FactorError> {
-    let mut merged = factor.clone();
-    merged.merge(other)?;
-    Ok(merged)
+/// Rows with a factor of a day. A test on the column of factors would read it all.
+fn with_factor() -> Expr {
+    col("why").is_null().and(col("day").is_not_null())
 }
 
 impl Watching {
-    fn observed(&self, today: &RobotDay) -> Vec<Observed> {
-        let estimates = self.known.channels.estimates(&today.factor.factors, &self.reference);
-        estimates.into_iter().map(|e| Observed { value: e.value, variance: e.variance }).collect()
+    /// Takes a day into the test.
+    fn tested(&self, today: &RobotDay) -> Result<Option<Detection>, FleetError> {
+        let estimates = self.known.channels.estimates(&today.factor()?.factors, &self.reference);
+        let seen: Vec<Observed> =
+            estimates.into_iter().map(|e| Observed { value: e.value, variance: e.variance }).collect();
+        let mut detector = self.detector.lock().unwrap_or_else(PoisonError::into_inner);
+        Ok(detector.day(today.day, today.temperature(), &seen))
     }
 }
 
 /// Calls `then` with each day of each robot of some rows, day by day.
 async fn each(rows: DataFrame, mut then: impl FnMut(RobotDay) -> Result<(), FleetError>) -> Result<(), FleetError> {
-    let rows = rows.filter(col("factor").is_not_null().and(col("day").is_not_null()))?;
+    let rows = rows.filter(with_factor())?;
     let columns = ["robot", "sha256", "temperature", "factor", "file", "day"].map(col);
     let rows = rows.select(columns.to_vec())?.sort_by(["day", "robot", "sha256"].map(col).to_vec())?;
     let mut stream = rows.execute_stream().await?;
-    let mut group = Group::default();
+    let mut open = RobotDay::default();
     while let Some(batch) = stream.next().await {
         let batch: RecordBatch = batch?;
         for row in 0..batch.num_rows() {
             let name = batch.column(0).as_string::<i32>().value(row);
             let day = batch.column(5).as_primitive::<Date32Type>().value(row);
-            if name != group.robot || day != group.day {
-                group.close(&mut then)?;
-                (group.robot, group.day) = (name.into(), day);
+            if name != open.robot || day != open.day {
+                let begun = RobotDay { robot: name.into(), day, ..RobotDay::default() };
+                std::mem::replace(&mut open, begun).close(&mut then)?;
             }
-            group.take(&batch, row)?;
+            open.take(&batch, row);
         }
     }
-    group.close(&mut then)
+    open.close(&mut then)
 }
 
-/// Recordings of one robot and day.
-#[derive(Default)]
-struct Group {
-    robot: String,
-    day: i32,
-    factors: KeyedFactors,
-    warmth: Vec<f64>,
-    files: Vec<String>,
-}
-
-impl Group {
-    fn take(&mut self, batch: &RecordBatch, row: usize) -> Result<(), FleetError> {
-        let digests = batch.column(1).as_string::<i32>();
+impl RobotDay {
+    fn take(&mut self, batch: &RecordBatch, row: usize) {
+        let (digests, factors) = (batch.column(1).as_string::<i32>(), batch.column(3).as_binary::<i32>());
         let file = batch.column(4).as_string::<i32>().value(row);
         let key = if digests.is_null(row) { file } else { digests.value(row) };
-        let factor = RecordingFactor::from_bytes(file, batch.column(3).as_binary::<i32>().value(row))?;
-        self.factors.insert(key.into(), factor)?;
+        if factors.is_null(row) {
+            return;
+        }
+        self.recordings.push((key.into(), factors.value(row).to_vec()));
+        self.files.push(file.into());
         let warmth = batch.column(2).as_primitive::<Float64Type>();
         self.warmth.extend((!warmth.is_null(row)).then(|| warmth.value(row)));
-        self.files.push(file.into());
-        Ok(())
     }
 
-    fn close(&mut self, then: &mut impl FnMut(RobotDay) -> Result<(), FleetError>) -> Result<(), FleetError> {
-        let Self { robot, day, factors, warmth, files } = std::mem::take(self);
-        let Some(factor) = factors.fold(&robot)? else { return Ok(()) };
-        let mean = warmth.iter().sum::<f64>() / warmth.len().max(1) as f64;
-        let temperature = (!warmth.is_empty()).then_some(mean);
-        then(RobotDay { robot, day, factor, temperature, files })
+    fn close(self, then: &mut impl FnMut(Self) -> Result<(), FleetError>) -> Result<(), FleetError> {
+        if self.recordings.is_empty() { Ok(()) } else { then(self) }
+    }
+
+    /// Mean over the recordings that have one, deg C.
+    fn temperature(&self) -> Option<f64> {
+        let mean = self.warmth.iter().sum::<f64>() / self.warmth.len().max(1) as f64;
+        (!self.warmth.is_empty()).then_some(mean)
+    }
+
+    /// The factor of all recordings of the day.
+    fn factor(&self) -> Result<RecordingFactor, FleetError> {
+        if let [(key, bytes)] = self.recordings.as_slice() {
+            let factor = RecordingFactor::from_bytes(key, bytes)?;
+            // Merging leaves joints without torque out; without such, one recording is itself.
+            if factor.factors.joints.iter().all(JointFactor::is_live) {
+                return Ok(factor);
+            }
+        }
+        let mut factors = KeyedFactors::default();
+        for (key, bytes) in &self.recordings {
+            factors.insert(key.clone(), RecordingFactor::from_bytes(key, bytes)?)?;
+        }
+        let folded = factors.fold(&self.robot)?;
+        folded.ok_or_else(|| FleetError::NoReference { what: self.robot.clone() })
+    }
+
+    /// Number of days and factor of a robot's days so far, with this one.
+    fn merged_into(&self, before: Option<&(usize, RecordingFactor)>) -> Result<(usize, RecordingFactor), FleetError> {
+        let today = self.factor()?;
+        let Some((count, before)) = before else { return Ok((1, today)) };
+        let mut merged = before.clone();
+        merged.merge(&today)?;
+        Ok((count + 1, merged))
     }
 }

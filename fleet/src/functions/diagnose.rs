@@ -4,10 +4,11 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use datafusion::arrow::array::StringArray;
+use datafusion::arrow::array::{ArrayRef, StringArray};
 use datafusion::arrow::datatypes::DataType;
 use datafusion::common::Result;
-use datafusion::logical_expr::{ColumnarValue, ScalarFunctionArgs, ScalarUDFImpl, Signature, Volatility};
+use datafusion::execution::runtime_env::RuntimeEnv;
+use datafusion::logical_expr::{ScalarUDF, Volatility};
 use denavit::data::log::Reading;
 use denavit::data::signal::{Motion, Prepare, each_motion};
 use denavit::diagnose::{HIGHEST, Recording, Settings, diagnose, preparation};
@@ -15,61 +16,42 @@ use denavit::identify::recording::{against_limits, moving, source_joints, torque
 use denavit::model::perturbable_robot::PerturbableRobot;
 use denavit::report;
 
-use super::{SessionRobots, arrays, texts};
+use super::{function, texts};
 use crate::open::with_source;
-use crate::robots::KnownRobot;
+use crate::remote::local;
+use crate::robots::{KnownRobot, Robots};
 
 /// Samples of joints that a diagnosis holds at most: ten minutes of seven joints at 1 kHz.
 const MOST_HELD: usize = 4_200_000;
 
-/// The function.
-#[derive(Debug, PartialEq, Eq, Hash)]
-pub struct Diagnose {
-    robots: SessionRobots,
-    signature: Signature,
-}
-
-impl Diagnose {
-    /// For robots of a session.
-    pub fn new(robots: SessionRobots) -> Self {
-        // It reads a file that others may change.
-        Self { robots, signature: Signature::exact(vec![DataType::Utf8, DataType::Utf8], Volatility::Volatile) }
-    }
-}
-
-impl ScalarUDFImpl for Diagnose {
-    fn name(&self) -> &'static str {
-        "diagnose"
-    }
-
-    fn signature(&self) -> &Signature {
-        &self.signature
-    }
-
-    fn return_type(&self, _: &[DataType]) -> Result<DataType> {
-        Ok(DataType::Utf8)
-    }
-
-    fn invoke_with_args(&self, args: ScalarFunctionArgs) -> Result<ColumnarValue> {
-        let arrays = arrays(&args)?;
+/// The function. It reads a file that others may change.
+pub(super) fn udf(robots: Arc<Robots>, stores: Arc<RuntimeEnv>) -> ScalarUDF {
+    let inputs = vec![DataType::Utf8, DataType::Utf8];
+    function("diagnose", inputs, DataType::Utf8, Volatility::Volatile, move |arrays| {
         let row = |(file, robot): (Option<&str>, Option<&str>)| -> Result<Option<String>> {
             let (Some(file), Some(robot)) = (file, robot) else { return Ok(None) };
-            let robot = self.robots.0.open(Path::new(robot))?;
-            Ok(Some(verdict(Path::new(file), &robot)))
+            let robot = robots.open(Path::new(robot))?;
+            Ok(Some(verdict(file, &robot, &stores)))
         };
         let verdicts = texts(&arrays[0])?.iter().zip(texts(&arrays[1])?).map(row);
-        Ok(ColumnarValue::Array(Arc::new(verdicts.collect::<Result<StringArray>>()?)))
+        Ok(Arc::new(verdicts.collect::<Result<StringArray>>()?) as ArrayRef)
+    })
+}
+
+/// The verdict on a recording of a folder or an object store, or why there is none.
+pub fn verdict(name: &str, robot: &KnownRobot, stores: &RuntimeEnv) -> String {
+    match local(stores, name) {
+        Ok(file) => diagnosed(name, file.path(), robot),
+        Err(why) => format!("no diagnosis: {why}"),
     }
 }
 
-/// The verdict on a recording, or why there is none.
-pub fn verdict(file: &Path, robot: &KnownRobot) -> String {
-    let name = file.display().to_string();
+fn diagnosed(name: &str, file: &Path, robot: &KnownRobot) -> String {
     let dof = moving(&robot.robot).count();
     let reading = Reading { mapping: robot.robot.log.clone(), joints: source_joints(&robot.robot) };
     let prepare =
         Prepare { torque_constants: torque_constants(&robot.robot), reading: reading.clone(), ..preparation(HIGHEST) };
-    let mut recording = Recording::new(&name);
+    let mut recording = Recording::new(name);
     let mut held = 0;
     let sink = |motion: &Motion| {
         held += motion.core.len() * dof;
@@ -77,7 +59,7 @@ pub fn verdict(file: &Path, robot: &KnownRobot) -> String {
             recording.absorb(motion);
         }
     };
-    let read = with_source(&name, file, &reading, |source| each_motion(source, dof, &prepare, sink));
+    let read = with_source(name, file, &reading, |source| each_motion(source, dof, &prepare, sink));
     let mut prepared = match read {
         Ok((Ok(prepared), _)) => prepared,
         Ok((Err(why), _)) => return format!("no diagnosis: {why}"),

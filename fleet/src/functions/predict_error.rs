@@ -3,57 +3,35 @@
 
 use std::sync::Arc;
 
-use datafusion::arrow::array::{Array, AsArray, Float64Array};
+use datafusion::arrow::array::{Array, ArrayRef, AsArray, Float64Array};
 use datafusion::arrow::datatypes::{DataType, Float64Type};
 use datafusion::common::Result;
-use datafusion::logical_expr::{ColumnarValue, ScalarFunctionArgs, ScalarUDFImpl, Signature, Volatility};
+use datafusion::logical_expr::{ScalarUDF, Volatility};
 use denavit::identify::{FactorError, Factors};
 
 use super::solve::estimate_fields;
-use super::{arrays, binary, factor};
+use super::{binary, factor, function, list};
 use crate::error::FleetError;
 
 /// The function.
-#[derive(Debug, PartialEq, Eq, Hash)]
-pub struct PredictError {
-    signature: Signature,
+pub(super) fn predict_error() -> ScalarUDF {
+    let inputs = vec![DataType::Binary, list(estimate_fields())];
+    function("predict_error", inputs, DataType::Float64, Volatility::Immutable, errors)
 }
 
-impl Default for PredictError {
-    fn default() -> Self {
-        let model = DataType::new_list(DataType::Struct(estimate_fields()), true);
-        Self { signature: Signature::exact(vec![DataType::Binary, model], Volatility::Immutable) }
-    }
-}
-
-impl ScalarUDFImpl for PredictError {
-    fn name(&self) -> &'static str {
-        "predict_error"
-    }
-
-    fn signature(&self) -> &Signature {
-        &self.signature
-    }
-
-    fn return_type(&self, _: &[DataType]) -> Result<DataType> {
-        Ok(DataType::Float64)
-    }
-
-    fn invoke_with_args(&self, args: ScalarFunctionArgs) -> Result<ColumnarValue> {
-        let arrays = arrays(&args)?;
-        let (factors, models) = (binary(&arrays[0])?, arrays[1].as_list::<i32>());
-        let error = |row: usize| -> Result<Option<f64>> {
-            if factors.is_null(row) || models.is_null(row) {
-                return Ok(None);
-            }
-            let factor = factor(factors.value(row))?;
-            let model = models.value(row);
-            let beta = model.as_struct().column(1).as_primitive::<Float64Type>().values().to_vec();
-            Ok(Some(percent(&factor.factors, &beta)?))
-        };
-        let errors: Float64Array = (0..args.number_rows).map(error).collect::<Result<_>>()?;
-        Ok(ColumnarValue::Array(Arc::new(errors)))
-    }
+fn errors(arrays: &[ArrayRef]) -> Result<ArrayRef> {
+    let (factors, models) = (binary(&arrays[0])?, arrays[1].as_list::<i32>());
+    let error = |row: usize| -> Result<Option<f64>> {
+        if factors.is_null(row) || models.is_null(row) {
+            return Ok(None);
+        }
+        let factor = factor(factors.value(row))?;
+        let model = models.value(row);
+        let beta = model.as_struct().column(1).as_primitive::<Float64Type>().values().to_vec();
+        Ok(Some(percent(&factor.factors, &beta)?))
+    };
+    let errors: Float64Array = (0..factors.len()).map(error).collect::<Result<_>>()?;
+    Ok(Arc::new(errors))
 }
 
 /// Over all joints, percent.

@@ -4,33 +4,35 @@ use std::fmt::Write;
 
 use denavit::report::visible;
 
-use super::{date, figure, place, verdict};
+use super::{amount, between, date, figure, meaning, place, rarity, verdict};
 use crate::watch::{Change, Watched};
 
 /// Style beyond that of denavit's pages.
 const STYLE: &str = "
-svg { width: 100%; height: auto; display: block; }
-svg text { font-size: 11px; fill: var(--soft); }
-.axis { stroke: var(--line); } .mark { stroke: var(--zero); stroke-dasharray: 3 3; }
-.found { stroke: var(--residual); stroke-dasharray: 3 3; }
+svg { width: 100%; height: auto; display: block; max-width: 60rem; }
+.axis { stroke: var(--line); } .zeroline { stroke: var(--zero); } .mark { stroke: var(--zero); stroke-dasharray: 3 3; }
 .point { fill: var(--estimated); } .later { fill: var(--residual); } .bar { stroke: var(--grey); }
-.mean { stroke: var(--estimated); } .moved { stroke: var(--residual); }
+.mean { stroke: var(--estimated); stroke-width: 1.5; } .moved { stroke: var(--residual); stroke-width: 1.5; }
 .share { display: inline-block; height: .6em; background: var(--estimated); border-radius: 2px; }
-td.wide { width: 30%; } pre { white-space: pre-wrap; }
+td.wide { min-width: 12rem; text-align: left; } td.words, th.words { text-align: left; white-space: normal; } pre { white-space: pre-wrap; }
 ";
 
 /// The page.
 pub fn page(watched: &Watched) -> String {
-    let mut body = format!("<header><h1>Fleet</h1><p>{}</p></header>\n", escape(&verdict(watched)));
+    let mut body = format!(
+        "<header><p class=kicker>denavit-fleet watch</p><h1>Fleet</h1><p class=verdict>{}</p></header>\n",
+        escape(&verdict(watched))
+    );
     body += &overview(watched);
     watched.changes.iter().enumerate().for_each(|(k, change)| body += &section(k, change));
     body += &list("Not tested", &watched.untested);
     body += &list("Recordings without a factor", &watched.unusable);
     body += &format!(
-        "<section><h2>How this is tested</h2><p>Each parameter of each robot gives a number a day. The evidence for a change \
-         is a Shiryaev-Roberts sum of Bayes factors, which grows by one a day on average as long as nothing changes; a \
-         robot is flagged when it passes {}. Without a change that takes at least as many days on average, whatever mean \
-         and scatter the robot has, if its days are independent and normal. A cause is named by the share of the \
+        "<section><h2>How this is tested</h2><p class=note>Each parameter of each robot gives a number a day: the change of that \
+         parameter alone that explains most of the torque error against the robot's own reference days. The evidence for a change is a \
+         sum of Bayes factors which grows by one a day on average as long as nothing changes; a robot is flagged when it passes {}. So \
+         without a change at least as many days pass on average between two alarms of one robot, for independent days with normal \
+         scatter; outliers of single days and correlation from day to day are allowed for. A cause is named by the share of the \
          additional torque error that it explains alone.</p></section>\n",
         figure(watched.days_between)
     );
@@ -51,35 +53,37 @@ fn overview(watched: &Watched) -> String {
         let first = change.causes.first();
         let _ = writeln!(
             rows,
-            "<tr><td><a href='#c{k}'>{}</a></td><td>{}</td><td>{}</td><td>{}</td><td>{} {} ± {} {}</td><td>{}</td></tr>",
+            "<tr><th><a href='#c{k}'>{}</a></th><td>{}</td><td>{}</td><td class=words>{}</td><td>{}</td><td class=words>{} {}</td>\
+             <td>1 in {}</td></tr>",
             escape(&change.robot),
             date(change.before),
             date(change.found),
             first.map_or(String::new(), |cause| escape(&place(cause))),
-            escape(&change.parameter),
-            figure(change.size[0]),
-            figure(change.size[1]),
-            change.unit,
             first.map_or(String::new(), |cause| format!("{:.0} %", 100.0 * cause.share.max(0.0))),
+            escape(&change.parameter),
+            between(change.size, change.unit),
+            rarity(change.evidence),
         );
     }
     format!(
-        "<section><h2>Changes</h2><table><thead><tr><th>robot</th><th>last day without</th><th>certain on</th><th>cause</th>\
-         <th>change</th><th>explained</th></tr></thead><tbody>\n{rows}</tbody></table></section>\n"
+        "<section><h2>Changes</h2><div class=scroll><table><thead><tr><th>robot</th><th>last day as before</th><th>found on</th>\
+         <th class=words>likely cause</th><th>explains of the additional error</th><th class=words>clearest parameter, its change \
+         ± standard deviation</th><th>false alarms as strong, at most</th></tr></thead><tbody>\n{rows}</tbody></table></div></section>\n"
     )
 }
 
 /// One change with its history and causes.
 fn section(number: usize, change: &Change) -> String {
-    let head = format!("{} after {}", escape(&change.robot), date(change.before));
+    let cause = change.causes.first().map_or(String::new(), |cause| format!(": {}", place(cause)));
+    let head = escape(&format!("{}{cause}", change.robot));
     let mut causes = String::new();
     for cause in change.causes.iter().take(4) {
         let share = 100.0 * cause.share.clamp(0.0, 1.0);
-        let values = cause.changes.iter().map(|(name, value, unit)| format!("{name} {} {unit}", figure(*value)));
+        let values = cause.changes.iter().map(|(name, value, unit)| format!("{name} {}", amount(*value, unit)));
         let _ = writeln!(
             causes,
-            "<tr><td>{}</td><td class=wide><span class=share style='width:{share:.0}%'></span></td><td>{share:.0} %</td>\
-             <td>{}</td></tr>",
+            "<tr><th>{}</th><td class=wide><span class=share style='width:{share:.0}%'></span></td><td>{share:.0} %</td>\
+             <td class=words>{}</td></tr>",
             escape(&place(cause)),
             escape(&values.collect::<Vec<_>>().join(", ")),
         );
@@ -90,56 +94,116 @@ fn section(number: usize, change: &Change) -> String {
         .map_or(String::new(), |said| format!("<h3>Diagnosis of the raw log</h3><pre>{}</pre>\n", escape(said)));
     let files = change.files.iter().map(|file| format!("<code>{}</code>", escape(file))).collect::<Vec<_>>().join(", ");
     format!(
-        "<section id='c{number}'><h2>{head}</h2>\n{}<table><thead><tr><th>cause</th><th></th><th>explained alone</th><th>change \
-         since</th></tr></thead><tbody>\n{causes}</tbody></table>\n<p>Detector at {} days on {}. Recordings of that day: \
-         {files}</p>{said}</section>\n",
+        "<section id='c{number}'><h2>{head}</h2>\n<p>As before until {}, found on {}. Without a change an alarm as strong comes at most \
+         once in {}.</p>\n{}<div class=scroll><table><thead><tr><th>possible cause</th><th></th><th>explains alone</th><th class=words>by a change \
+         of</th></tr></thead><tbody>\n{causes}</tbody></table></div>\n<p class=note>Recordings of {}: {files}</p>{said}</section>\n",
+        date(change.before),
+        date(change.found),
+        rarity(change.evidence),
         history(change),
-        figure(change.evidence),
         date(change.found),
     )
 }
 
+/// The plot of a history: places of days and values.
+struct Plot {
+    days: [f64; 2],
+    values: [f64; 2],
+}
+
+const SIZE: [f64; 2] = [760.0, 220.0];
+/// Left, right, top, bottom.
+const EDGE: [f64; 4] = [62.0, 14.0, 18.0, 26.0];
+
+impl Plot {
+    fn x(&self, day: f64) -> f64 {
+        EDGE[0] + (SIZE[0] - EDGE[0] - EDGE[1]) * (day - self.days[0]) / (self.days[1] - self.days[0])
+    }
+
+    fn y(&self, value: f64) -> f64 {
+        let span = self.values[1] - self.values[0];
+        SIZE[1] - EDGE[3] - (SIZE[1] - EDGE[2] - EDGE[3]) * (value - self.values[0]) / span
+    }
+
+    /// Lines at round values, and dates.
+    fn axes(&self) -> String {
+        let mut marks = String::new();
+        let step = step(self.values[1] - self.values[0]);
+        let first = (self.values[0] / step).ceil() as i64;
+        for value in (first..).map(|k| k as f64 * step).take_while(|value| *value <= self.values[1]).take(12) {
+            let (at, class) = (self.y(value), if value == 0.0 { "zeroline" } else { "axis" });
+            let _ =
+                write!(marks, "<line class={class} x1={} x2={} y1={at:.1} y2={at:.1} />", EDGE[0], SIZE[0] - EDGE[1]);
+            let _ =
+                write!(marks, "<text x={} y={:.1} text-anchor=end>{}</text>", EDGE[0] - 6.0, at + 4.0, figure(value));
+        }
+        let every = ((self.days[1] - self.days[0]) / 6.0).ceil().max(1.0);
+        for day in (0..).map(|k| self.days[0] + 0.5 + k as f64 * every).take_while(|day| *day < self.days[1]) {
+            let text = date(day as i32);
+            let _ = write!(marks, "<text x={:.1} y={} text-anchor=middle>{text}</text>", self.x(day), SIZE[1] - 8.0);
+        }
+        marks
+    }
+
+    /// A dashed line with words beside it.
+    fn mark(&self, day: f64, text: &str) -> String {
+        let at = self.x(day);
+        let bottom = SIZE[1] - EDGE[3];
+        format!(
+            "<line class=mark x1={at:.1} x2={at:.1} y1={} y2={bottom} /><text x={at:.1} y={} text-anchor=middle>{text}</text>",
+            EDGE[2],
+            EDGE[2] - 6.0
+        )
+    }
+
+    /// Mean of some days.
+    fn level(&self, points: &[(f64, f64, f64)], class: &str) -> String {
+        let (Some(first), Some(last)) = (points.first(), points.last()) else { return String::new() };
+        let at = self.y(points.iter().map(|(_, value, _)| value).sum::<f64>() / points.len() as f64);
+        let ends = [self.x(first.0 - 0.4), self.x(last.0 + 0.4)];
+        format!("<line class={class} x1={:.1} x2={:.1} y1={at:.1} y2={at:.1} />", ends[0], ends[1])
+    }
+}
+
+/// A round step that cuts a span into about five.
+fn step(span: f64) -> f64 {
+    let power = 10.0_f64.powf((span / 5.0).log10().floor());
+    [1.0, 2.0, 5.0].map(|k| k * power).into_iter().find(|step| span / step <= 6.0).unwrap_or(10.0 * power)
+}
+
 /// The daily estimates of the cause's parameter.
 fn history(change: &Change) -> String {
-    const SIZE: [f64; 2] = [760.0, 200.0];
-    const EDGE: [f64; 4] = [62.0, 12.0, 12.0, 26.0];
+    let scale = if change.plotted_unit.is_empty() { 100.0 } else { 1.0 };
     let points: Vec<(f64, f64, f64)> = change
         .history
         .iter()
         .filter(|(_, value, std)| value.is_finite() && std.is_finite())
-        .map(|(day, value, std)| (f64::from(*day), *value, *std))
+        .map(|(day, value, std)| (f64::from(*day), scale * value, scale * std))
         .collect();
     let (Some(first), Some(last)) = (points.first(), points.last()) else { return String::new() };
-    let days = [first.0 - 0.5, last.0 + 0.5];
     let low = points.iter().map(|(_, y, s)| y - s).fold(0.0, f64::min);
     let high = points.iter().map(|(_, y, s)| y + s).fold(0.0, f64::max);
-    let span = (high - low).max(1e-12);
-    let x = |day: f64| EDGE[0] + (SIZE[0] - EDGE[0] - EDGE[1]) * (day - days[0]) / (days[1] - days[0]);
-    let y = |value: f64| SIZE[1] - EDGE[3] - (SIZE[1] - EDGE[2] - EDGE[3]) * (value - low) / span;
-    let mut marks = String::new();
-    for value in [low, 0.0, high] {
-        let at = y(value);
-        let _ = write!(marks, "<line class=axis x1={} x2={} y1={at:.1} y2={at:.1} />", EDGE[0], SIZE[0] - EDGE[1]);
-        let _ = write!(marks, "<text x={} y={:.1} text-anchor=end>{}</text>", EDGE[0] - 6.0, at + 4.0, figure(value));
-    }
-    for (day, class) in [(f64::from(change.before) + 0.5, "mark"), (f64::from(change.found), "found")] {
-        let at = x(day);
-        let _ = write!(marks, "<line class={class} x1={at:.1} x2={at:.1} y1={} y2={} />", EDGE[2], SIZE[1] - EDGE[3]);
-    }
-    for (day, anchor) in [(first.0, "start"), (last.0, "end")] {
-        let text = date(day as i32);
-        let _ = write!(marks, "<text x={:.1} y={} text-anchor={anchor}>{text}</text>", x(day), SIZE[1] - 8.0);
-    }
-    for (day, value, std) in &points {
-        let class = if *day > f64::from(change.before) { "later" } else { "point" };
-        let (at, top, bottom) = (x(*day), y(value + std), y(value - std));
+    let air = 0.05 * (high - low).max(1e-12);
+    let plot = Plot { days: [first.0 - 0.5, last.0 + 0.5], values: [low - air, high + air] };
+    let until = |day: i32| points.partition_point(|(at, _, _)| *at <= f64::from(day));
+    let (before, found) = (until(change.before), until(change.found));
+    let mut marks = plot.axes();
+    marks += &plot.mark(f64::from(change.before) + 0.5, "change");
+    marks += &plot.mark(f64::from(change.found), if change.found - change.before > 1 { "found" } else { "" });
+    marks += &plot.level(&points[..before], "mean");
+    marks += &plot.level(&points[before..found], "moved");
+    for (k, (day, value, std)) in points.iter().enumerate() {
+        let class = if k < before { "point" } else { "later" };
+        let (at, top, bottom) = (plot.x(*day), plot.y(value + std), plot.y(value - std));
         let _ = write!(marks, "<line class=bar x1={at:.1} x2={at:.1} y1={top:.1} y2={bottom:.1} />");
-        let _ = write!(marks, "<circle class={class} cx={at:.1} cy={:.1} r=3 />", y(*value));
+        let _ = write!(marks, "<circle class={class} cx={at:.1} cy={:.1} r=3 />", plot.y(*value));
     }
+    let unit = if change.plotted_unit.is_empty() { "%" } else { change.plotted_unit };
+    let title = format!("{} ({}): change against the reference days, {unit}", change.plotted, meaning(&change.plotted));
     format!(
-        "<p>{} against the reference, day by day; bars are the noise of a day</p>\n<svg viewBox='0 0 {} {}' role=img \
-         aria-label='History of {}'>{marks}</svg>\n",
-        escape(&change.plotted),
+        "<p class=note><b>{}</b>. A point is a day, bars are its noise; lines are the means before and after the change.</p>\n\
+         <svg viewBox='0 0 {} {}' role=img aria-label='History of {}'>{marks}</svg>\n",
+        escape(&title),
         SIZE[0],
         SIZE[1],
         escape(&change.plotted)
@@ -151,7 +215,9 @@ fn list(title: &str, rows: &[(String, String)]) -> String {
     if rows.is_empty() {
         return String::new();
     }
-    let row = |(name, why): &(String, String)| format!("<tr><td>{}</td><td>{}</td></tr>\n", escape(name), escape(why));
+    let row = |(name, why): &(String, String)| {
+        format!("<tr><th>{}</th><td class=words>{}</td></tr>\n", escape(name), escape(why))
+    };
     let rows: String = rows.iter().map(row).collect();
     format!("<section><h2>{title}</h2><table><tbody>\n{rows}</tbody></table></section>\n")
 }
