@@ -21,7 +21,8 @@
 //! Days follow each other, too: a warm week is seven warm days. Rows of a day and of the one before
 //! are whitened as those of an autoregressive process of first order, `y(i) - rho y(i-1)`, with one
 //! `rho` for all channels of a robot: that which seven tenths of its channels do not exceed, by the
-//! days before `j`. Where `rho` is known the bound holds as before; it is estimated.
+//! days before `j`. A day that shows a channel far less than the next is none before it, for its
+//! noise is not what carries over. Where `rho` is known the bound holds as before; it is estimated.
 
 use std::collections::VecDeque;
 
@@ -222,9 +223,10 @@ impl Day {
         [1.0, self.temperature, self.values.get(channel).map_or(0.0, |[_, y]| *y)]
     }
 
-    /// The columns of this day as the one before another.
-    fn before(&self, channel: usize, day: i32) -> Option<[f64; 3]> {
-        (self.weight(channel) > 0.0 && day - self.day <= LONGEST_PAUSE).then(|| self.columns(channel))
+    /// The columns of this day as the one before another that shows the channel as well.
+    fn before(&self, channel: usize, next: &Day) -> Option<[f64; 3]> {
+        let [a, b] = [self, next].map(|day| day.weight(channel));
+        (a.min(b) > ALIKE * a.max(b) && next.day - self.day <= LONGEST_PAUSE).then(|| self.columns(channel))
     }
 }
 
@@ -254,6 +256,10 @@ pub struct Detector {
 
 /// Days apart up to which two days are neighbours: a long weekend.
 const LONGEST_PAUSE: i32 = 4;
+
+/// Of two days' weights the least, by the larger: a day whose motion hardly shows a channel says
+/// nothing of the scatter of the next.
+const ALIKE: f64 = 0.5;
 
 /// Share of the channels that have a smaller correlation than the one that is used.
 const SHARE: f64 = 0.7;
@@ -335,7 +341,7 @@ impl Detector {
     fn take(&mut self, row: Day) {
         let last = self.days.back();
         for (k, total) in self.totals.iter_mut().enumerate() {
-            total.add(row.weight(k), row.columns(k), last.and_then(|last| last.before(k, row.day)));
+            total.add(row.weight(k), row.columns(k), last.and_then(|last| last.before(k, &row)));
         }
         self.count += 1;
         self.days.push_back(row);
@@ -405,7 +411,7 @@ impl Detector {
     fn whitened(&self, channel: usize, i: usize, at: usize, rho: f64) -> Row {
         let (day, step) = (&self.days[i], f64::from(u8::from(i >= at)));
         let (weight, columns) = (day.weight(channel), day.columns(channel));
-        match i.checked_sub(1).and_then(|last| self.days[last].before(channel, day.day)) {
+        match i.checked_sub(1).and_then(|last| self.days[last].before(channel, day)) {
             Some(before) => {
                 let columns = std::array::from_fn(|c| columns[c] - rho * before[c]);
                 Row { weight, columns, step: step - rho * f64::from(u8::from(i > at)) }
