@@ -1,6 +1,7 @@
 //! Hidden effects must be found; nothing hidden must be called nothing.
 
 mod battery;
+mod columns;
 mod mechanisms;
 mod world;
 mod written;

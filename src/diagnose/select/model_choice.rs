@@ -145,9 +145,9 @@ mod tests {
         let alike = model([1.0; 4]).less(&model([2.0; 4]), &[0.0]);
         assert!((alike.gain - 1.0 / 3.0).abs() < 1e-12 && alike.error < 1e-12 && alike.whole, "{alike:?}");
         let uneven = model([1.0; 4]).less(&model([1.0, 3.0, 1.0, 3.0]), &[0.0]);
-        // Gains of 0 and 2 of 12: a deviation of 2 / sqrt(12) / 2 a stretch, twice that of their sum.
-        assert!((uneven.gain - 1.0 / 3.0).abs() < 1e-12, "{uneven:?}");
-        assert!((uneven.error - 2.0 * (4.0_f64 / 3.0).sqrt() / 12.0).abs() < 1e-12, "{uneven:?}");
+        // Gains of 0 and 2 of 4 in turn: a mean of a quarter, a deviation of 1 / sqrt(12) a stretch.
+        assert!((uneven.gain - 0.25).abs() < 1e-12, "{uneven:?}");
+        assert!((uneven.error - 1.0 / 48.0_f64.sqrt()).abs() < 1e-12, "{uneven:?}");
     }
 
     #[test]

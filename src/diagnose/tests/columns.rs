@@ -1,0 +1,132 @@
+//! Columns of the hypotheses on a made-up motion, against their laws written out here.
+
+use super::mechanisms::planar;
+use crate::data::signal::Band;
+use crate::diagnose::hypotheses::{Term, hypothesis};
+use crate::diagnose::windows::recording::{Recording, Stretch};
+use crate::diagnose::windows::windowed_data::WindowedData;
+use crate::model::States;
+use crate::model::perturbable_robot::PerturbableRobot;
+use dh_codegen::robot::EffectKind;
+
+const PERIOD: f64 = 0.005;
+const LEN: usize = 1200;
+
+/// Position, velocity and acceleration of joint 1; joint 2 follows at half the size.
+fn at(k: usize) -> [f64; 3] {
+    let (w, t) = (2.3, PERIOD * k as f64);
+    [0.8 * (w * t).sin(), 0.8 * w * (w * t).cos(), -0.8 * w * w * (w * t).sin()]
+}
+
+fn recording() -> Recording {
+    let series = |which: usize| -> Vec<f64> {
+        [1.0, 0.5].into_iter().flat_map(|size| (0..LEN).map(move |k| size * at(k)[which])).collect()
+    };
+    let stretch = Stretch {
+        start: 0.0,
+        period: PERIOD,
+        states: States { len: LEN, q: series(0), dq: series(1), ddq: series(2) },
+        tau: vec![1.0; 2 * LEN],
+        temperature: Vec::new(),
+        motor: Vec::new(),
+        velocity_noise: vec![1e-6; 2],
+        error: Vec::new(),
+        torque_noise: vec![0.01; 2],
+        clock_error: 0.0,
+        stuck: Vec::new(),
+        band: Band::default(),
+    };
+    Recording { name: "made up".into(), begin: 0.0, stretches: vec![stretch] }
+}
+
+/// Checks what a hypothesis says of joint 1, one window a sample, against `law(term, sample)`,
+/// where the window counts.
+fn follows(scene: &WindowedData<'_>, effect: EffectKind, shape: &[f64], law: &dyn Fn(usize, usize) -> f64) {
+    let terms: Vec<Term> = hypothesis(effect).terms(scene, &[0], shape);
+    assert!(!terms.is_empty(), "{effect} {shape:?}");
+    let mut counted = 0;
+    for (term, t) in terms.iter().enumerate() {
+        let (_, series) = t.column.rows.iter().find(|(j, _)| *j == 0).unwrap();
+        for (w, value) in series.iter().enumerate().filter(|(w, _)| scene.live[0][*w]) {
+            let wanted = law(term, w);
+            assert!((value - wanted).abs() < 1e-9 * wanted.abs().max(1.0), "{effect} {shape:?} {w}: {value} {wanted}");
+            counted += 1;
+        }
+    }
+    assert!(counted > 800, "{effect}: {counted}");
+}
+
+#[test]
+fn columns_are_what_their_laws_say() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let recordings = [recording()];
+    let mut scene = WindowedData::new(&plant, &recordings, 1.0 / PERIOD, &[0.0; 2], false);
+    let beta = vec![0.4; scene.beta.len()];
+    scene.set_model(beta, None);
+    let own = scene.own[0][0].clone();
+    let (q, v, load) = (|w: usize| own.q[w], |w: usize| own.v[w], |w: usize| own.load[w]);
+    let sign = |w: usize| v(w).signum();
+    assert!(own.load.iter().any(|l| *l > 0.1) && own.load.iter().any(|l| *l < -0.1));
+
+    follows(&scene, EffectKind::AsymmetricFriction, &[], &|_, w| v(w).abs());
+    follows(&scene, EffectKind::StribeckFriction, &[0.3, 2.0], &|_, w| sign(w) * (-(v(w) / 0.3) * (v(w) / 0.3)).exp());
+    follows(&scene, EffectKind::StribeckFriction, &[0.3, 1.0], &|_, w| sign(w) * (-v(w).abs() / 0.3).exp());
+    follows(&scene, EffectKind::NonlinearViscousFriction, &[3.0, 0.0], &|_, w| v(w) * v(w) * v(w));
+    follows(&scene, EffectKind::NonlinearViscousFriction, &[1.0, 0.2], &|_, w| v(w) / (v(w).abs() + 0.2));
+    follows(&scene, EffectKind::LoadDependentFriction, &[0.0], &|_, w| sign(w) * load(w).abs());
+    // The motor drives the load where power is positive; the load drives the motor elsewhere.
+    follows(&scene, EffectKind::LoadDependentFriction, &[1.0], &|term, w| {
+        let driving = load(w) * v(w) >= 0.0;
+        if driving == (term == 0) { sign(w) * load(w).abs() } else { 0.0 }
+    });
+    follows(&scene, EffectKind::TorqueRipple, &[7.0], &|term, w| {
+        let angle = 7.0 * q(w);
+        if term == 0 { angle.cos() } else { angle.sin() }
+    });
+    follows(&scene, EffectKind::FrictionDrift, &[2.5], &|term, w| {
+        (if term == 0 { sign(w) } else { v(w) }) * (-own.t[w] / 2.5).exp()
+    });
+}
+
+#[test]
+fn a_late_torque_is_the_earlier_one() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let recordings = [recording()];
+    let mut scene = WindowedData::new(&plant, &recordings, 1.0 / PERIOD, &[0.0; 2], false);
+    // A torque that rises in time: late, it is smaller.
+    scene.whole = vec![scene.time.clone(), vec![0.0; scene.len]];
+    let terms = hypothesis(EffectKind::TimeDelay).terms(&scene, &[0], &[0.02]);
+    let (_, series) = &terms[0].column.rows[0];
+    let inner = 10..scene.len - 10;
+    let late = inner.filter(|w| scene.live[0][*w]).map(|w| series[w]);
+    late.for_each(|x| assert!((x + 1.0).abs() < 1e-9, "{x}"));
+}
+
+#[test]
+fn bristles_bend_over_their_length() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let recordings = [recording()];
+    let scene = WindowedData::new(&plant, &recordings, 1.0 / PERIOD, &[0.0; 2], false);
+    let length = 0.05;
+    let terms = hypothesis(EffectKind::PreslidingHysteresis).terms(&scene, &[0], &[length]);
+    let (_, series) = &terms[0].column.rows[0];
+    // dz = (sign - z) |dq| / length, by small steps along the exact motion.
+    let (first, mut z, steps) = ((scene.own[0][0].t[0] / PERIOD).round(), 0.0, 200);
+    let mut checked = 0;
+    for w in 1..scene.len {
+        for s in 0..steps {
+            let k = |s: usize| (first + (w - 1) as f64 + s as f64 / f64::from(steps as u32)) * PERIOD;
+            let by = 0.8 * ((2.3 * k(s + 1)).sin() - (2.3 * k(s)).sin());
+            z += (by.signum() - z) * by.abs() / length;
+        }
+        // The state at the start is forgotten after some lengths.
+        if w > 200 && scene.live[0][w] {
+            assert!((series[w] - z).abs() < 0.02, "{w}: {} {z}", series[w]);
+            checked += 1;
+        }
+    }
+    assert!(checked > 600, "{checked}");
+}
