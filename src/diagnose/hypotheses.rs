@@ -468,7 +468,7 @@ pub fn hypothesis(effect: EffectKind) -> &'static dyn Hypothesis {
 }
 
 /// A further law by which an effect may act: the same keys, other columns.
-pub(in crate::diagnose) fn further(effect: EffectKind) -> Option<&'static dyn Hypothesis> {
+fn further(effect: EffectKind) -> Option<&'static dyn Hypothesis> {
     match effect {
         EffectKind::GearCoupling => Some(&gear_coupling::CarriedAxis),
         EffectKind::JointSpring => Some(&joint_spring::CableSpring),
@@ -478,12 +478,17 @@ pub(in crate::diagnose) fn further(effect: EffectKind) -> Option<&'static dyn Hy
     }
 }
 
+/// All laws by which an effect may act.
+pub(in crate::diagnose) fn laws(effect: EffectKind) -> impl Iterator<Item = &'static dyn Hypothesis> {
+    core::iter::once(hypothesis(effect)).chain(further(effect))
+}
+
 /// All hypotheses that add columns, in the order of the vocabulary: those of the baseline friction
 /// have theirs already.
 pub fn causes() -> impl Iterator<Item = &'static dyn Hypothesis> {
     let plain = [EffectKind::ViscousFriction, EffectKind::CoulombFriction, EffectKind::TorqueOffset];
     let wanted = EffectKind::ALL.iter().filter(move |effect| !plain.contains(effect));
-    wanted.flat_map(|&effect| core::iter::once(hypothesis(effect)).chain(further(effect)))
+    wanted.flat_map(|&effect| laws(effect))
 }
 
 /// The hypothesis of this name.

@@ -7,7 +7,7 @@ use super::result::{Cause, measured_on};
 use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest, inertial, local};
 use crate::diagnose::fit::moments::Solution;
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
-use crate::diagnose::hypotheses::{Hypothesis, Named, Quantity, further, hypothesis};
+use crate::diagnose::hypotheses::{Hypothesis, Named, Quantity, laws};
 use crate::diagnose::search::equivalent_robot_cause;
 use crate::diagnose::search::judge::chosen_of;
 use crate::diagnose::search::merge_bodies::single_bodies;
@@ -181,9 +181,7 @@ impl Session<'_> {
         gain: f64,
     ) -> Option<Body> {
         let mut best: Option<(f64, Vec<Chosen>)> = None;
-        let law = hypothesis(EffectKind::LinkInertiaError);
-        let laws: Vec<&'static dyn Hypothesis> =
-            std::iter::once(law).chain(further(EffectKind::LinkInertiaError)).collect();
+        let laws: Vec<&'static dyn Hypothesis> = laws(EffectKind::LinkInertiaError).collect();
         for body in single_bodies(believed, &laws) {
             let mut trial = others.to_vec();
             trial.push(body);

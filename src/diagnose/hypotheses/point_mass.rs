@@ -26,6 +26,11 @@ pub const POINT_LINK: PointMass = PointMass { payload: false };
 /// Farthest centre of mass from its frame, m; beyond it the data don't tell mass and moments apart.
 const FARTHEST: f64 = 0.6;
 
+/// A number of the centre of mass; it follows the coefficients, so no search moves it.
+const fn axis(name: &'static str) -> Shape {
+    Shape { symbol: Symbol::Own(name), unit: "m", range: [-FARTHEST, FARTHEST], step: None }
+}
+
 /// Inertia of a first moment of 1 kg m along axis `k` at centre of mass `c`: `XX, YY, ZZ, XY, XZ,
 /// YZ`. Of `m c` at `c` the sum over the axes is that of a point mass.
 fn inertia(k: usize, c: &[f64]) -> [f64; 6] {
@@ -74,10 +79,7 @@ impl Hypothesis for PointMass {
 
     /// The centre of mass, at which the inertia is taken.
     fn shape(&self) -> &'static [Shape] {
-        const OF: fn(&'static str) -> Shape =
-            |name| Shape { symbol: Symbol::Own(name), unit: "m", range: [-FARTHEST, FARTHEST], step: None };
-        static SHAPE: std::sync::LazyLock<[Shape; 3]> = std::sync::LazyLock::new(|| ["cx", "cy", "cz"].map(OF));
-        &*SHAPE
+        const { &[axis("cx"), axis("cy"), axis("cz")] }
     }
 
     fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {

@@ -101,7 +101,9 @@ impl<'a> Session<'a> {
         let mut why = Vec::new();
         if let Some(best) = best {
             let changed = offer(&best) != Offered::File;
-            let sentence = || self.says("nothing predicts surely better than the unchanged file", &best.left_out, file);
+            let sentence = || {
+                self.says("nothing predicts surely better than the unchanged file, nor better here and on the validating data", &best.left_out, file)
+            };
             let sentence = changed.then(sentence);
             why.extend(best.why.into_iter().chain(said).chain(sentence));
         } else {
