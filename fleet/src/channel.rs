@@ -9,7 +9,9 @@
 
 use denavit::identify::{Factors, JointFactor};
 use denavit::model::{Arm, DriveTerm, Inertial, StandardParameter};
+use nalgebra::{DMatrix, DVector};
 
+use crate::attribution::{DayEvidence, JointEvidence};
 use crate::reference::Reference;
 
 /// Kind of a change.
@@ -63,16 +65,21 @@ pub struct Channel {
     direction: Direction,
 }
 
+#[cfg(test)]
+impl Channel {
+    /// One that changes no torque.
+    pub(crate) fn unplaced(kind: Kind, joint: usize) -> Self {
+        let direction = Direction::Base(Vec::new());
+        Self { kind, joint, parameter: format!("{}{joint}", kind.name()), unit: "", direction }
+    }
+}
+
 /// The channels of an arm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Channels {
     /// In a fixed order: joint by joint, then link by link.
     pub list: Vec<Channel>,
     parameters: usize,
-}
-
-fn finite(x: f64) -> f64 {
-    if x.is_finite() { x } else { 0.0 }
 }
 
 /// An estimate of one channel alone.
@@ -85,19 +92,6 @@ pub struct ChannelEstimate {
     pub variance: f64,
     /// Weighted sum of squares of the torque of a unit change.
     pub information: f64,
-}
-
-/// A cause that may explain a change: channels of one kind and place together.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Explanation {
-    /// Kind.
-    pub kind: Kind,
-    /// Joint or link, from 1.
-    pub joint: usize,
-    /// Share of the weighted residual's square that the reference leaves and this explains.
-    pub share: f64,
-    /// Parameter, value and unit.
-    pub changes: Vec<(String, f64, &'static str)>,
 }
 
 /// A residual of the reference, and the torques of unit changes, in the rows of the triangles.
@@ -181,30 +175,27 @@ impl Channels {
         projected.torques.iter().map(one).collect()
     }
 
-    /// What explains the residual of the reference, each kind and place alone, best first.
-    /// `scatter`: per channel the variance by which its estimate changes without a cause.
-    pub fn explanations(&self, factors: &Factors, reference: &Reference, scatter: &[f64]) -> Vec<Explanation> {
+    /// What a recording shows of all channels together.
+    pub fn evidence(&self, factors: &Factors, reference: &Reference) -> DayEvidence {
         let projected = self.projected(factors, reference);
-        let whole: f64 = projected.residual.iter().map(|e| dot(e, e)).sum();
-        let mut places: Vec<(Kind, usize)> = self.list.iter().map(|c| (c.kind, c.joint)).collect();
-        places.sort_unstable();
-        places.dedup();
-        let explain = |&(kind, joint): &(Kind, usize)| {
-            let own: Vec<usize> =
-                (0..self.list.len()).filter(|&k| (self.list[k].kind, self.list[k].joint) == (kind, joint)).collect();
-            let (gained, values) = projected.explained_by(&own);
-            let by_chance = |&k: &usize| {
-                let information: f64 = projected.torques[k].iter().map(|(_, torque)| dot(torque, torque)).sum();
-                finite(scatter.get(k).copied().unwrap_or(0.0)) * information
+        let joint = |joint: usize| {
+            let live = reference.weights[joint] > 0.0 && factors.joints[joint].is_live();
+            let own = |(k, torques): (usize, &Vec<(usize, Vec<f64>)>)| {
+                torques.iter().position(|(j, _)| *j == joint && live).map(|at| (k, at))
             };
-            let chance: f64 = own.iter().map(by_chance).sum();
-            let named = |(&k, value): (&usize, f64)| (self.list[k].parameter.clone(), value, self.list[k].unit);
-            let changes = own.iter().zip(values).map(named).collect();
-            Explanation { kind, joint, share: (gained - chance) / whole.max(f64::MIN_POSITIVE), changes }
+            let found: Vec<(usize, usize)> = projected.torques.iter().enumerate().filter_map(own).collect();
+            let shown: Vec<(usize, &[f64])> =
+                found.iter().map(|&(k, at)| (k, projected.torques[k][at].1.as_slice())).collect();
+            let residual = if live { projected.residual[joint].as_slice() } else { &[] };
+            JointEvidence {
+                channels: shown.iter().map(|(k, _)| *k).collect(),
+                gram: DMatrix::from_fn(shown.len(), shown.len(), |a, b| dot(shown[a].1, shown[b].1)),
+                score: DVector::from_fn(shown.len(), |a, _| dot(shown[a].1, residual)),
+                square: dot(residual, residual),
+                rows: residual.len(),
+            }
         };
-        let mut found: Vec<Explanation> = places.iter().map(explain).collect();
-        found.sort_by(|a, b| b.share.total_cmp(&a.share));
-        found
+        DayEvidence((0..factors.joints.len()).map(joint).collect())
     }
 
     fn projected(&self, factors: &Factors, reference: &Reference) -> Projected {
@@ -239,57 +230,6 @@ impl Channels {
             }
         };
         Projected { residual, torques: self.list.iter().map(torques).collect() }
-    }
-}
-
-impl Projected {
-    fn inner(&self, a: usize, b: usize) -> f64 {
-        let beside = |joint: usize| self.torques[b].iter().find(|(other, _)| *other == joint);
-        self.torques[a].iter().filter_map(|(j, t)| beside(*j).map(|(_, other)| dot(t, other))).sum()
-    }
-
-    /// By how much the square of the residual falls with these channels together, and their values.
-    fn explained_by(&self, own: &[usize]) -> (f64, Vec<f64>) {
-        let score = |&k: &usize| self.torques[k].iter().map(|(j, t)| dot(t, &self.residual[*j])).sum::<f64>();
-        // Gram-Schmidt: a channel that the others show already adds nothing.
-        let n = own.len();
-        let gram: Vec<f64> =
-            own.iter().flat_map(|&a| own.iter().map(move |&b| (a, b))).map(|(a, b)| self.inner(a, b)).collect();
-        let scores: Vec<f64> = own.iter().map(score).collect();
-        let mut lower = vec![0.0; n * n];
-        let mut forward = vec![0.0; n];
-        for i in 0..n {
-            for k in 0..=i {
-                let sum: f64 = (0..k).map(|m| lower[i * n + m] * lower[k * n + m]).sum();
-                let rest = gram[i * n + k] - sum;
-                lower[i * n + k] = match (i == k, lower[k * n + k]) {
-                    (true, _) => {
-                        if rest > 1e-6 * gram[i * n + i] {
-                            rest.sqrt()
-                        } else {
-                            0.0
-                        }
-                    }
-                    (false, pivot) => {
-                        if pivot > 0.0 {
-                            rest / pivot
-                        } else {
-                            0.0
-                        }
-                    }
-                };
-            }
-            let sum: f64 = (0..i).map(|m| lower[i * n + m] * forward[m]).sum();
-            let pivot = lower[i * n + i];
-            forward[i] = if pivot > 0.0 { (scores[i] - sum) / pivot } else { 0.0 };
-        }
-        let mut values = vec![0.0; n];
-        for i in (0..n).rev() {
-            let sum: f64 = (i + 1..n).map(|m| lower[m * n + i] * values[m]).sum();
-            let pivot = lower[i * n + i];
-            values[i] = if pivot > 0.0 { (forward[i] - sum) / pivot } else { 0.0 };
-        }
-        (forward.iter().map(|x| x * x).sum(), values)
     }
 }
 

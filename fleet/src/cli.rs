@@ -8,8 +8,10 @@ use datafusion::arrow::util::pretty::pretty_format_batches;
 use denavit::report::visible;
 
 use crate::Fleet;
+use crate::calendar::{date, day};
 use crate::error::FleetError;
 use crate::functions::diagnose::verdict;
+use crate::recordings::RecordingsTable;
 use crate::remote::{Place, RecordingFile, is_url};
 use crate::report;
 use crate::sequential::Sequential;
@@ -65,6 +67,9 @@ struct Factor {
     /// Name of the arm in the table, where many share a robot file. Default: the name in the file.
     #[arg(long, value_name = "NAME")]
     name: Option<String>,
+    /// Day of recordings whose time starts at 0 instead of being that of a calendar.
+    #[arg(long, value_name = "YYYY-MM-DD", value_parser = date_of)]
+    day: Option<i32>,
     /// Folder of the tables; it is made.
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
@@ -175,7 +180,8 @@ impl Factor {
             println!("{} of {count} recordings were missing, {left} still are", todo);
         } else {
             let said = |file: &str, why: &str| eprintln!("{}", visible(&format!("{file}: no factor: {why}")));
-            let Written { recordings, without } = store.factor(&fleet, robot, &name, missing, said).await?;
+            let table = RecordingsTable { robot, name, place: Place::Files(missing), day: self.day };
+            let Written { recordings, without } = store.factor(&fleet, table, said).await?;
             println!("{recordings} of {count} recordings were missing and are read, {without} without a factor");
         }
         if self.share.is_none()
@@ -225,6 +231,7 @@ impl Factor {
             let mut process = Process::new(&program);
             process.arg("factor").args(&self.logs).arg("--robot").arg(&self.robot).arg("--out").arg(&self.out);
             process.args(self.name.iter().flat_map(|name| ["--name", name]));
+            process.args(self.day.iter().flat_map(|day| ["--day".into(), date(*day)]));
             process.args(["--threads", "1", "--share", &format!("{}/{workers}", k + 1)]);
             process.stdout(std::process::Stdio::null()).spawn().map_err(own)
         };
@@ -274,6 +281,11 @@ impl Sql {
         println!("{table}");
         Ok(())
     }
+}
+
+/// A day on the command line.
+fn date_of(text: &str) -> Result<i32, FleetError> {
+    day(text).ok_or_else(|| FleetError::Option(format!("{text} is no date such as 2026-11-23")))
 }
 
 /// A session with a table of factors and robots.

@@ -4,6 +4,8 @@
 //! Between machines nothing is home-made: rows are Parquet, questions are SQL. The mathematics are
 //! those of `denavit`.
 
+pub mod attribution;
+pub mod calendar;
 pub mod channel;
 pub mod cli;
 pub mod error;

@@ -48,7 +48,7 @@ impl TableFunctionImpl for Recordings {
         let robot = self.0.open(PathBuf::from(robot).as_path())?;
         let name = name.unwrap_or(&robot.robot.name).to_string();
         let place = Place::of(path)?;
-        Ok(Arc::new(RecordingsTable { robot, name, place }))
+        Ok(Arc::new(RecordingsTable { robot, name, place, day: None }))
     }
 }
 
@@ -69,6 +69,8 @@ pub struct RecordingsTable {
     pub name: String,
     /// Where they are.
     pub place: Place,
+    /// Day of recordings whose time is not that of a calendar.
+    pub day: Option<i32>,
 }
 
 #[async_trait]
@@ -103,6 +105,7 @@ struct RecordingsExec {
     files: Arc<[RecordingFile]>,
     partitions: usize,
     projection: Option<Vec<usize>>,
+    day: Option<i32>,
     properties: Arc<PlanProperties>,
 }
 
@@ -123,8 +126,8 @@ impl RecordingsExec {
             EmissionType::Incremental,
             Boundedness::Bounded,
         );
-        let (robot, name) = (Arc::clone(&table.robot), table.name.clone());
-        Ok(Self { robot, name, files: files.into(), partitions, projection, properties: Arc::new(properties) })
+        let (robot, name, day) = (Arc::clone(&table.robot), table.name.clone(), table.day);
+        Ok(Self { robot, name, files: files.into(), partitions, projection, day, properties: Arc::new(properties) })
     }
 }
 
@@ -171,18 +174,20 @@ impl ExecutionPlan for RecordingsExec {
         let mut stream = RecordBatchReceiverStreamBuilder::new(Arc::clone(schema), 1);
         let (send, robot, files) = (stream.tx(), Arc::clone(&self.robot), Arc::clone(&self.files));
         let (every, projection, robot_name) = (self.partitions, self.projection.clone(), self.name.clone());
+        let day = self.day;
         let runtime = tokio::runtime::Handle::current();
         stream.spawn_blocking(move || {
             let prepare = plain_preparation(&robot.robot);
             RecordingReader::with(&robot.robot, robot.digest, prepare, |reader| {
                 for file in files.iter().skip(partition).step_by(every) {
-                    let row = match file {
+                    let mut row = match file {
                         RecordingFile::Local(path) => row(&path.display().to_string(), path, &robot_name, reader),
                         RecordingFile::Remote(remote) => {
                             let local = runtime.block_on(fetched(&context.runtime_env(), remote))?;
                             row(&remote.name, local.path(), &robot_name, reader)
                         }
                     };
+                    row.day = row.day.or(day);
                     let rows = batch(&[row])?;
                     let rows = match &projection {
                         Some(columns) => rows.project(columns)?,

@@ -7,12 +7,14 @@ use std::fmt::Write;
 use denavit::report::visible;
 use serde_json::{Value, json};
 
+use crate::attribution::{CERTAIN, Explanation};
+use crate::calendar::date;
 use crate::watch::{Change, Watched};
 
 pub use page::page;
 
-/// Explanations that a text names.
-const NAMED: usize = 2;
+/// Causes that a text names at most.
+const NAMED: usize = 3;
 
 /// For the terminal.
 pub fn text(watched: &Watched) -> String {
@@ -28,11 +30,21 @@ pub fn text(watched: &Watched) -> String {
     for (name, why) in &watched.untested {
         let _ = writeln!(out, "{}", visible(&format!("{name}: not tested: {why}")));
     }
+    if watched.undated > 0 {
+        let _ = writeln!(out, "{}", undated(watched.undated));
+    }
     if !watched.unusable.is_empty() {
         let _ = writeln!(out, "{} recordings have no factor; the reasons are in the table", watched.unusable.len());
     }
     let _ = writeln!(out, "{}", verdict(watched));
     out
+}
+
+/// What became of recordings without a day.
+pub(crate) fn undated(count: usize) -> String {
+    format!(
+        "{count} recordings have no day, for their time is not that of a calendar: not tested (factor --day DATE names it)"
+    )
 }
 
 /// The last line.
@@ -50,22 +62,15 @@ pub fn verdict(watched: &Watched) -> String {
 
 /// One change.
 fn line(change: &Change) -> String {
-    let causes: Vec<String> = change.causes.iter().take(NAMED).map(cause).collect();
     format!(
         "{}: changed after {}, found on {}: {}; {} by {}",
         change.robot,
         date(change.before),
         date(change.found),
-        causes.join(", or "),
+        causes(change),
         change.parameter,
         between(change.size, change.unit),
     )
-}
-
-/// A change with its unit; gains, which have none, in percent.
-pub(crate) fn amount(value: f64, unit: &str) -> String {
-    let (value, unit) = if unit.is_empty() { (100.0 * value, "%") } else { (value, unit) };
-    format!("{}{} {unit}", if value > 0.0 { "+" } else { "" }, figure(value))
 }
 
 /// A change with its standard deviation.
@@ -94,13 +99,43 @@ pub(crate) fn meaning(parameter: &str) -> &'static str {
     }
 }
 
-/// A cause with the share that it explains.
-fn cause(cause: &crate::channel::Explanation) -> String {
-    format!("{} ({:.0} % explained)", place(cause), 100.0 * cause.share.max(0.0))
+/// The cause, or the causes that can't be told apart, with their probabilities.
+pub(crate) fn causes(change: &Change) -> String {
+    let named: Vec<String> = apart(&change.causes)
+        .iter()
+        .map(|cause| format!("{} (probability {})", place(cause), probability(cause.probability)))
+        .collect();
+    match named.as_slice() {
+        [] => "cause unknown".into(),
+        [one] => one.clone(),
+        several => format!("{}, which can't be told apart", several.join(" or ")),
+    }
+}
+
+/// The most probable causes: one that is certain, or those that can't be told apart.
+pub(crate) fn apart(causes: &[Explanation]) -> &[Explanation] {
+    let mut sum = 0.0;
+    let before = causes.iter().take_while(|cause| {
+        let short = sum < CERTAIN;
+        sum += cause.probability;
+        short
+    });
+    &causes[..before.count().min(NAMED)]
+}
+
+/// Two digits, and neither 0 nor 1.
+pub(crate) fn probability(p: f64) -> String {
+    if p > 0.99 {
+        "over 0.99".into()
+    } else if p < 0.01 {
+        "under 0.01".into()
+    } else {
+        format!("{p:.2}")
+    }
 }
 
 /// A cause in words.
-pub(crate) fn place(cause: &crate::channel::Explanation) -> String {
+pub(crate) fn place(cause: &Explanation) -> String {
     use crate::channel::Kind;
     match cause.kind {
         Kind::Friction | Kind::Offset | Kind::Gain => format!("{} of joint {}", cause.kind.name(), cause.joint),
@@ -113,14 +148,20 @@ pub(crate) fn place(cause: &crate::channel::Explanation) -> String {
 pub fn json(watched: &Watched) -> Value {
     let change = |change: &Change| {
         let causes = change.causes.iter().map(|c| {
-            let changes =
-                c.changes.iter().map(|(name, value, unit)| json!({ "parameter": name, "value": value, "unit": unit }));
-            json!({ "kind": c.kind.name(), "joint": c.joint, "share": c.share, "changes": changes.collect::<Vec<_>>() })
+            let changes = c
+                .changes
+                .iter()
+                .map(|p| json!({ "parameter": p.parameter, "value": p.value, "std": p.std, "unit": p.unit }));
+            json!({
+                "kind": c.kind.name(), "joint": c.joint, "probability": c.probability, "share": c.share,
+                "changes": changes.collect::<Vec<_>>(),
+            })
         });
         json!({
             "robot": change.robot, "before": date(change.before), "found": date(change.found),
             "evidence_days": change.evidence, "parameter": change.parameter, "change": change.size[0],
-            "std": change.size[1], "unit": change.unit, "causes": causes.collect::<Vec<_>>(),
+            "std": change.size[1], "unit": change.unit,
+            "certain": apart(&change.causes).len() == 1, "causes": causes.collect::<Vec<_>>(),
             "files": change.files, "diagnosis": change.diagnosis,
         })
     };
@@ -128,7 +169,7 @@ pub fn json(watched: &Watched) -> Value {
     json!({
         "robots": watched.robots, "robot_days": watched.robot_days, "days_between_false_alarms": watched.days_between,
         "changes": watched.changes.iter().map(change).collect::<Vec<_>>(),
-        "untested": watched.untested.iter().map(pair).collect::<Vec<_>>(),
+        "undated": watched.undated, "untested": watched.untested.iter().map(pair).collect::<Vec<_>>(),
         "unusable": watched.unusable.iter().map(pair).collect::<Vec<_>>(),
     })
 }
@@ -146,31 +187,9 @@ pub(crate) fn figure(x: f64) -> String {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').into() } else { text }
 }
 
-/// Date of a number of days since 1970 (Hinnant, days_from_civil and back).
-pub(crate) fn date(days: i32) -> String {
-    let z = i64::from(days) + 719_468;
-    let era = z.div_euclid(146_097);
-    let of_era = z.rem_euclid(146_097);
-    let year_of_era = (of_era - of_era / 1460 + of_era / 36_524 - of_era / 146_096) / 365;
-    let of_year = of_era - (365 * year_of_era + year_of_era / 4 - year_of_era / 100);
-    let shifted = (5 * of_year + 2) / 153;
-    let day = of_year - (153 * shifted + 2) / 5 + 1;
-    let month = if shifted < 10 { shifted + 3 } else { shifted - 9 };
-    let year = year_of_era + era * 400 + i64::from(month <= 2);
-    format!("{year:04}-{month:02}-{day:02}")
-}
-
 #[cfg(test)]
 mod tests {
-    use super::{date, figure};
-
-    #[test]
-    fn dates_are_those_of_the_calendar() {
-        assert_eq!(date(0), "1970-01-01");
-        assert_eq!(date(20_780), "2026-11-23");
-        assert_eq!(date(11_016), "2000-02-29");
-        assert_eq!(date(-1), "1969-12-31");
-    }
+    use super::figure;
 
     #[test]
     fn figures_have_three_digits() {

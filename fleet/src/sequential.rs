@@ -55,7 +55,7 @@ pub struct Observed {
 }
 
 /// A change that was found.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Detection {
     /// Index of the channel that shows it best.
     pub channel: usize,
@@ -65,8 +65,8 @@ pub struct Detection {
     pub size: [f64; 2],
     /// Value of the detector, days; [`Sequential::days_between`] is where it stops.
     pub evidence: f64,
-    /// Per channel: variance of the difference between the two means.
-    pub scatter: Vec<f64>,
+    /// Correlation of neighbouring days before the change.
+    pub correlation: f64,
 }
 
 /// Weighted sums of products over days: of the mean's column, the temperature, and the value.
@@ -383,22 +383,16 @@ impl Detector {
     /// The change between two days of the window, after which the test starts again.
     fn detection(&mut self, channel: usize, at: usize) -> Detection {
         let rho = self.days[at].rho;
-        let step = |k: usize| {
-            let mut after = After::default();
-            (at..self.days.len()).for_each(|i| after.add(1.0, self.whitened(k, i, at, rho)));
-            self.step(self.totals[k].days, &self.totals[k].whitened(rho), &after)
-        };
-        let steps: Vec<Option<Step>> = (0..self.totals.len()).map(step).collect();
-        let square = |k: usize| self.scales[k].unit.powi(2);
-        let scatter = |(k, step): (usize, &Option<Step>)| step.map_or(0.0, |step| step.variance * square(k));
+        let mut after = After::default();
+        (at..self.days.len()).for_each(|i| after.add(1.0, self.whitened(channel, i, at, rho)));
+        let step = self.step(self.totals[channel].days, &self.totals[channel].whitened(rho), &after);
+        let unit = self.scales[channel].unit;
         let found = Detection {
             channel,
             before: self.days[at - 1].day,
-            size: steps[channel].map_or([0.0, f64::INFINITY], |step| {
-                [step.size * self.scales[channel].unit, step.variance.sqrt() * self.scales[channel].unit]
-            }),
+            size: step.map_or([0.0, f64::INFINITY], |step| [step.size * unit, step.variance.sqrt() * unit]),
             evidence: self.evidence,
-            scatter: steps.iter().enumerate().map(scatter).collect(),
+            correlation: rho,
         };
         let kept: Vec<Day> = self.days.drain(..).skip(at).collect();
         self.totals.fill(Totals::default());

@@ -23,8 +23,8 @@ use crate::Fleet;
 use crate::error::FleetError;
 use crate::open::digest;
 use crate::recordings::RecordingsTable;
-use crate::remote::{Place, RecordingFile, is_url};
-use crate::robots::{KnownRobot, hexadecimal};
+use crate::remote::{RecordingFile, is_url};
+use crate::robots::hexadecimal;
 
 /// Rows of recordings that are not in a table yet, below the folder.
 const UNFINISHED: &str = "unfinished";
@@ -106,12 +106,10 @@ impl Store {
     pub async fn factor(
         &self,
         fleet: &Fleet,
-        robot: std::sync::Arc<KnownRobot>,
-        name: &str,
-        files: Vec<RecordingFile>,
+        table: RecordingsTable,
         mut said: impl FnMut(&str, &str),
     ) -> Result<Written, FleetError> {
-        let table = RecordingsTable { robot, name: name.into(), place: Place::Files(files) };
+        let name = &table.name.clone();
         let rows = fleet.context.read_table(std::sync::Arc::new(table))?;
         let mut stream = rows.execute_stream().await?;
         let mut written = Written::default();

@@ -19,7 +19,8 @@ use denavit::identify::{JointFactor, KeyedFactors, RecordingFactor};
 use futures::StreamExt;
 
 use crate::Fleet;
-use crate::channel::{ChannelEstimate, Explanation};
+use crate::attribution::{Assumptions, DayEvidence, Explanation, clearest, explanations};
+use crate::channel::ChannelEstimate;
 use crate::error::FleetError;
 use crate::reference::Reference;
 use crate::remote::{is_url, store};
@@ -36,6 +37,8 @@ pub struct Change {
     pub robot: String,
     /// Its robot file.
     pub robot_file: PathBuf,
+    /// Last day before the robot's previous change; its reference days are those after it.
+    pub since: Option<i32>,
     /// Last day without the change, days since 1970.
     pub before: i32,
     /// Day on which it was certain enough.
@@ -50,7 +53,7 @@ pub struct Change {
     pub unit: &'static str,
     /// Causes that may explain it, best first.
     pub causes: Vec<Explanation>,
-    /// Days and estimates of the best cause's first parameter.
+    /// Days and estimates of the best cause's clearest parameter, alone.
     pub history: Vec<(i32, f64, f64)>,
     /// The parameter of the history.
     pub plotted: String,
@@ -73,6 +76,8 @@ pub struct Watched {
     pub robot_days: usize,
     /// Recordings without a factor: file and reason.
     pub unusable: Vec<(String, String)>,
+    /// Recordings with a factor and without a day, which no test can take.
+    pub undated: usize,
     /// Robots without enough days for a test, or without a model: name and reason.
     pub untested: Vec<(String, String)>,
     /// Mean number of days of one robot between false alarms, at least.
@@ -91,6 +96,16 @@ struct Watching {
     reference: Reference,
     /// Robots are tested side by side, each by one thread.
     detector: Mutex<Detector>,
+}
+
+/// A change that the test found, and its place.
+struct Alarm {
+    robot: String,
+    day: i32,
+    detection: Detection,
+    /// Last day before the change that was found before this one.
+    since: Option<i32>,
+    files: Vec<String>,
 }
 
 /// Recordings of one robot and day.
@@ -123,24 +138,27 @@ impl Fleet {
     pub async fn watch(&self, settings: &Sequential) -> Result<Watched, FleetError> {
         let mut watched = Watched { days_between: settings.days_between, ..Watched::default() };
         self.unusable(&mut watched).await?;
+        let undated = col("why").is_null().and(col("day").is_null());
+        watched.undated = self.table().await?.filter(undated)?.count().await?;
         let days = self.days().await?;
         let robots = self.references(&days, settings, &mut watched).await?;
-        let mut found: Vec<(String, i32, Detection, Vec<String>)> = Vec::new();
+        let (mut found, mut last) = (Vec::<Alarm>::new(), BTreeMap::<String, i32>::new());
         for &day in &days {
             self.each_robot(day, |some| {
                 watched.robot_days += some.len();
                 let tested = self.parallel(&some, |today| robots.get(&today.robot).map(|robot| robot.tested(today)));
                 for (today, tested) in some.into_iter().zip(tested) {
-                    let detected = tested.transpose()?.flatten();
-                    found.extend(detected.map(|detection| (today.robot, day, detection, today.files)));
+                    let Some(detection) = tested.transpose()?.flatten() else { continue };
+                    let since = last.insert(today.robot.clone(), detection.before);
+                    found.push(Alarm { robot: today.robot, day, detection, since, files: today.files });
                 }
                 Ok(())
             })
             .await?;
         }
-        for (name, day, detection, files) in found {
-            if let Some(robot) = robots.get(&name) {
-                watched.changes.push(self.change(&name, robot, day, detection, files).await?);
+        for alarm in found {
+            if let Some(robot) = robots.get(&alarm.robot) {
+                watched.changes.push(self.change(robot, alarm, settings).await?);
             }
         }
         watched.changes.sort_by(|a, b| (&a.robot, a.found).cmp(&(&b.robot, b.found)));
@@ -270,41 +288,32 @@ impl Fleet {
     }
 
     /// The cause of a change, and its history.
-    async fn change(
-        &self,
-        name: &str,
-        robot: &Watching,
-        day: i32,
-        detection: Detection,
-        files: Vec<String>,
-    ) -> Result<Change, FleetError> {
-        let mut after = None::<RecordingFactor>;
+    async fn change(&self, robot: &Watching, alarm: Alarm, settings: &Sequential) -> Result<Change, FleetError> {
+        let Alarm { robot: name, day, detection, since, files } = alarm;
+        let channels = &robot.known.channels;
+        let (mut before, mut after) = (Vec::<DayEvidence>::new(), Vec::<DayEvidence>::new());
         let mut estimates: Vec<(i32, Vec<ChannelEstimate>)> = Vec::new();
-        each(self.table().await?.filter(col("robot").eq(lit(name)))?, |today| {
-            let factor = today.factor()?;
-            estimates.push((today.day, robot.known.channels.estimates(&factor.factors, &robot.reference)));
-            if today.day > detection.before && today.day <= day {
-                match &mut after {
-                    Some(after) => after.merge(&factor)?,
-                    None => after = Some(factor),
-                }
+        each(self.table().await?.filter(col("robot").eq(lit(&name)))?, |today| {
+            let factors = today.factor()?.factors;
+            estimates.push((today.day, channels.estimates(&factors, &robot.reference)));
+            if today.day <= day && since.is_none_or(|since| today.day > since) {
+                let days = if today.day > detection.before { &mut after } else { &mut before };
+                days.push(channels.evidence(&factors, &robot.reference));
             }
             Ok(())
         })
         .await?;
-        let channels = &robot.known.channels;
-        let causes = after
-            .map_or(Vec::new(), |after| channels.explanations(&after.factors, &robot.reference, &detection.scatter));
-        let shown = causes.first().and_then(|cause| {
-            let own = |k: &usize| (channels.list[*k].kind, channels.list[*k].joint) == (cause.kind, cause.joint);
-            (0..channels.list.len()).filter(own).min_by_key(|&k| usize::from(k != detection.channel))
-        });
+        let assumptions = Assumptions { change: settings.change, correlation: detection.correlation };
+        let causes = explanations(&channels.list, &before, &after, assumptions);
+        let parameter = causes.first().and_then(clearest).map(|by| by.parameter.as_str());
+        let shown = parameter.and_then(|name| channels.list.iter().position(|channel| channel.parameter == name));
         let shown = shown.unwrap_or(detection.channel);
         let point = |(day, all): (i32, Vec<ChannelEstimate>)| (day, all[shown].value, all[shown].variance.sqrt());
         let best = &channels.list[detection.channel];
         Ok(Change {
-            robot: name.into(),
+            robot: name,
             robot_file: robot.known.path.clone(),
+            since,
             before: detection.before,
             found: day,
             evidence: detection.evidence,

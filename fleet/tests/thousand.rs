@@ -167,10 +167,10 @@ fn drifts(model: &Model) -> Vec<(Cause, bool, &'static str, u64)> {
 }
 
 /// One table per day.
-fn write(model: &Model, folder: &Path, robots: usize, days: i32) {
+fn write(model: &Model, folder: &Path, seed: u64, robots: usize, days: i32) {
     let drifts = drifts(model);
     let own = |k: usize| {
-        let mut draws = Random::stream(11, k as u64);
+        let mut draws = Random::stream(seed, k as u64);
         let mut beta = model.beta.clone();
         for (value, base) in beta.iter_mut().zip(model.known.arm.base_parameters()) {
             let friction = base.name.starts_with("FC") || base.name.starts_with("FV");
@@ -230,55 +230,106 @@ fn watched(folder: &Path, rate: f64) -> (serde_json::Value, f64, f64) {
     (serde_json::from_str(&text).unwrap(), start.elapsed().as_secs_f64(), most)
 }
 
-/// Which of the drifting robots were found with the right cause; and the false alarms.
-fn judge(found: &serde_json::Value, drifts: &[(Cause, bool, &str, u64)]) -> (usize, usize) {
-    let changes = found["changes"].as_array().unwrap();
-    let (mut right, mut wrong) = (0, 0);
-    for (k, (cause, _, kind, joint)) in drifts.iter().enumerate() {
-        let own: Vec<_> = changes.iter().filter(|c| c["robot"] == format!("arm-{k:04}")).collect();
-        let named = own.first().map(|c| (c["causes"][0]["kind"].clone(), c["causes"][0]["joint"].clone()));
-        let is_right = named.as_ref().is_some_and(|(a, b)| a == kind && b == joint);
-        println!("{cause:?}: {} {named:?}", if is_right { "right" } else { "WRONG" });
-        right += usize::from(is_right);
-    }
-    for change in changes {
-        let number: usize = change["robot"].as_str().unwrap()[4..].parse().unwrap();
-        wrong += usize::from(number >= drifts.len());
-    }
-    (right, wrong)
+/// What a watch made of a fleet.
+#[derive(Debug, Default)]
+struct Judged {
+    /// Causes that there were.
+    all: usize,
+    /// Of them those whose most probable cause is the right one.
+    right: usize,
+    /// Those for which the only cause that is named is a wrong one.
+    misled: usize,
+    /// Robots without a change that were flagged, and later alarms of those with one.
+    falsely: usize,
+    seconds: f64,
+    megabytes: f64,
 }
 
-fn measure(robots: usize, days: i32, rate: f64) -> (usize, usize, usize, f64, f64) {
+/// Compares what was found with what was done.
+fn judge(found: &serde_json::Value, drifts: &[(Cause, bool, &str, u64)]) -> Judged {
+    let changes = found["changes"].as_array().unwrap();
+    let mut judged = Judged { all: drifts.len(), ..Judged::default() };
+    for (k, (cause, _, kind, joint)) in drifts.iter().enumerate() {
+        let own: Vec<_> = changes.iter().filter(|c| c["robot"] == format!("arm-{k:04}")).collect();
+        let Some(first) = own.first() else {
+            println!("{cause:?}: NOT FOUND");
+            continue;
+        };
+        let named = first["causes"].as_array().unwrap();
+        let is_right = named[0]["kind"] == *kind && named[0]["joint"] == *joint;
+        let certain = first["certain"].as_bool().unwrap();
+        let said: Vec<String> = named[..2]
+            .iter()
+            .map(|c| format!("{} {}: {:.3}, explains {:.2}", c["kind"], c["joint"], c["probability"], c["share"]))
+            .collect();
+        let verdict = if is_right { "right" } else { "WRONG" };
+        println!(
+            "{cause:?}: {verdict}{}, after {}, found {}: {}",
+            if certain { "" } else { " and uncertain" },
+            first["before"],
+            first["found"],
+            said.join("; ")
+        );
+        judged.right += usize::from(is_right);
+        judged.misled += usize::from(certain && !is_right);
+    }
+    let number = |change: &serde_json::Value| change["robot"].as_str().unwrap()[4..].parse::<usize>().unwrap();
+    judged.falsely = changes.iter().filter(|change| number(change) >= drifts.len()).count();
+    judged
+}
+
+fn measure(seed: u64, robots: usize, days: i32, rate: f64) -> Judged {
     let model = Model::new();
     let folder = tempfile::tempdir().unwrap();
-    write(&model, folder.path(), robots, days);
+    write(&model, folder.path(), seed, robots, days);
     let (found, seconds, megabytes) = watched(folder.path(), rate);
-    let (right, wrong) = judge(&found, &drifts(&model));
-    let all = drifts(&model).len();
+    let judged = Judged { seconds, megabytes, ..judge(&found, &drifts(&model)) };
     println!(
-        "{robots} robots x {days} days: {right} of {all} right, {wrong} false alarms, {seconds:.1} s, {megabytes:.0} MB"
+        "seed {seed}, {robots} robots x {days} days: {} of {} right, {} misled, {} false alarms, {seconds:.1} s, \
+         {megabytes:.0} MB",
+        judged.right, judged.all, judged.misled, judged.falsely
     );
-    (right, all, wrong, seconds, megabytes)
+    judged
 }
 
 #[test]
 fn every_drift_of_a_small_fleet_is_found_with_its_cause() {
-    let (right, all, wrong, ..) = measure(24, DAYS, 0.05);
-    assert_eq!((right, wrong), (all, 0));
+    let judged = measure(11, 24, DAYS, 0.05);
+    assert_eq!((judged.right, judged.falsely), (judged.all, 0));
 }
 
-/// Minutes: `cargo test --test thousand -- --ignored --nocapture`.
+/// A minute: `cargo test --release --test thousand -- --ignored --nocapture a_thousand`.
 #[test]
 #[ignore = "a gigabyte of factors"]
 fn a_thousand_robots_for_a_month() {
-    let (right, all, wrong, seconds, megabytes) = measure(1000, DAYS, 0.01);
-    assert!(right == all && wrong <= 1 && seconds < 120.0 && megabytes < 500.0);
+    let judged = measure(11, 1000, DAYS, 0.01);
+    assert!(judged.right == judged.all && judged.falsely <= 1);
+    assert!(judged.seconds < 120.0 && judged.megabytes < 500.0);
+}
+
+/// What one seed shows may be luck.
+#[test]
+#[ignore = "a minute"]
+fn causes_of_other_fleets_are_right() {
+    let all: Vec<Judged> = (20..32).map(|seed| measure(seed, 24, DAYS, 0.05)).collect();
+    let sum = |of: fn(&Judged) -> usize| all.iter().map(of).sum::<usize>();
+    let (right, of, misled) = (sum(|j| j.right), sum(|j| j.all), sum(|j| j.misled));
+    println!("{right} of {of} right, {misled} misled, {} false alarms", sum(|j| j.falsely));
+    assert!(right * 20 >= of * 19 && misled * 50 <= of);
+}
+
+/// The same of another large fleet.
+#[test]
+#[ignore = "a gigabyte of factors"]
+fn another_thousand_robots() {
+    let judged = measure(12, 1000, DAYS, 0.01);
+    assert!(judged.right == judged.all && judged.falsely <= 1);
 }
 
 #[test]
 #[ignore = "hundreds of megabytes of factors"]
 fn memory_does_not_grow_with_days() {
-    let (.., month) = measure(100, 30, 0.01);
-    let (.., quarter) = measure(100, 90, 0.01);
+    let month = measure(11, 100, 30, 0.01).megabytes;
+    let quarter = measure(11, 100, 90, 0.01).megabytes;
     assert!(quarter < 1.15 * month + 10.0, "{month} MB, {quarter} MB");
 }

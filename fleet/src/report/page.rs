@@ -4,8 +4,13 @@ use std::fmt::Write;
 
 use denavit::report::visible;
 
-use super::{amount, between, date, figure, meaning, place, rarity, verdict};
+use super::{apart, between, figure, meaning, place, probability, rarity, undated, verdict};
+use crate::attribution::clearest;
+use crate::calendar::date;
 use crate::watch::{Change, Watched};
+
+/// Causes of a change in its table.
+const LISTED: usize = 4;
 
 /// Style beyond that of denavit's pages.
 const STYLE: &str = "
@@ -25,6 +30,9 @@ pub fn page(watched: &Watched) -> String {
     );
     body += &overview(watched);
     watched.changes.iter().enumerate().for_each(|(k, change)| body += &section(k, change));
+    if watched.undated > 0 {
+        body += &format!("<p class=note>{}</p>\n", escape(&undated(watched.undated)));
+    }
     body += &list("Not tested", &watched.untested);
     body += &list("Recordings without a factor", &watched.unusable);
     body += &format!(
@@ -32,8 +40,10 @@ pub fn page(watched: &Watched) -> String {
          parameter alone that explains most of the torque error against the robot's own reference days. The evidence for a change is a \
          sum of Bayes factors which grows by one a day on average as long as nothing changes; a robot is flagged when it passes {}. So \
          without a change at least as many days pass on average between two alarms of one robot, for independent days with normal \
-         scatter; outliers of single days and correlation from day to day are allowed for. A cause is named by the share of the \
-         additional torque error that it explains alone.</p></section>\n",
+         scatter; outliers of single days and correlation from day to day are allowed for. A cause is a friction, \
+         an offset, a gain or a mass that changed alone. Its probability comes from the likelihood of the days before and after the change \
+         in a model in which every parameter also wanders from day to day, as much as it did before, and it counts the listed \
+         kinds of cause alone.</p></section>\n",
         figure(watched.days_between)
     );
     format!(
@@ -50,42 +60,55 @@ fn overview(watched: &Watched) -> String {
     }
     let mut rows = String::new();
     for (k, change) in watched.changes.iter().enumerate() {
-        let first = change.causes.first();
+        let named: String = apart(&change.causes)
+            .iter()
+            .map(|cause| {
+                format!("<div>{} <small>{}</small></div>", escape(&place(cause)), probability(cause.probability))
+            })
+            .collect();
+        let by = change.causes.first().and_then(clearest);
         let _ = writeln!(
             rows,
-            "<tr><th><a href='#c{k}'>{}</a></th><td>{}</td><td>{}</td><td class=words>{}</td><td>{}</td><td class=words>{} {}</td>\
-             <td>1 in {}</td></tr>",
+            "<tr><th><a href='#c{k}'>{}</a></th><td>{}</td><td>{}</td><td class=words>{named}</td><td class=words>{}</td>\
+             <td>one in {}</td></tr>",
             escape(&change.robot),
             date(change.before),
             date(change.found),
-            first.map_or(String::new(), |cause| escape(&place(cause))),
-            first.map_or(String::new(), |cause| format!("{:.0} %", 100.0 * cause.share.max(0.0))),
-            escape(&change.parameter),
-            between(change.size, change.unit),
+            by.map_or(String::new(), |by| escape(&format!(
+                "{} {}",
+                by.parameter,
+                between([by.value, by.std], by.unit)
+            ))),
             rarity(change.evidence),
         );
     }
     format!(
         "<section><h2>Changes</h2><div class=scroll><table><thead><tr><th>robot</th><th>last day as before</th><th>found on</th>\
-         <th class=words>likely cause</th><th>explains of the additional error</th><th class=words>clearest parameter, its change \
-         ± standard deviation</th><th>false alarms as strong, at most</th></tr></thead><tbody>\n{rows}</tbody></table></div></section>\n"
+         <th class=words>likely cause, its probability</th><th class=words>change of its parameter ± standard deviation</th>\
+         <th>false alarms as strong, at most</th></tr></thead><tbody>\n{rows}</tbody></table></div>\n\
+         <p class=note>Where a cell names several causes, the days do not tell them apart.</p></section>\n"
     )
 }
 
 /// One change with its history and causes.
 fn section(number: usize, change: &Change) -> String {
-    let cause = change.causes.first().map_or(String::new(), |cause| format!(": {}", place(cause)));
-    let head = escape(&format!("{}{cause}", change.robot));
-    let mut causes = String::new();
-    for cause in change.causes.iter().take(4) {
-        let share = 100.0 * cause.share.clamp(0.0, 1.0);
-        let values = cause.changes.iter().map(|(name, value, unit)| format!("{name} {}", amount(*value, unit)));
+    let named: Vec<String> = apart(&change.causes).iter().map(place).collect();
+    let head =
+        if named.is_empty() { change.robot.clone() } else { format!("{}: {}", change.robot, named.join(" or ")) };
+    let mut rows = String::new();
+    for cause in change.causes.iter().take(LISTED) {
+        let width = 100.0 * cause.probability;
+        let values = cause.changes.iter().filter(|by| by.std > 0.0);
+        let values: Vec<String> =
+            values.map(|by| format!("{} {}", by.parameter, between([by.value, by.std], by.unit))).collect();
         let _ = writeln!(
-            causes,
-            "<tr><th>{}</th><td class=wide><span class=share style='width:{share:.0}%'></span></td><td>{share:.0} %</td>\
+            rows,
+            "<tr><th>{}</th><td>{}</td><td class=wide><span class=share style='width:{width:.1}%'></span></td><td>{:.0} %</td>\
              <td class=words>{}</td></tr>",
             escape(&place(cause)),
-            escape(&values.collect::<Vec<_>>().join(", ")),
+            probability(cause.probability),
+            100.0 * cause.share,
+            escape(&values.join(", ")),
         );
     }
     let said = change
@@ -94,9 +117,11 @@ fn section(number: usize, change: &Change) -> String {
         .map_or(String::new(), |said| format!("<h3>Diagnosis of the raw log</h3><pre>{}</pre>\n", escape(said)));
     let files = change.files.iter().map(|file| format!("<code>{}</code>", escape(file))).collect::<Vec<_>>().join(", ");
     format!(
-        "<section id='c{number}'><h2>{head}</h2>\n<p>As before until {}, found on {}. Without a change an alarm as strong comes at most \
-         once in {}.</p>\n{}<div class=scroll><table><thead><tr><th>possible cause</th><th></th><th>explains alone</th><th class=words>by a change \
-         of</th></tr></thead><tbody>\n{causes}</tbody></table></div>\n<p class=note>Recordings of {}: {files}</p>{said}</section>\n",
+        "<section id='c{number}'><h2>{}</h2>\n<p>As before until {}, found on {}. Without a change an alarm as strong comes at most \
+         once in {}.</p>\n{}<div class=scroll><table><thead><tr><th>possible cause</th><th colspan=2 class=words>probability</th>\
+         <th>explains of the change</th><th class=words>by these changes ± standard deviation</th></tr></thead><tbody>\n{rows}\
+         </tbody></table></div>\n<p class=note>Recordings of {}: {files}</p>{said}</section>\n",
+        escape(&head),
         date(change.before),
         date(change.found),
         rarity(change.evidence),
@@ -186,11 +211,12 @@ fn history(change: &Change) -> String {
     let air = 0.05 * (high - low).max(1e-12);
     let plot = Plot { days: [first.0 - 0.5, last.0 + 0.5], values: [low - air, high + air] };
     let until = |day: i32| points.partition_point(|(at, _, _)| *at <= f64::from(day));
+    let since = change.since.map_or(0, until);
     let (before, found) = (until(change.before), until(change.found));
     let mut marks = plot.axes();
     marks += &plot.mark(f64::from(change.before) + 0.5, "change");
     marks += &plot.mark(f64::from(change.found), if change.found - change.before > 1 { "found" } else { "" });
-    marks += &plot.level(&points[..before], "mean");
+    marks += &plot.level(&points[since.min(before)..before], "mean");
     marks += &plot.level(&points[before..found], "moved");
     for (k, (day, value, std)) in points.iter().enumerate() {
         let class = if k < before { "point" } else { "later" };
