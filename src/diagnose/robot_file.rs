@@ -47,9 +47,9 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
     let of = |effect: EffectKind, row: usize| {
         let here =
             |c: &&Cause| c.cause == effect.name() && c.joints.first().and_then(|j| moving.get(j - 1)) == Some(&row);
-        found.causes.iter().find(here).and_then(|c| c.keys.first()).map(|named| named.value)
+        found.causes.iter().filter(|c| c.in_extended).find(here).and_then(|c| c.keys.first()).map(|named| named.value)
     };
-    for cause in found.friction.iter().chain(&found.causes) {
+    for cause in found.friction.iter().chain(found.causes.iter().filter(|c| c.in_extended)) {
         let row = cause.joints.first().and_then(|j| moving.get(j - 1)).copied();
         let sensor = Sensor {
             gain: row.and_then(|row| of(EffectKind::TorqueGainError, row)).filter(|g| *g != 0.0).unwrap_or(1.0),

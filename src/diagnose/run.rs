@@ -14,6 +14,7 @@ use super::select::excess::explained;
 use super::select::measure::{Meter, root_mean_square};
 use super::select::offer::Choice;
 use super::select::refine_and_select::{Selected, Session};
+use super::select::suspects::name;
 use super::windows::motion_error::budget;
 use super::windows::recording::{Recording, unexplained};
 use super::windows::torque_noise::torque_noise;
@@ -114,7 +115,7 @@ fn consistent_with_file(
         let known = plant.effects();
         let again = |effect: EffectKind, joint: Option<usize>| {
             let same = |c: &&Cause| c.cause == effect.name() && c.joints.first().map(|j| j - 1) == joint;
-            !ADDS_UP.contains(&effect) && found.causes.iter().any(|c| same(&c))
+            !ADDS_UP.contains(&effect) && found.causes.iter().any(|c| c.in_extended && same(&c))
         };
         let before = forgotten.len();
         for (effect, joint) in known {
@@ -218,7 +219,7 @@ fn once(
     // Unit of a gain: the noise, or a fiftieth of the torque where the noise is less.
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
     let session = Session { plant, fit, validate, own_validation, noise, motion, ground, scale, settings, progress };
-    let (models, said) = session.models(has_links, &refit, &torque_rms)?;
+    let (models, said, suspects) = session.models(has_links, &refit, &torque_rms)?;
     let Choice { offered, mut why, changed, file_holds, model } = session.choose(models, &file_out, &refit)?;
     why.extend(said);
     let left = session.left(&model, &torque_rms);
@@ -228,9 +229,13 @@ fn once(
         causes.extend(session.links(&model));
     }
     causes.extend(unplayed);
+    if !causes.is_empty() || !left.is_empty() {
+        name(&mut causes, suspects);
+    }
     let Selected { tested, fitted, after, after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);
-    let verdict = match (causes.is_empty(), left.is_empty()) {
+    let explains = causes.iter().any(|c| c.in_extended);
+    let verdict = match (!explains, left.is_empty()) {
         (true, true) => Verdict::NothingWrong,
         (true, false) => Verdict::Unexplained,
         (false, true) => Verdict::Explained,

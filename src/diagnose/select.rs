@@ -9,3 +9,4 @@ pub(super) mod offer;
 mod prune;
 pub(super) mod reduction;
 pub(super) mod refine_and_select;
+pub(super) mod suspects;

@@ -82,6 +82,7 @@ impl Attribution<'_> {
                 on: measured_on(on, own_validation),
                 confirmed: accepted.map(|a| a.confirmed),
             }) + &elsewhere.collect::<String>(),
+            in_extended: true,
             curve: item.accepted.and_then(|index| evidence::curve(tested, fitted, index, &all[index].chosen)),
             parameters,
             keys,
@@ -247,6 +248,7 @@ pub(in crate::diagnose) fn unknown(
         on: "fit",
         not_distinguished_from: Vec::new(),
         shown_by: "a longer recording with slow and fast motion of the named joints",
+        in_extended: true,
         curve: None,
     };
     // First, where more is left than the causes explain; else last: it gains nothing.

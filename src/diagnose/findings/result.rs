@@ -99,6 +99,9 @@ pub struct Cause {
     pub interval: [f64; 2],
     /// `validate`, or `fit` for what acts in one log only.
     pub on: &'static str,
+    /// Whether the extended model has it; otherwise it was found beside other links than that
+    /// model's, or did not pay there.
+    pub in_extended: bool,
     /// Causes that this data can't separate from it.
     pub not_distinguished_from: Vec<&'static str>,
     /// Experiment that would show it better, or separate it from those.

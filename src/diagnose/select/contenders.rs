@@ -6,7 +6,8 @@ use super::measure::Meter;
 use super::model_choice::LeftOut;
 use super::prune::Pruned;
 use super::refine_and_select::{Selected, Session};
-use crate::diagnose::findings::result::Errors;
+use super::suspects::remember;
+use crate::diagnose::findings::result::{Cause, Errors};
 use crate::diagnose::findings::structure::{Structure, structure};
 use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
 use crate::diagnose::run::{DiagnoseError, Settings};
@@ -68,14 +69,15 @@ impl<'a> Session<'a> {
         with_excess(found, excess(model, self.noise))
     }
 
-    /// The models that were searched and hold, and sentences on those that do not.
+    /// The models that were searched and hold, sentences on those that do not, and the causes that
+    /// any of them had.
     pub(in crate::diagnose) fn models(
         &self,
         has_links: bool,
         refit: &Refit<'_>,
         torque: &[f64],
-    ) -> Result<(Vec<Selected<'a>>, Vec<String>), ConsistentError> {
-        let (mut models, mut said) = (Vec::new(), Vec::new());
+    ) -> Result<(Vec<Selected<'a>>, Vec<String>, Vec<Cause>), ConsistentError> {
+        let (mut models, mut said, mut suspects) = (Vec::new(), Vec::new(), Vec::new());
         if has_links {
             (self.progress)("the file's links unchanged");
             models.push(self.searched(Mode::Trusted)?);
@@ -89,6 +91,7 @@ impl<'a> Session<'a> {
                 Err(error) => said.push(format!("Refitted parameters are not offered: {error}.")),
             }
         }
+        models.iter().for_each(|model| remember(&mut suspects, &model.suspects));
         if self.own_validation {
             let file = self.file_by_log()?;
             let mut holding = Vec::new();
@@ -105,7 +108,7 @@ impl<'a> Session<'a> {
                 models.extend(self.plain().ok());
             }
         }
-        Ok((models, said))
+        Ok((models, said, suspects))
     }
 
     /// Refitted links go where they err more than the unchanged file on every validating log, and

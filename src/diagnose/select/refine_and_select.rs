@@ -4,6 +4,7 @@ use super::beside::{Beside, Without};
 use super::measure::{Measured, Meter, matters, taken_of, takes};
 use super::model_choice::LeftOut;
 use super::reduction::{backward_eliminate, drop_insignificant, fix_friction, free_friction, without};
+use super::suspects::{raise, remember};
 use crate::diagnose::findings::attribution::Attribution;
 use crate::diagnose::findings::calibration;
 use crate::diagnose::findings::reported_cause::{Item, items, place_of};
@@ -86,6 +87,9 @@ pub(in crate::diagnose) struct Selected<'a> {
     /// The same on the fitted.
     pub(in crate::diagnose) after_fit: Measured,
     pub(in crate::diagnose) causes: Vec<Cause>,
+    /// All causes that the model had before any left it, with the probability that they had beside
+    /// each other.
+    pub(in crate::diagnose) suspects: Vec<Cause>,
     /// Errors on stretches of the fitted data that are left out in turn.
     pub(in crate::diagnose) left_out: LeftOut,
     /// Alternatives to plain friction.
@@ -177,6 +181,7 @@ impl<'a> Session<'a> {
         rivals: Vec<BaselineFriction>,
         mut why: Vec<String>,
     ) -> Result<Selected<'a>, ConsistentError> {
+        let mut suspects = Vec::new();
         for round in 0.. {
             (self.progress)("measuring on data that was not used");
             fitted = inside(&mut tested, &mut accepted, &fitted)?;
@@ -199,7 +204,7 @@ impl<'a> Session<'a> {
                 own_validation: self.own_validation,
                 stretches: &tested.stretches(&chosen_of(&accepted)),
             };
-            let causes: Vec<Cause> = items
+            let mut causes: Vec<Cause> = items
                 .iter()
                 .zip(&others)
                 .map(|(item, other)| {
@@ -208,10 +213,24 @@ impl<'a> Session<'a> {
                 })
                 .collect();
             let failed = self.failed(&items, &others, &causes, [&after, &after_fit]);
+            let holds = |(i, cause): (usize, &Cause)| (!failed.contains(&i)).then(|| cause.clone());
+            remember(&mut suspects, &causes.iter().enumerate().filter_map(holds).collect::<Vec<Cause>>());
+            raise(&mut causes, &suspects);
             let failed = if failed.is_empty() { unlikely(&causes) } else { failed };
             if failed.is_empty() || round >= MOST_ROUNDS {
                 let left_out = tested.possible_left_out(&chosen_of(&accepted), &fitted)?;
-                return Ok(Selected { tested, accepted, fitted, after, after_fit, causes, left_out, rivals, why });
+                return Ok(Selected {
+                    tested,
+                    accepted,
+                    fitted,
+                    after,
+                    after_fit,
+                    causes,
+                    suspects,
+                    left_out,
+                    rivals,
+                    why,
+                });
             }
             why.extend(failed.iter().filter_map(|&i| not_named(&causes[i], &items[i])));
             for &k in failed.iter().flat_map(|&i| &items[i].friction) {

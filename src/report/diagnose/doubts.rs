@@ -17,6 +17,9 @@ pub fn doubts(c: &Cause) -> Vec<String> {
         let names: Vec<String> = c.not_distinguished_from.iter().map(|n| n.replace('_', " ")).collect();
         all.push(format!("{} would explain nearly as much", names.join(" or ")));
     }
+    if !c.in_extended {
+        all.push("the extended model predicts as well without it".to_string());
+    }
     if c.recurrence < UNSTEADY {
         all.push(format!("its size differs between stretches of the logs (recurrence {:.2} of 1)", c.recurrence));
     }

@@ -55,6 +55,7 @@ fn cause(c: &Cause) -> Value {
         "cause": c.cause,
         "joints": c.joints,
         "probability": c.probability,
+        "in_extended": c.in_extended,
         "recurrence": c.recurrence,
         "parameters": values,
         "parameters_std": stds,

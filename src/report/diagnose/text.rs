@@ -53,6 +53,10 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
         (Verdict::PartlyExplained, false) => {
             format!("Part of the error is explained by {}; structure without a name is left.", list(&named))
         }
+        (_, false) => format!(
+            "There is structure in the error, and no model with a known cause predicts it surely better. Suspected: {}.",
+            list(&named)
+        ),
         _ => "There is structure in the error that none of the known causes explains.".to_string(),
     };
     let first = match (found.has_links, found.verdict) {

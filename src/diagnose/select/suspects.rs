@@ -1,0 +1,114 @@
+//! Causes as they stood beside everything else that was found.
+//!
+//! A model is reduced until each of its causes is likely and it pays as a whole. What leaves it,
+//! leaves its share of the error to the others, which then seem to explain less. So a cause has the
+//! probability that it has beside all others, and a model that is not offered still has evidence: a
+//! robot whose links are refitted may hide what the file's links show, and the other way round.
+
+use crate::diagnose::findings::calibration;
+use crate::diagnose::findings::result::Cause;
+
+/// Whether two causes are one in one place.
+fn same(a: &Cause, b: &Cause) -> bool {
+    a.cause == b.cause && a.joints == b.joints
+}
+
+/// Keeps each cause with its largest probability, and those that are not known yet.
+pub(in crate::diagnose) fn remember(known: &mut Vec<Cause>, causes: &[Cause]) {
+    for cause in causes {
+        match known.iter_mut().find(|k| same(k, cause)) {
+            Some(k) if k.probability < cause.probability => *k = cause.clone(),
+            Some(_) => {}
+            None => known.push(cause.clone()),
+        }
+    }
+}
+
+/// Gives causes the probability that they had beside everything else.
+pub(in crate::diagnose) fn raise(causes: &mut [Cause], known: &[Cause]) {
+    for cause in causes {
+        let before = known.iter().filter(|k| same(k, cause)).map(|k| k.probability);
+        cause.probability = before.fold(cause.probability, f64::max);
+    }
+}
+
+/// Adds the suspects that are likely enough to be named and not in the offered model. Where one
+/// acts on the joints of a cause of that model, neither model has both, and the data do not
+/// separate them.
+pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
+    raise(causes, &suspects);
+    let offered = causes.len();
+    for mut suspect in suspects {
+        if suspect.probability < calibration::NAMED || causes.iter().any(|c| same(c, &suspect)) {
+            continue;
+        }
+        let joints = suspect.joints.clone();
+        for rival in causes[..offered].iter_mut().filter(|c| !joints.is_empty() && c.joints == joints) {
+            let names = [rival.cause, suspect.cause];
+            for (one, other) in [(&mut suspect, names[0]), (rival, names[1])] {
+                if !one.not_distinguished_from.contains(&other) {
+                    one.not_distinguished_from.push(other);
+                }
+            }
+        }
+        causes.push(Cause { in_extended: false, ..suspect });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cause(cause: &'static str, joints: &[usize], probability: f64) -> Cause {
+        Cause {
+            cause,
+            joints: joints.to_vec(),
+            probability,
+            parameters: Vec::new(),
+            keys: Vec::new(),
+            support: 0.0,
+            margin: 0.0,
+            share: 0.0,
+            recurrence: 1.0,
+            evidence: String::new(),
+            rms_before: Vec::new(),
+            rms_after: Vec::new(),
+            interval: [f64::NAN; 2],
+            on: "validate",
+            in_extended: true,
+            not_distinguished_from: Vec::new(),
+            shown_by: "",
+            curve: None,
+        }
+    }
+
+    #[test]
+    fn a_cause_has_the_probability_that_it_had_beside_all_others() {
+        let mut known = Vec::new();
+        remember(&mut known, &[cause("payload", &[], 0.6), cause("torque_offset", &[2], 0.1)]);
+        remember(&mut known, &[cause("payload", &[], 0.3), cause("torque_offset", &[2], 0.4)]);
+        assert_eq!(known.iter().map(|c| c.probability).collect::<Vec<f64>>(), [0.6, 0.4]);
+        let mut left = [cause("payload", &[], 0.2), cause("torque_offset", &[3], 0.1)];
+        raise(&mut left, &known);
+        assert_eq!(left.map(|c| c.probability), [0.6, 0.1]);
+    }
+
+    #[test]
+    fn a_suspect_beside_a_cause_of_its_joint_is_not_distinguished_from_it() {
+        let mut causes = vec![cause("presliding_hysteresis", &[6], 0.5), cause("joint_spring", &[7], 0.5)];
+        let suspects = vec![
+            cause("joint_spring", &[7], 0.7),
+            cause("viscous_friction", &[6], 0.4),
+            cause("torque_offset", &[6], 0.1),
+        ];
+        name(&mut causes, suspects);
+        let named: Vec<(&str, bool, f64)> = causes.iter().map(|c| (c.cause, c.in_extended, c.probability)).collect();
+        assert_eq!(
+            named,
+            [("presliding_hysteresis", true, 0.5), ("joint_spring", true, 0.7), ("viscous_friction", false, 0.4)]
+        );
+        assert_eq!(causes[0].not_distinguished_from, ["viscous_friction"]);
+        assert_eq!(causes[2].not_distinguished_from, ["presliding_hysteresis"]);
+        assert!(causes[1].not_distinguished_from.is_empty());
+    }
+}
