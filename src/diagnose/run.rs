@@ -9,7 +9,7 @@ use super::findings::result::{Cause, Diagnosis, Errors, NextExperiment, Offer, V
 use super::findings::structure::Structure;
 use super::fit::model::{Mode, ModelUnderTest};
 use super::search::SearchSettings;
-use super::select::contenders::Refit;
+use super::select::contenders::{Refit, Searched};
 use super::select::excess::explained;
 use super::select::measure::{Meter, root_mean_square};
 use super::select::offer::Choice;
@@ -219,7 +219,7 @@ fn once(
     // Unit of a gain: the noise, or a fiftieth of the torque where the noise is less.
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
     let session = Session { plant, fit, validate, own_validation, noise, motion, ground, scale, settings, progress };
-    let (models, said, suspects) = session.models(has_links, &refit, &torque_rms)?;
+    let Searched { models, said, suspects } = session.models(has_links, &refit, &torque_rms)?;
     let Choice { offered, mut why, changed, file_holds, model } = session.choose(models, &file_out, &refit)?;
     why.extend(said);
     let left = session.left(&model, &torque_rms);

@@ -61,6 +61,16 @@ fn plainly(refit: &mut ModelUnderTest<'_>) -> Result<(Fitted, LeftOut), Diagnose
     })
 }
 
+/// Result of the searches.
+pub(in crate::diagnose) struct Searched<'a> {
+    /// The models that hold.
+    pub(in crate::diagnose) models: Vec<Selected<'a>>,
+    /// Sentences on those that do not.
+    pub(in crate::diagnose) said: Vec<String>,
+    /// The causes that any of them had.
+    pub(in crate::diagnose) suspects: Vec<Cause>,
+}
+
 impl<'a> Session<'a> {
     /// Part of a model's residual that is not noise. `torque`: root mean square of each joint's, N
     /// m.
@@ -69,14 +79,13 @@ impl<'a> Session<'a> {
         with_excess(found, excess(model, self.noise))
     }
 
-    /// The models that were searched and hold, sentences on those that do not, and the causes that
-    /// any of them had.
+    /// The models that were searched.
     pub(in crate::diagnose) fn models(
         &self,
         has_links: bool,
         refit: &Refit<'_>,
         torque: &[f64],
-    ) -> Result<(Vec<Selected<'a>>, Vec<String>, Vec<Cause>), ConsistentError> {
+    ) -> Result<Searched<'a>, ConsistentError> {
         let (mut models, mut said, mut suspects) = (Vec::new(), Vec::new(), Vec::new());
         if has_links {
             (self.progress)("the file's links unchanged");
@@ -108,7 +117,7 @@ impl<'a> Session<'a> {
                 models.extend(self.plain().ok());
             }
         }
-        Ok((models, said, suspects))
+        Ok(Searched { models, said, suspects })
     }
 
     /// Refitted links go where they err more than the unchanged file on every validating log, and
