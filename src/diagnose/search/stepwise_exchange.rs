@@ -41,10 +41,7 @@ pub(in crate::diagnose) fn stepwise_exchange(
         let moved = sparest_first(&mut ranked, tested, &without, &reduced);
         let reduced = if moved { tested.fit(&mut without) } else { reduced };
         let mut replaced = false;
-        // The best two, and the cause itself: a better one that is not accepted is no reason to lose it.
-        let own = ranked.iter().position(|c| c.cause.name() == removed.cause.name() && c.place == removed.place);
-        let tried = (0..ranked.len().min(2)).chain(own.filter(|rank| *rank >= 2));
-        for (rank, candidate) in tried.map(|rank| (rank, &ranked[rank])) {
+        for (rank, candidate) in ranked.iter().take(2).enumerate() {
             let mut trial = without.clone();
             trial.push(candidate.chosen());
             let next = tested.fit(&mut trial);
