@@ -167,6 +167,16 @@ fn without_columns(model: &Selected<'_>, left: Vec<Structure>, noise: &[f64]) ->
     (left, causes)
 }
 
+/// By whether a cause of the offered model was found, and whether structure is left.
+fn verdict(causes: &[Cause], left: &[Structure]) -> Verdict {
+    match (causes.iter().any(|c| c.in_extended), left.is_empty()) {
+        (false, true) => Verdict::NothingWrong,
+        (false, false) => Verdict::Unexplained,
+        (true, true) => Verdict::Explained,
+        (true, false) => Verdict::PartlyExplained,
+    }
+}
+
 /// [`diagnose`] with the effects of the file kept.
 fn once(
     plant: &dyn PerturbableArm,
@@ -234,13 +244,7 @@ fn once(
     }
     let Selected { tested, fitted, after, after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);
-    let explains = causes.iter().any(|c| c.in_extended);
-    let verdict = match (!explains, left.is_empty()) {
-        (true, true) => Verdict::NothingWrong,
-        (true, false) => Verdict::Unexplained,
-        (false, true) => Verdict::Explained,
-        (false, false) => Verdict::PartlyExplained,
-    };
+    let verdict = verdict(&causes, &left);
     let extended = Errors { fit: after_fit.rms, validate: after.rms.clone(), moving: after.steady.clone() };
     unknown(&mut causes, &left, [&baseline, &extended], noise, scale);
     let next_experiment =

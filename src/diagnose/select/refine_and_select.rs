@@ -4,7 +4,7 @@ use super::beside::{Beside, Without};
 use super::measure::{Measured, Meter, matters, taken_of, takes};
 use super::model_choice::LeftOut;
 use super::reduction::{backward_eliminate, drop_insignificant, fix_friction, free_friction, without};
-use super::suspects::{raise, remember};
+use super::suspects::beside_the_rest;
 use crate::diagnose::findings::attribution::Attribution;
 use crate::diagnose::findings::calibration;
 use crate::diagnose::findings::reported_cause::{Item, items, place_of};
@@ -181,8 +181,8 @@ impl<'a> Session<'a> {
         rivals: Vec<BaselineFriction>,
         mut why: Vec<String>,
     ) -> Result<Selected<'a>, ConsistentError> {
-        let mut suspects = Vec::new();
-        for round in 0.. {
+        let (mut suspects, mut round) = (Vec::new(), 0);
+        let (after, after_fit, causes) = loop {
             (self.progress)("measuring on data that was not used");
             fitted = inside(&mut tested, &mut accepted, &fitted)?;
             let chosen = chosen_of(&accepted);
@@ -213,24 +213,10 @@ impl<'a> Session<'a> {
                 })
                 .collect();
             let failed = self.failed(&items, &others, &causes, [&after, &after_fit]);
-            let holds = |(i, cause): (usize, &Cause)| (!failed.contains(&i)).then(|| cause.clone());
-            remember(&mut suspects, &causes.iter().enumerate().filter_map(holds).collect::<Vec<Cause>>());
-            raise(&mut causes, &suspects);
+            beside_the_rest(&mut suspects, &mut causes, &failed);
             let failed = if failed.is_empty() { unlikely(&causes) } else { failed };
             if failed.is_empty() || round >= MOST_ROUNDS {
-                let left_out = tested.possible_left_out(&chosen_of(&accepted), &fitted)?;
-                return Ok(Selected {
-                    tested,
-                    accepted,
-                    fitted,
-                    after,
-                    after_fit,
-                    causes,
-                    suspects,
-                    left_out,
-                    rivals,
-                    why,
-                });
+                break (after, after_fit, causes);
             }
             why.extend(failed.iter().filter_map(|&i| not_named(&causes[i], &items[i])));
             for &k in failed.iter().flat_map(|&i| &items[i].friction) {
@@ -239,7 +225,9 @@ impl<'a> Session<'a> {
             }
             let out: Vec<usize> = failed.iter().filter_map(|&i| items[i].accepted).collect();
             fitted = without(&mut tested, &mut accepted, &out);
-        }
-        unreachable!("the loop returns")
+            round += 1;
+        };
+        let left_out = tested.possible_left_out(&chosen_of(&accepted), &fitted)?;
+        Ok(Selected { tested, accepted, fitted, after, after_fit, causes, suspects, left_out, rivals, why })
     }
 }

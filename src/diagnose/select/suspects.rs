@@ -14,7 +14,7 @@ fn same(a: &Cause, b: &Cause) -> bool {
 }
 
 /// Keeps each cause with its largest probability, and those that are not known yet.
-pub(in crate::diagnose) fn remember(known: &mut Vec<Cause>, causes: &[Cause]) {
+pub(in crate::diagnose) fn remember<'c>(known: &mut Vec<Cause>, causes: impl IntoIterator<Item = &'c Cause>) {
     for cause in causes {
         match known.iter_mut().find(|k| same(k, cause)) {
             Some(k) if k.probability < cause.probability => *k = cause.clone(),
@@ -30,6 +30,13 @@ pub(in crate::diagnose) fn raise(causes: &mut [Cause], known: &[Cause]) {
         let before = known.iter().filter(|k| same(k, cause)).map(|k| k.probability);
         cause.probability = before.fold(cause.probability, f64::max);
     }
+}
+
+/// Keeps the causes of a round that did not fail (by index) among the suspects, and gives all of
+/// the round the largest probability that they had.
+pub(in crate::diagnose) fn beside_the_rest(suspects: &mut Vec<Cause>, causes: &mut [Cause], failed: &[usize]) {
+    remember(suspects, causes.iter().enumerate().filter(|(i, _)| !failed.contains(i)).map(|(_, cause)| cause));
+    raise(causes, suspects);
 }
 
 /// Adds the suspects that are likely enough to be named and not in the offered model. Where one
