@@ -104,6 +104,10 @@ impl Hypothesis for FrictionDrift {
         Over::Time
     }
 
+    fn follows_reversals(&self) -> bool {
+        true
+    }
+
     fn says(&self) -> &'static str {
         "friction changes over the recording, as it does while grease warms up"
     }
