@@ -84,8 +84,12 @@ pub fn diagnose(
         // Of the logs that are not as the model says by themselves, where they are long enough.
         let others = if found.file_holds { fit } else { validate };
         if let Ok(other) = once(plant, others, &[], settings, progress) {
-            let known = |c: &Cause| found.causes.iter().any(|k| k.cause == c.cause && k.joints == c.joints);
+            let same = |a: &Cause, b: &Cause| a.cause == b.cause && a.joints == b.joints;
+            // A cause that no offered model has is one of the logs that differ.
+            let known = |c: &Cause| found.causes.iter().any(|k| k.in_extended && same(k, c));
             found.changes = other.causes.into_iter().filter(|c| c.cause != "unknown" && !known(c)).collect();
+            let changes = &found.changes;
+            found.causes.retain(|c| c.in_extended || !changes.iter().any(|k| same(k, c)));
         }
         if found.file_holds && !found.changes.is_empty() {
             // What the fitted logs show has a name.

@@ -7,12 +7,12 @@
 //! no other joint worse there.
 
 use super::baseline_friction::BaselineFriction;
-use super::candidate::{Candidate, candidates, evaluate, logs, rivals, unknowns};
-use super::judge::{Accepted, Judge, THROUGHOUT, adopt};
+use super::candidate::{Candidate, candidates, evaluate, logs, refine, rivals, unknowns};
+use super::judge::{Accepted, Judge, THROUGHOUT, adopt, chosen_of};
 use super::{SearchSettings, equivalent_robot_cause, simplify};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::regulariser::Regulariser;
-use crate::diagnose::hypotheses::{COULOMB, Hypothesis, Kind, OFFSET, VISCOUS};
+use crate::diagnose::hypotheses::{COULOMB, Hypothesis, Kind, OFFSET, VISCOUS, laws};
 use crate::diagnose::select::model_choice::LeftOut;
 use dh_codegen::robot::EffectKind;
 
@@ -100,9 +100,13 @@ pub(in crate::diagnose) fn forward(
         let Some(next) = search.round(&fitted, &mut refused) else { break };
         fitted = next;
     }
+    progress("whether other laws explain several causes at once");
+    search.unite(&mut fitted);
     let Forward { mut accepted, friction, evidence, .. } = search;
     simplify(tested, &mut accepted, &mut fitted);
-    tested.regulariser = None;
+    let mut chosen = chosen_of(&accepted);
+    tested.fit_regularised_beside(&mut chosen);
+    adopt(&mut accepted, &chosen);
     Found { accepted, evidence, friction }
 }
 
@@ -131,6 +135,71 @@ impl Forward<'_, '_> {
             refused.push(law(&ranked[at]));
         }
         None
+    }
+
+    /// Puts another law of a cause in the place of it and of all causes of its joints alone, where it
+    /// explains as much: the first law that was taken may have been a part of it. What is left then
+    /// looked like friction of those joints.
+    fn unite(&mut self, fitted: &mut Fitted) {
+        for index in 0..self.accepted.len() {
+            let Some(own) = self.accepted.get(index).map(|a| a.chosen.clone()) else { break };
+            let inside = |place: &[usize]| !place.is_empty() && place.iter().all(|j| own.place.contains(j));
+            let beside = |i: usize, a: &Accepted| i != index && inside(&a.chosen.place);
+            let others: Vec<usize> =
+                (0..self.accepted.len()).filter(|&i| i != index && !beside(i, &self.accepted[i])).collect();
+            let given = given_friction(self.tested.plant);
+            let constant = own.cause.has_constant();
+            let free = |k: usize| !self.tested.frozen[k] && given[k / 3][k % 3].is_some() && !(constant && k % 3 == 2);
+            let terms: Vec<usize> =
+                (0..self.tested.frozen.len()).filter(|&k| free(k) && own.place.contains(&(k / 3))).collect();
+            if own.cause.moves_time() || others.len() + 1 == self.accepted.len() && terms.is_empty() {
+                continue;
+            }
+            terms.iter().for_each(|&k| self.tested.frozen[k] = true);
+            let mut rest: Vec<Chosen> = others.iter().map(|&i| self.accepted[i].chosen.clone()).collect();
+            let without = self.tested.fit(&mut rest);
+            let saved = self.accepted.len() - others.len() - 1 + terms.len();
+            match self.united(&own, &rest, &without, (saved, fitted)) {
+                Some((trial, next)) => {
+                    let mut kept: Vec<Accepted> = others.iter().map(|&i| self.accepted[i].clone()).collect();
+                    kept.push(self.accepted[index].clone());
+                    self.evidence
+                        .retain(|e| e.effect == own.cause.effect() && e.place == own.place || !inside(&e.place));
+                    self.friction.retain(|f| !own.place.contains(&f.joint));
+                    (self.accepted, self.chosen, *fitted) = (kept, trial, next);
+                    adopt(&mut self.accepted, &self.chosen);
+                    return self.unite(fitted);
+                }
+                None => terms.iter().for_each(|&k| self.tested.frozen[k] = false),
+            }
+        }
+        *fitted = self.tested.fit(&mut self.chosen);
+        adopt(&mut self.accepted, &self.chosen);
+    }
+
+    /// The best law of a cause beside the `rest`, if it loses no more than the unknowns of what it
+    /// replaces cost: `saved` causes and terms of the whole model.
+    fn united(
+        &mut self,
+        own: &Chosen,
+        rest: &[Chosen],
+        without: &Fitted,
+        (saved, whole): (usize, &Fitted),
+    ) -> Option<(Vec<Chosen>, Fitted)> {
+        let of = |cause: &'static dyn Hypothesis| {
+            let shapes = cause.grid(&self.tested.scene, &own.place, &without.residual);
+            let tried = shapes.iter().filter_map(|shape| evaluate(self.tested, without, cause, &own.place, shape));
+            tried.max_by(|a, b| a.score.total_cmp(&b.score))
+        };
+        let mut best = laws(own.cause.effect()).filter_map(of).max_by(|a, b| a.score.total_cmp(&b.score))?;
+        refine(self.tested, without, &mut best);
+        let mut trial = [rest, &[best.chosen()]].concat();
+        let next = self.tested.fit(&mut trial);
+        let lost: f64 =
+            logs(&next.solution.rss, &whole.solution.rss).zip(&whole.solution.counts).map(|(l, n)| l * n).sum();
+        let more = unknowns(best.cause, &best.shape, best.gain.x.len()) - unknowns(own.cause, &own.shape, own.x.len());
+        let pays = saved as f64 > more && lost < (saved as f64 - more.max(0.0)) * counts(whole).ln();
+        (pays && self.judge().stands(trial.last()?, &next)).then_some((trial, next))
     }
 
     /// All candidates, plain friction among them, best first.
