@@ -240,7 +240,10 @@ fn once(
     let (left, unplayed) = without_columns(&model, left, noise);
     let mut causes = model.causes.clone();
     if model.tested.mode == Mode::Refitted && has_links {
-        causes.extend(session.links(&model));
+        // One body beside the file's links that is likelier than a refitted link says the same in fewer words.
+        let body = |c: &&Cause| [EffectKind::Payload.name(), EffectKind::LinkInertiaError.name()].contains(&c.cause);
+        let likeliest = suspects.iter().filter(body).map(|c| c.probability).fold(0.0, f64::max);
+        causes.extend(session.links(&model).into_iter().filter(|c| c.probability > likeliest));
     }
     causes.extend(unplayed);
     if !causes.is_empty() || !left.is_empty() {

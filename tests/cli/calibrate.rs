@@ -54,7 +54,9 @@ fn the_story_of_the_readme_has_the_figures_of_its_command() {
         100.0 * numbers(&model["rms"]["validate"])[joint - 1] / numbers(&said["torque_rms"])[joint - 1]
     };
     let (baseline, extended) = (&said["baseline"], &said["extended"]);
-    let cause = &said["causes"][0];
+    let likelihood = |cause: &serde_json::Value| cause["probability"].as_f64().unwrap();
+    let cause =
+        said["causes"].as_array().unwrap().iter().max_by(|a, b| likelihood(a).total_cmp(&likelihood(b))).unwrap();
     // Coulomb friction of the shared motor may stand in an entry of its own.
     let couplings = || said["causes"].as_array().unwrap().iter().filter(|c| c["cause"] == "gear_coupling");
     let value = |key: &str| {

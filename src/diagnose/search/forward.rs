@@ -102,12 +102,20 @@ pub(in crate::diagnose) fn forward(
     }
     progress("whether other laws explain several causes at once");
     search.unite(&mut fitted);
+    search.prune(&mut fitted);
     let Forward { mut accepted, friction, evidence, .. } = search;
     simplify(tested, &mut accepted, &mut fitted);
     let mut chosen = chosen_of(&accepted);
     tested.fit_regularised_beside(&mut chosen);
     adopt(&mut accepted, &chosen);
     Found { accepted, evidence, friction }
+}
+
+/// A part of the model that was found: one of the causes, or a term of friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Part {
+    Cause(usize),
+    Friction(usize),
 }
 
 struct Forward<'s, 'a> {
@@ -175,6 +183,73 @@ impl Forward<'_, '_> {
         }
         *fitted = self.tested.fit(&mut self.chosen);
         adopt(&mut self.accepted, &self.chosen);
+    }
+
+    /// Takes out, the least first, what takes less than the least gain of a joint's error beside all
+    /// others: what was accepted before the cause that it stood for.
+    fn prune(&mut self, fitted: &mut Fitted) {
+        loop {
+            let parts = self.parts();
+            if parts.len() < 2 {
+                break;
+            }
+            let shares: Vec<(f64, Part)> = parts.into_iter().map(|part| (self.share_of(part, fitted), part)).collect();
+            let least = shares.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+            let Some((_, part)) = least.filter(|(share, _)| *share < self.settings.least_gain) else { break };
+            self.remove(part);
+            *fitted = self.tested.fit(&mut self.chosen);
+            adopt(&mut self.accepted, &self.chosen);
+        }
+        *fitted = self.tested.fit(&mut self.chosen);
+        adopt(&mut self.accepted, &self.chosen);
+    }
+
+    /// What was found and can be taken out: neither delays, which have moved the data, nor what acts
+    /// in a part of a log.
+    fn parts(&self) -> Vec<Part> {
+        let of = |e: &Evidence| {
+            if let Some(which) = PLAIN.iter().position(|p| p.effect() == e.effect) {
+                let k = 3 * e.place.first()? + which;
+                return (!self.tested.frozen[k]).then_some(Part::Friction(k));
+            }
+            let here = |c: &Chosen| c.cause.effect() == e.effect && c.place == e.place;
+            let index = self.chosen.iter().position(here)?;
+            let cause = self.chosen[index].cause;
+            (!cause.moves_time() && !cause.local()).then_some(Part::Cause(index))
+        };
+        self.evidence.iter().filter_map(of).collect()
+    }
+
+    /// Share of its main joint's squared error that a part takes beside all others.
+    fn share_of(&mut self, part: Part, fitted: &Fitted) -> f64 {
+        let mut rest = self.chosen.clone();
+        match part {
+            Part::Cause(index) => drop(rest.remove(index)),
+            Part::Friction(k) => self.tested.frozen[k] = true,
+        }
+        let without = self.tested.fit(&mut rest);
+        if let Part::Friction(k) = part {
+            self.tested.frozen[k] = false;
+        }
+        let joint = main_joint(&without, fitted);
+        let [a, b] = [&without, fitted].map(|f| f.solution.rss[joint]);
+        if a > 0.0 { 1.0 - b / a } else { 0.0 }
+    }
+
+    /// Takes a part out, with its evidence; the fit is left to the caller.
+    fn remove(&mut self, part: Part) {
+        let (effect, place) = match part {
+            Part::Cause(index) => {
+                self.chosen.remove(index);
+                let gone = self.accepted.remove(index).chosen;
+                (gone.cause.effect(), gone.place)
+            }
+            Part::Friction(k) => {
+                self.tested.frozen[k] = true;
+                (PLAIN[k % 3].effect(), vec![k / 3])
+            }
+        };
+        self.evidence.retain(|e| e.effect != effect || e.place != place);
     }
 
     /// The best law of a cause beside the `rest`, if it loses no more than the unknowns of what it
