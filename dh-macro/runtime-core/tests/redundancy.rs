@@ -1,4 +1,4 @@
-//! Seven turning joints in general position: the last one locked, six by elimination.
+//! Seven turning joints in general position: one is locked, six by elimination.
 
 use denavit_runtime_core::ik::{Arm, Axis, CHOICES, Differential, Displacement, Family, General, NO_CHOICE, Query};
 
@@ -11,27 +11,50 @@ impl Random {
     }
 
     /// Limits of 100 degrees to either side.
-    fn arm(&mut self) -> Arm<7> {
+    fn arm(&mut self, locked: usize) -> Arm<7> {
         let axes: [Axis; 7] = core::array::from_fn(|_| {
             let h = [0; 3].map(|_| self.uniform(-1.0, 1.0));
             let n = h.iter().map(|x| x * x).sum::<f64>().sqrt();
             Axis { slides: false, h: h.map(|x| x / n), c: [0; 3].map(|_| self.uniform(-0.5, 0.5)) }
         });
-        let six = core::array::from_fn(|k| axes[k]);
-        let mut general =
-            General { axes: six, joints: [0, 1, 2, 3, 4, 5], locked: None, size: 1.0, order: [NO_CHOICE; CHOICES] };
+        let joints: [u8; 6] = core::array::from_fn(|k| (k + usize::from(k >= locked)) as u8);
+        let six = joints.map(|k| axes[usize::from(k)]);
+        let mut general = General { axes: six, joints, locked: None, size: 1.0, order: [NO_CHOICE; CHOICES] };
         let trial = [0.3, -0.7, 1.1, 0.4, -1.3, 0.9];
         let good: Vec<u8> = (0..12).filter(|choice| general.trial(&trial, *choice).is_some()).collect();
         for (place, choice) in general.order.iter_mut().zip(good) {
             *place = choice;
         }
-        general.locked = Some(6);
+        general.locked = Some(locked as u8);
         let home = Displacement { shift: [0.3, -0.2, 0.6], ..Displacement::NONE };
         Arm { axes, home, limits: [Some([-1.75, 1.75]); 7], exact: true, family: Family::General(general) }
     }
 
     fn posture(&mut self, size: f64) -> [f64; 7] {
         core::array::from_fn(|_| self.uniform(-size, size))
+    }
+}
+
+/// Wherever the locked joint is, the posture that made the pose is found, and the joint stays there.
+#[test]
+fn any_joint_can_be_locked() {
+    let mut random = Random(6);
+    for locked in 0..7 {
+        let arm = random.arm(locked);
+        for _ in 0..10 {
+            let q = random.posture(1.6);
+            let pose = arm.forward(&q);
+            let found = arm.solve(&pose, &Query { redundancy: q[locked], ..Query::default() }).unwrap();
+            assert!(found.uncertain || found.as_slice().len().is_multiple_of(2), "{locked} {q:?}");
+            let far = |s: &[f64; 7]| s.iter().zip(q).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+            assert!(found.as_slice().iter().any(|s| far(&s.q) < 1e-6), "{locked} {q:?}");
+            for s in found.as_slice() {
+                assert!((s.q[locked] - q[locked]).abs() < 1e-12);
+                for (a, b) in arm.forward(&s.q).as_flattened().iter().zip(pose.as_flattened()) {
+                    assert!((a - b).abs() < 1e-11, "{locked} {q:?}");
+                }
+            }
+        }
     }
 }
 
@@ -42,7 +65,7 @@ fn ranges_of_the_locked_joint_agree_with_a_scan() {
     let mut random = Random(1);
     let (mut looked, mut allowed, mut wrong) = (0, 0, 0);
     for _ in 0..4 {
-        let arm = random.arm();
+        let arm = random.arm(6);
         for _ in 0..3 {
             let q = random.posture(1.6);
             let pose = arm.forward(&q);
@@ -75,7 +98,7 @@ fn a_path_is_followed_without_jumps() {
     let mut random = Random(4);
     let mut followed = 0;
     for _ in 0..10 {
-        let arm = random.arm();
+        let arm = random.arm(6);
         let start = random.posture(1.0);
         let mut q = start;
         for k in 1..=40 {

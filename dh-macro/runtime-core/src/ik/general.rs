@@ -308,7 +308,7 @@ impl General {
         let slides = self.axes.iter().filter(|a| a.slides).count();
         let fits = match slides {
             0 | 1 => !self.axes[hidden].slides,
-            2 => !self.axes[hidden].slides && choice % 2 == 0,
+            2 => !self.axes[hidden].slides && choice.is_multiple_of(2),
             3 => choice == 0,
             _ => false,
         };
