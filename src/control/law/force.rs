@@ -60,7 +60,7 @@ impl ForceLoop {
         let arrives = self.follow(wanted.clamp(range[0], top), dt);
         // A displacement that lags behind needs a way on which to keep its speed, and no more.
         let lead = if arrives { f64::INFINITY } else { 2.0 * rate * dt };
-        let rest = self.displacement + self.to_rest(self.speed, self.acceleration);
+        let rest = self.displacement + self.stopping_distance(self.speed, self.acceleration);
         let (most, least) = (top.min(rest + lead), range[0].max(rest - lead));
         let pushes_out = (wanted > most && error > 0.0) || (wanted < least && error < 0.0);
         if !pushes_out {
@@ -87,7 +87,7 @@ impl ForceLoop {
         let (hardest, softest) = ((a - jerk * dt).max(-most), (a + jerk * dt).min(most));
         let speed = (to - x) / dt;
         let exact = (speed - v) / dt;
-        let end = to + self.to_rest(speed, exact);
+        let end = to + self.stopping_distance(speed, exact);
         // The range is not left afterwards either; what a step stops needs no way.
         let stops = (low..=high).contains(&end) || 2.0 * speed.abs() <= most.min(jerk * dt) * dt;
         if (hardest..=softest).contains(&exact) && speed.abs() <= rate && stops {
@@ -97,7 +97,7 @@ impl ForceLoop {
         let short = |a: f64| {
             let speed = v + a * dt;
             let steady = speed + 0.5 * a * a.abs() / jerk;
-            let end = x + speed * dt + self.to_rest(speed, a);
+            let end = x + speed * dt + self.stopping_distance(speed, a);
             (end <= to && steady <= rate) || steady < -rate
         };
         // The largest acceleration that falls short; all below it do.
@@ -119,7 +119,7 @@ impl ForceLoop {
 
     /// A way on which a motion comes to rest within its limits of acceleration and jerk, m, with
     /// its sign: not less than the shortest, and without its square root.
-    fn to_rest(&self, speed: f64, a: f64) -> f64 {
+    fn stopping_distance(&self, speed: f64, a: f64) -> f64 {
         let ForceSettings { acceleration: most, jerk, .. } = self.settings;
         // Jerk to the full deceleration and from it, between them the deceleration. Slow motions
         // don't come to it: sqrt(v / J) is at most half the sum of v / A and A / J.
