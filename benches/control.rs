@@ -149,7 +149,7 @@ fn main() {
     let settings = Settings {
         period: 1e-3,
         joints: JointLoop { kp: [500.0; N], kd: [20.0; N] },
-        force: ForceSettings { kp: 1e-5, ki: 5e-3, range: [-0.02, 0.3], rate: 0.2, acceleration: 13.0, jerk: 6500.0 },
+        force: ForceSettings { kp: 1e-5, ki: 5e-3, range: [-0.02, 0.3], rate: 0.2 },
         torque: [176.0; N],
         velocity: [2.0; N],
         patience: 5,

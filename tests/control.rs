@@ -44,23 +44,20 @@ fn what_is_fed_forward_ends_with_the_contact() {
         world.run(&command);
     }
     let mut steps = |force: f64, count: u32| {
-        let (mut last, mut speed) = (controller.step(&target(), &Sample { force, ..world.sample() }), 0.0);
-        world.t += T;
-        for _ in 1..count {
-            let next = controller.step(&target(), &Sample { force, ..world.sample() });
-            (last, speed) = (next, (next.displacement - last.displacement) / T);
+        let mut torque = 0.0;
+        for _ in 0..count {
+            torque = controller.step(&target(), &Sample { force, ..world.sample() }).torque[0];
             world.t += T;
         }
-        (last.torque[0], last.displacement, speed)
+        torque
     };
-    let (before, start, _) = steps(30.0, 1);
-    // Meanwhile the tool is sent deeper: what the spring of the joint loop says to it, and the
-    // damping.
-    let (after, deeper, speed) = steps(0.0, 21);
-    let loops = 400.0 * (deeper - start) + 40.0 * speed;
-    assert!((before - after - 30.0 + loops).abs() < 0.1 && loops > 4.0, "{before} {after} {loops}");
-    let (again, still, _) = steps(30.0, 250);
-    assert!((again - 15.0 - 400.0 * (still - start)).abs() < 0.5, "{again} {after}");
+    let before = steps(30.0, 1);
+    // Meanwhile the tool is sent deeper at 0.1 m/s: 2.1 mm of the spring, and the damping of it.
+    let deeper = 400.0 * 0.1 * 0.021;
+    let after = steps(0.0, 21);
+    assert!((before - after - 30.0 + deeper + 40.0 * 0.1).abs() < 0.1, "{before} {after}");
+    let again = steps(30.0, 250);
+    assert!((again - 15.0 - deeper).abs() < 0.5, "{again} {after}");
 }
 
 #[test]
@@ -192,18 +189,12 @@ fn the_planned_motion_is_fed_forward() {
 #[test]
 fn anti_windup() {
     // Held for a long time where the force can't be reached, it answers at once when it can.
-    let mut force = denavit::control::law::ForceLoop::new(ForceSettings {
-        kp: 1e-3,
-        ki: 0.1,
-        range: [0.0, 0.05],
-        rate: 1.0,
-        acceleration: 1e3,
-        jerk: 1e6,
-    });
+    let mut force =
+        denavit::control::law::ForceLoop::new(ForceSettings { kp: 1e-3, ki: 0.1, range: [0.0, 0.05], rate: 1.0 });
     for _ in 0..10_000 {
         assert!(force.press(30.0, T, f64::MAX, 0.0) <= 0.05);
     }
-    for _ in 0..22 {
+    for _ in 0..20 {
         force.press(-30.0, T, f64::MAX, 0.0);
     }
     assert!(force.displacement() < 0.03, "{}", force.displacement());
@@ -212,7 +203,7 @@ fn anti_windup() {
 /// Behind a ceiling below the end of the range the integral waits too.
 #[test]
 fn anti_windup_behind_a_ceiling() {
-    let settings = ForceSettings { kp: 0.0, ki: 0.1, range: [0.0, 0.05], rate: 1.0, acceleration: 1e3, jerk: 1e6 };
+    let settings = ForceSettings { kp: 0.0, ki: 0.1, range: [0.0, 0.05], rate: 1.0 };
     let mut force = denavit::control::law::ForceLoop::new(settings);
     for _ in 0..10_000 {
         force.press(30.0, T, 0.02, 0.0);
@@ -364,12 +355,6 @@ fn settings_that_make_no_sense_are_refused() {
         (Settings { torque: [f64::NAN; 6], ..settings() }, ControllerError::Limits),
         (Settings { force: ForceSettings { ki: -1.0, ..force }, ..settings() }, ControllerError::ForceGains),
         (Settings { force: ForceSettings { range: [0.1, 0.2], ..force }, ..settings() }, ControllerError::Range),
-        (Settings { force: ForceSettings { rate: 0.0, ..force }, ..settings() }, ControllerError::Rate),
-        (
-            Settings { force: ForceSettings { acceleration: f64::INFINITY, ..force }, ..settings() },
-            ControllerError::Rate,
-        ),
-        (Settings { force: ForceSettings { jerk: -1.0, ..force }, ..settings() }, ControllerError::Rate),
     ] {
         assert_eq!(refused(wrong), Some(error));
     }
@@ -732,7 +717,7 @@ proptest! {
         let mut t = 0.0;
         for (dt, q, force, wanted, press, [dumb, lost, reset]) in steps {
             t += if dt.abs() < 0.01 { T } else { dt };
-            *controller.model() = Gantry { dumb, lost, ..Gantry::default() };
+            *controller.model() = Gantry { dumb, lost };
             let target = Target { dq: wanted, ddq: q, ..Target::at(wanted, [1.0, 0.0, 0.0], press) };
             let command = controller.step(&target, &Sample { t, q, force, push: [force, q[0], wanted[1]] });
             prop_assert!(command.torque.iter().all(|x| x.is_finite() && x.abs() <= 100.0), "{command:?}");

@@ -14,7 +14,7 @@ use super::select::excess::explained;
 use super::select::measure::{Meter, root_mean_square};
 use super::select::offer::Choice;
 use super::select::refine_and_select::{Selected, Session};
-use super::select::suspects::name;
+use super::select::suspects::{likelier, name};
 use super::windows::motion_error::budget;
 use super::windows::recording::{Recording, unexplained};
 use super::windows::torque_noise::torque_noise;
@@ -240,10 +240,7 @@ fn once(
     let (left, unplayed) = without_columns(&model, left, noise);
     let mut causes = model.causes.clone();
     if model.tested.mode == Mode::Refitted && has_links {
-        // One body beside the file's links that is likelier than a refitted link says the same in fewer words.
-        let body = |c: &&Cause| [EffectKind::Payload.name(), EffectKind::LinkInertiaError.name()].contains(&c.cause);
-        let likeliest = suspects.iter().filter(body).map(|c| c.probability).fold(0.0, f64::max);
-        causes.extend(session.links(&model).into_iter().filter(|c| c.probability > likeliest));
+        causes.extend(likelier(session.links(&model), &suspects));
     }
     causes.extend(unplayed);
     if !causes.is_empty() || !left.is_empty() {

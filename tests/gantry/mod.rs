@@ -12,14 +12,8 @@ pub const T: f64 = 1e-3;
 /// known by heart.
 #[derive(Clone, Default)]
 pub struct Gantry {
-    /// No posture and no point of contact.
     pub lost: bool,
-    /// No numbers for gravity.
     pub dumb: bool,
-    /// Numbers for gravity that no drive could hold.
-    pub wild: bool,
-    /// Another branch of the inverse: joint 4 half a turn on.
-    pub flipped: bool,
 }
 
 impl Gantry {
@@ -32,8 +26,7 @@ impl Gantry {
 
 impl Model<6> for Gantry {
     fn gravity(&mut self, _: &[f64; 6]) -> [f64; 6] {
-        let gravity = if self.wild { 1e6 } else { 9.81 };
-        if self.dumb { [f64::NAN; 6] } else { [0.0, 0.0, gravity, 0.0, 0.0, 0.0] }
+        if self.dumb { [f64::NAN; 6] } else { [0.0, 0.0, 9.81, 0.0, 0.0, 0.0] }
     }
 
     fn moving(&mut self, _: &[f64; 6], dq: &[f64; 6], ddq: &[f64; 6]) -> [f64; 6] {
@@ -49,9 +42,7 @@ impl Model<6> for Gantry {
     }
 
     fn displaced(&mut self, q: &[f64; 6], by: &[f64; 3], _: &[f64; 6]) -> Option<[f64; 6]> {
-        let mut found = moved(q, by, Self::tool).filter(|_| !self.lost)?;
-        found[3] += if self.flipped { std::f64::consts::PI } else { 0.0 };
-        Some(found)
+        if self.lost { None } else { moved(q, by, Self::tool) }
     }
 }
 
@@ -69,7 +60,7 @@ pub fn settings() -> Settings<6> {
     Settings {
         period: T,
         joints: JointLoop { kp: [400.0; 6], kd: [40.0; 6] },
-        force: ForceSettings { kp: 0.0, ki: 0.01, range: [-0.02, 0.2], rate: 0.1, acceleration: 13.0, jerk: 6500.0 },
+        force: ForceSettings { kp: 0.0, ki: 0.01, range: [-0.02, 0.2], rate: 0.1 },
         torque: [100.0; 6],
         velocity: [1.0; 6],
         patience: 5,

@@ -60,8 +60,6 @@ fn stepped(stiffness: f64, factor: impl Fn(&Tuning) -> f64) -> (Tuning, Vec<f64>
             ki: factor * tuning.force.ki,
             range: [-0.1, 0.3],
             rate: 10.0,
-            acceleration: 1e6,
-            jerk: 1e9,
         },
         torque: [1e3; 3],
         velocity: [20.0; 3],

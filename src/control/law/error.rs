@@ -13,7 +13,7 @@ pub enum ControllerError {
     ForceGains,
     /// The range of the displacement does not hold 0.
     Range,
-    /// The displacement's limits of speed, acceleration or jerk.
+    /// The displacement's speed.
     Rate,
     /// [`Settings::torque`](super::Settings::torque),
     /// [`Settings::velocity`](super::Settings::velocity) or
@@ -38,7 +38,7 @@ impl Display for ControllerError {
             Self::JointGains => "the gains of the joints must not be negative",
             Self::ForceGains => "the gains of the force loop must not be negative",
             Self::Range => "the range of the displacement must hold 0",
-            Self::Rate => "the displacement's speed, acceleration and jerk must be greater than 0",
+            Self::Rate => "the displacement's speed must be greater than 0",
             Self::Limits => {
                 "limits of torque, velocity and motion must be greater than 0, ranges of position not empty"
             }

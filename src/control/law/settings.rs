@@ -33,8 +33,7 @@ pub struct Settings<const N: usize> {
     /// How long it is looked for, s.
     pub give_up: f64,
     /// Force above which the tool leaves the wall, N: along the normal at once, and in any
-    /// direction as estimated ([`Sample::push`](super::Sample::push)) after the patience. No larger
-    /// one is pressed with.
+    /// direction as estimated ([`Sample::push`](super::Sample::push)) after the patience.
     pub most: f64,
     /// Share of the desired force that is fed forward as torques while the tool presses. At 0
     /// (equation 13) the springs of the joint loop carry the force and give way aside too; at 1
@@ -72,14 +71,14 @@ impl<const N: usize> Settings<N> {
         let positive = |x: f64| x > 0.0 && x.is_finite();
         let not_negative = |x: f64| x >= 0.0 && x.is_finite();
         let all = |x: &[f64]| x.iter().all(|x| not_negative(*x));
-        let ForceSettings { kp, ki, range, rate, acceleration, jerk } = self.force;
+        let ForceSettings { kp, ki, range, rate } = self.force;
         let shares = [self.carry, self.feed, self.aside, self.drag];
         let rules = [
             (positive(self.period), ControllerError::Period),
             (all(&self.joints.kp) && all(&self.joints.kd), ControllerError::JointGains),
             (all(&[kp, ki]), ControllerError::ForceGains),
             (all(&[-range[0], range[1]]), ControllerError::Range),
-            ([rate, acceleration, jerk].into_iter().all(positive), ControllerError::Rate),
+            (positive(rate), ControllerError::Rate),
             (self.torque.iter().chain(&self.velocity).all(|x| positive(*x)), ControllerError::Limits),
             (all(&[self.contact, self.lost_after, self.regain, self.give_up, self.most]), ControllerError::Contact),
             (shares.iter().all(|share| (0.0..=1.0).contains(share)), ControllerError::Share),
@@ -93,13 +92,10 @@ impl<const N: usize> Settings<N> {
 
     /// Longest stays of the state machine.
     pub(super) fn bounds(&self) -> Bounds {
-        let ForceSettings { range, rate, acceleration, jerk, .. } = self.force;
+        let ForceSettings { range, rate, .. } = self.force;
         // A conversion saturates, and a NaN is 0.
         let steps = |seconds: f64| (seconds / self.period) as u32;
-        // To turn round, to come to speed and to stop.
-        let turns = 3.0 * (rate / acceleration + acceleration / jerk);
-        let leave =
-            steps((range[1] - range[0]) / rate + turns + self.stop).saturating_add(self.patience).saturating_add(2);
+        let leave = steps((range[1] - range[0]) / rate + self.stop).saturating_add(self.patience).saturating_add(2);
         Bounds { patience: self.patience, leave, stop: steps(self.stop + REST).saturating_add(2) }
     }
 

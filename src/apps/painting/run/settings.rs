@@ -16,8 +16,6 @@ const STOP: f64 = 0.25;
 /// Share of its torque limit that a joint's spring may have while its position does not change by a
 /// bit: above static friction.
 const STUCK: f64 = 0.15;
-/// libfranka's limits of the tool's speed (m/s), acceleration (m/s^2) and jerk (m/s^3).
-const TOOL: [f64; 3] = [1.7, 13.0, 6500.0];
 
 /// Limits of torque (N m) and speed (rad/s) of the file, and what stands for those that it has not.
 fn strength<const N: usize>(robot: &Robot) -> [[f64; N]; 2] {
@@ -38,7 +36,7 @@ fn limits_of<const N: usize>(robot: &Robot, kp: &[f64; N], torque: &[f64; N]) ->
         position: std::array::from_fn(|j| limits[j].position.unwrap_or([f64::NEG_INFINITY, f64::INFINITY])),
         acceleration,
         jerk: std::array::from_fn(|j| limits[j].jerk.unwrap_or(acceleration[j] / 2e-3)),
-        tool: TOOL,
+        tool: [1.7, 13.0, 6500.0],
         torque_rate: torque.map(|most| most / 1e-3),
         saturated: 0.1,
         frozen: std::array::from_fn(|j| STUCK * torque[j] / kp[j].max(1e-6)),
@@ -73,14 +71,7 @@ pub(super) fn controller<const N: usize>(known: &Known<'_>, task: &RunTask<'_>, 
     Settings {
         period: 1.0 / task.sensors.rate,
         joints: JointLoop { kp, kd: std::array::from_fn(|j| tuning.joints[j].kd) },
-        force: ForceSettings {
-            kp: tuning.force.kp,
-            ki: tuning.force.ki,
-            range: [-AWAY, 0.3],
-            rate: 0.2,
-            acceleration: TOOL[1],
-            jerk: TOOL[2],
-        },
+        force: ForceSettings { kp: tuning.force.kp, ki: tuning.force.ki, range: [-AWAY, 0.3], rate: 0.2 },
         torque,
         velocity,
         patience: 5,
