@@ -23,9 +23,9 @@ const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py
 /// has one.
 ///
 /// Six joints without one (class `none`) are solved by elimination, all postures too, and so are
-/// seven of which one is given. An
-/// arm that nearly has one is refined from a nominal arm, and the rest is searched numerically.
-/// These two print `exact: false`. All three print for each pose whether postures may be missing.
+/// seven of which one is given. An arm that nearly has one is refined from a nominal arm, and the
+/// rest is searched numerically. These two print `exact: false`. All three print for each pose
+/// whether postures may be missing.
 ///
 /// A pose is that of the last DH frame in the world frame, m, as `denavit eval --quantity
 /// forward_kinematics` prints it. Its columns are `r11 r12 r13 px r21 r22 r23 py r31 r32 r33 pz`.
