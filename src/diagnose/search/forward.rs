@@ -93,10 +93,8 @@ pub(in crate::diagnose) fn forward(
     };
     let mut fitted = search.tested.fit(&mut []);
     let mut refused = Vec::new();
-    while search.accepted.len() + search.friction.len() < settings.most + given.len()
-        && search.accepted.len() < settings.most
-    {
-        progress(&format!("{} found, looking for more", search.accepted.len() + search.friction.len()));
+    while search.accepted.len() < settings.most {
+        progress(&format!("{} found, looking for more", search.evidence.len()));
         let Some(next) = search.round(&fitted, &mut refused) else { break };
         fitted = next;
     }

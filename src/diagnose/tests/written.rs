@@ -150,11 +150,6 @@ fn an_extended_model_is_written_with_its_causes() {
     let without = Robot { links: Vec::new(), ..known.clone() };
     for (file, refitted) in [(known.clone(), false), (without, true)] {
         let (found, written) = offered(&file, 1, &sprung(&known, 0.5));
-        eprintln!(
-            "DEBUG {:?} {:#?}",
-            found.causes.iter().map(|c| (c.cause, &c.joints, c.probability, c.in_extended)).collect::<Vec<_>>(),
-            found.offer
-        );
         assert_eq!((found.offer.offered, found.links_refitted), (Offered::Extended, refitted));
         let effects: Vec<&str> = written.joints[1].drive.effects.iter().map(|e| e.name()).collect();
         assert_eq!(effects, ["joint_spring"]);
