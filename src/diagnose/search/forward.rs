@@ -1,6 +1,6 @@
 //! Searches what changed in the robot file: forward selection from the unchanged file.
 //!
-//! Friction that the file has stays as it is until a term of it is the best candidate of a round,
+//! Friction that the file has is fixed until a term of it is the best candidate of a round,
 //! so that a changed level competes with every other cause. In the best place, the candidate with
 //! the fewest unknowns goes first where it gains nearly as much. It is accepted if it takes enough
 //! of a joint's error, in the fit and on stretches of the logs that are left out in turn, and makes
