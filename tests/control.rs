@@ -44,20 +44,23 @@ fn what_is_fed_forward_ends_with_the_contact() {
         world.run(&command);
     }
     let mut steps = |force: f64, count: u32| {
-        let mut torque = 0.0;
-        for _ in 0..count {
-            torque = controller.step(&target(), &Sample { force, ..world.sample() }).torque[0];
+        let (mut last, mut speed) = (controller.step(&target(), &Sample { force, ..world.sample() }), 0.0);
+        world.t += T;
+        for _ in 1..count {
+            let next = controller.step(&target(), &Sample { force, ..world.sample() });
+            (last, speed) = (next, (next.displacement - last.displacement) / T);
             world.t += T;
         }
-        torque
+        (last.torque[0], last.displacement, speed)
     };
-    let before = steps(30.0, 1);
-    // Meanwhile the tool is sent deeper at 0.1 m/s: 2.1 mm of the spring, and the damping of it.
-    let deeper = 400.0 * 0.1 * 0.021;
-    let after = steps(0.0, 21);
-    assert!((before - after - 30.0 + deeper + 40.0 * 0.1).abs() < 0.1, "{before} {after}");
-    let again = steps(30.0, 250);
-    assert!((again - 15.0 - deeper).abs() < 0.5, "{again} {after}");
+    let (before, start, _) = steps(30.0, 1);
+    // Meanwhile the tool is sent deeper: what the spring of the joint loop says to it, and the
+    // damping.
+    let (after, deeper, speed) = steps(0.0, 21);
+    let loops = 400.0 * (deeper - start) + 40.0 * speed;
+    assert!((before - after - 30.0 + loops).abs() < 0.1 && loops > 4.0, "{before} {after} {loops}");
+    let (again, still, _) = steps(30.0, 250);
+    assert!((again - 15.0 - 400.0 * (still - start)).abs() < 0.5, "{again} {after}");
 }
 
 #[test]
@@ -198,6 +201,19 @@ fn anti_windup() {
         force.press(-30.0, T, f64::MAX, 0.0);
     }
     assert!(force.displacement() < 0.03, "{}", force.displacement());
+}
+
+/// What is known to be needed is added to what the loop asks for, within the limits of the sum.
+#[test]
+fn what_is_known_is_added() {
+    for (ahead, sum) in [(5e-3, 0.025), (-5e-3, 0.015), (0.1, 0.05)] {
+        let limits = ForceSettings { kp: 1e-3, ki: 0.0, range: [0.0, 0.05], rate: 1.0 };
+        let mut force = denavit::control::law::ForceLoop::new(limits);
+        for _ in 0..200 {
+            force.press(20.0, T, f64::MAX, ahead);
+        }
+        assert!((force.displacement() - sum).abs() < 1e-6, "{ahead}: {}", force.displacement());
+    }
 }
 
 /// Behind a ceiling below the end of the range the integral waits too.
@@ -355,6 +371,7 @@ fn settings_that_make_no_sense_are_refused() {
         (Settings { torque: [f64::NAN; 6], ..settings() }, ControllerError::Limits),
         (Settings { force: ForceSettings { ki: -1.0, ..force }, ..settings() }, ControllerError::ForceGains),
         (Settings { force: ForceSettings { range: [0.1, 0.2], ..force }, ..settings() }, ControllerError::Range),
+        (Settings { force: ForceSettings { rate: 0.0, ..force }, ..settings() }, ControllerError::Rate),
     ] {
         assert_eq!(refused(wrong), Some(error));
     }
@@ -479,6 +496,23 @@ impl Body<7> for Twice {
         jacobian[0][6] = 1.0;
         Tool { origin: [0.0; 3], rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], jacobian }
     }
+}
+
+/// Directions that no joint moves are left to the damping, a share of the mean of the diagonal.
+#[test]
+fn what_no_joint_moves_is_damped() {
+    let mut jacobian = [[0.0; 6]; 6];
+    (jacobian[0][0], jacobian[2][1]) = (1.0, 2.0);
+    let weights = [2.0, 1.0, 1.0, 1.0, 1.0, 1.0];
+    let right = [1.0, -2.0, 3.0, 0.5, 0.0, 4.0];
+    // J W J' has 2 and 4 on its diagonal.
+    let added = 1e-3 * 6.0 / 6.0;
+    let own = [2.0, 0.0, 4.0, 0.0, 0.0, 0.0];
+    let found = damped(&jacobian, &weights, &right, 1e-3).unwrap();
+    for i in 0..6 {
+        assert!((found[i] * (own[i] + added) - right[i]).abs() < 1e-9, "{found:?}");
+    }
+    assert!(damped(&jacobian, &weights, &right, 0.0).is_none());
 }
 
 /// Where joints disagree the estimate is their mean, each by its weight.
@@ -717,7 +751,7 @@ proptest! {
         let mut t = 0.0;
         for (dt, q, force, wanted, press, [dumb, lost, reset]) in steps {
             t += if dt.abs() < 0.01 { T } else { dt };
-            *controller.model() = Gantry { dumb, lost };
+            *controller.model() = Gantry { dumb, lost, ..Gantry::default() };
             let target = Target { dq: wanted, ddq: q, ..Target::at(wanted, [1.0, 0.0, 0.0], press) };
             let command = controller.step(&target, &Sample { t, q, force, push: [force, q[0], wanted[1]] });
             prop_assert!(command.torque.iter().all(|x| x.is_finite() && x.abs() <= 100.0), "{command:?}");

@@ -22,8 +22,18 @@ const WELL: Seen = Seen {
 };
 
 /// What the controller can report as a limit.
-const LIMITS: [Fault; 7] =
-    [Fault::Frozen, Fault::Joint, Fault::Speed, Fault::Torque, Fault::Reach, Fault::Excess, Fault::Stuck];
+const LIMITS: [Fault; 10] = [
+    Fault::Frozen,
+    Fault::Model,
+    Fault::Joint,
+    Fault::Speed,
+    Fault::Torque,
+    Fault::Plan,
+    Fault::Reach,
+    Fault::Excess,
+    Fault::Stuck,
+    Fault::Force,
+];
 
 /// Every guard value. Of the limits one for each of the two graver reactions and two for the
 /// mildest stand for all of them: [`transitions_to_each_fault`] has each.

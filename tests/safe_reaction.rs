@@ -217,10 +217,13 @@ fn a_joint_beyond_its_range_is_stopped() {
     let (_, status) = go_on(&mut controller, &mut world, 2000, |_, _| {});
     assert!(status == Status::Stopped(Fault::Joint) && fastest(&world) < 0.01, "{status:?} {:?}", world.v);
     // Targets outside are not followed, to either side.
-    for outside in [0.101, -0.101] {
+    for outside in [0.101_f64, -0.101] {
         let (mut controller, mut world) = limited(|s| s.limits.position[1] = [-0.1, 0.1]);
-        let found = until_fault(&mut controller, &mut world, 20, |_, target, _| target.q[1] = outside);
-        assert_eq!(found, (6, Status::Leaving(Fault::Plan)), "{outside}");
+        // At half of the speed limit, to 1 mm beyond.
+        let found = until_fault(&mut controller, &mut world, 300, |k, target, _| {
+            target.q[1] = outside.signum() * (5e-4 * f64::from(k)).min(outside.abs());
+        });
+        assert_eq!(found, (207, Status::Leaving(Fault::Plan)), "{outside}");
     }
 }
 
@@ -257,7 +260,7 @@ fn torques_at_their_limits_for_long_are_a_fault() {
     assert_eq!(found.1.fault(), None);
     let held = world.q;
     let found = until_fault(&mut controller, &mut world, 400, |k, target, sample| {
-        target.q[1] = 0.08;
+        target.q[1] = (1e-3 * f64::from(k + 1)).min(0.08);
         // Blocked, but alive.
         sample.q = held;
         sample.q[1] += if k % 2 == 0 { 1e-5 } else { -1e-5 };
@@ -429,6 +432,161 @@ fn a_stop_goes_along_the_path() {
     assert!(fastest(&world) < 1e-3 && fastest_turn < 2.0, "{:?} {fastest_turn}", world.v);
 }
 
+/// Each is harmless for once, and no more than the patience in a row of it.
+#[test]
+fn what_fails_most_of_the_time_is_a_fault() {
+    type Fail = fn(&mut Controller<Gantry, 6>, &mut Target<6>, &mut Sample<6>, bool);
+    let fails: [(Fault, Fail); 3] = [
+        (Fault::Model, |controller, _, _, fails| controller.model().dumb = fails),
+        (Fault::Plan, |_, target, _, fails| target.dq[1] = if fails { f64::NAN } else { 0.0 }),
+        (Fault::Force, |_, _, sample, fails| {
+            if fails {
+                sample.force = f64::NAN;
+            }
+        }),
+    ];
+    for (fault, fail) in fails {
+        // A quarter of the steps may fail for good, five of six may not.
+        for (good, expected) in [(3, None), (0, Some(fault))] {
+            let (mut controller, mut world) = pressing();
+            let mut found = None;
+            for k in 0..2000_u32 {
+                let (mut target, mut sample) = (target(), world.sample());
+                let fails = if good == 3 { k % 4 == 0 } else { k % 6 != 0 };
+                fail(&mut controller, &mut target, &mut sample, fails);
+                let command = controller.step(&target, &sample);
+                found = command.status.fault();
+                world.run(&command);
+            }
+            assert_eq!(found, expected, "{fault:?}");
+        }
+    }
+}
+
+/// A broken track of an encoder: every other step is off by what a joint could just have gone.
+#[test]
+fn a_position_that_leaps_to_and_fro_is_a_fault() {
+    let (mut controller, mut world) = pressing();
+    let found = until_fault(&mut controller, &mut world, 2000, |k, _, sample| {
+        sample.q[1] += if k % 4 < 2 { 2.5e-3 } else { 0.0 };
+    });
+    assert!(found.1.fault() == Some(Fault::Speed) && found.0 < 100, "{found:?}");
+}
+
+/// Largest step of the torques, over what is done to one target; then the state.
+fn after_one_target(settings: Settings<6>, change: fn(&mut Target<6>)) -> (f64, Status) {
+    let mut controller = Controller::new(Gantry::default(), settings).unwrap();
+    let mut world = World::new();
+    let (mut last, mut most) = ([0.0; 6], 0.0_f64);
+    let mut status = Status::Waiting;
+    for k in 0..6100 {
+        let mut target = target();
+        if k == 6000 {
+            change(&mut target);
+        }
+        let command = controller.step(&target, &world.sample());
+        if k >= 6000 {
+            most = (0..6).fold(most, |most, j| most.max((command.torque[j] - last[j]).abs()));
+        }
+        (last, status) = (command.torque, command.status);
+        world.run(&command);
+    }
+    (most, status)
+}
+
+#[test]
+fn one_target_that_leaps_is_not_followed() {
+    let fed = Settings { carry: 1.0, feed: 1.0, ..settings() };
+    let leaps: [fn(&mut Target<6>); 6] = [
+        |target| target.q[1] = 1.0,
+        |target| target.q[1] = -2e-3,
+        |target| target.dq[1] = 0.5,
+        |target| target.normal = [-1.0, 0.0, 0.0],
+        |target| target.normal = [0.6, 0.8, 0.0],
+        |target| target.force = Some(1e5),
+    ];
+    for (which, change) in leaps.into_iter().enumerate() {
+        for settings in [settings(), fed] {
+            let (most, status) = after_one_target(settings, change);
+            assert!(most < 0.1 && status == Status::Pressing, "{which}: {most} {status:?}");
+        }
+    }
+}
+
+/// Speeds that come and go without an acceleration, at a place that stays.
+#[test]
+fn speeds_that_leap_are_not_followed() {
+    // The tool has limits of its own, which would see it as well.
+    let (mut controller, mut world) = limited(|s| s.limits.tool = [f64::INFINITY; 3]);
+    let found = until_fault(&mut controller, &mut world, 300, |k, target, _| {
+        target.dq[1] = if k % 2 == 0 { 0.5 } else { 0.0 };
+    });
+    assert_eq!(found.1, Status::Leaving(Fault::Plan));
+}
+
+/// Three times the speed limit can't be true; less may.
+#[test]
+fn a_leap_is_no_sample() {
+    for (leap, status) in [(2.9e-3, Status::Pressing), (3.1e-3, Status::Holding)] {
+        let (mut controller, mut world) = pressing();
+        let before = controller.step(&target(), &world.sample());
+        world.run(&before);
+        let mut sample = world.sample();
+        sample.q[1] += leap;
+        let command = controller.step(&target(), &sample);
+        assert_eq!(command.status, status, "{leap}");
+        assert_eq!(command.torque == before.torque, status == Status::Holding);
+    }
+}
+
+/// However long it is asked for: it is as far away as before.
+#[test]
+fn another_branch_does_not_come_nearer_in_time() {
+    let (mut controller, mut world) = limited(|s| s.give_up = 3.0);
+    controller.model().flipped = true;
+    for _ in 0..2900 {
+        let command = controller.step(&target(), &world.sample());
+        world.run(&command);
+        assert!(command.desired[3].abs() < 1e-9 && command.status.fault().is_none(), "{command:?}");
+    }
+    let found = until_fault(&mut controller, &mut world, 200, |_, _, _| {});
+    assert_eq!(found.1, Status::Leaving(Fault::Reach));
+}
+
+#[test]
+fn another_branch_of_the_inverse_is_not_gone_to() {
+    let (mut controller, mut world) = pressing();
+    controller.model().flipped = true;
+    let (torque, _) = go_on(&mut controller, &mut world, 5, |_, _| {});
+    assert!(torque < 32.0, "{torque}");
+    let found = until_fault(&mut controller, &mut world, 2000, |_, _, _| {});
+    assert_eq!(found.1, Status::Leaving(Fault::Reach));
+    assert!(world.q[3].abs() < 1e-9, "{:?}", world.q);
+    // For once it does no harm.
+    let (mut controller, mut world) = pressing();
+    controller.model().flipped = true;
+    go_on(&mut controller, &mut world, 1, |_, _| {});
+    controller.model().flipped = false;
+    let (_, status) = go_on(&mut controller, &mut world, 1000, |_, _| {});
+    assert_eq!(status, Status::Pressing);
+}
+
+/// Gravity that no drive could hold is no number either: the stop takes the last that was one.
+#[test]
+fn a_model_that_gives_wild_numbers_stops_the_arm() {
+    let (mut controller, mut world) = pressing();
+    world.v[1] = COASTS;
+    controller.model().wild = true;
+    let (mut status, mut most) = (Status::Free, 0.0_f64);
+    for _ in 0..2000 {
+        let command = controller.step(&target(), &world.sample());
+        (status, most) = (command.status, most.max(command.torque[2].abs()));
+        world.run(&command);
+    }
+    assert_eq!(status, Status::Stopped(Fault::Model));
+    assert!(most < 10.0 && fastest(&world) < 0.01, "{most} {:?}", world.v);
+}
+
 /// Small random numbers: a xorshift.
 struct Random(u64);
 
@@ -518,7 +676,7 @@ fn a_million_hostile_steps() {
         if ill {
             hurt(&mut random, kind, &mut target, &mut sample, &frozen);
         }
-        *controller.model() = Gantry { dumb: ill && kind == 20, lost: ill && kind == 21 };
+        *controller.model() = Gantry { dumb: ill && kind == 20, lost: ill && kind == 21, ..Gantry::default() };
         let command = controller.step(&target, &sample);
         assert!(command.torque.iter().all(|x| x.is_finite() && x.abs() <= 100.0), "{command:?}");
         assert!((-0.02..=0.2).contains(&command.displacement), "{command:?}");

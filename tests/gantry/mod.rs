@@ -12,8 +12,14 @@ pub const T: f64 = 1e-3;
 /// known by heart.
 #[derive(Clone, Default)]
 pub struct Gantry {
+    /// No posture and no point of contact.
     pub lost: bool,
+    /// No numbers for gravity.
     pub dumb: bool,
+    /// Numbers for gravity that no drive could hold.
+    pub wild: bool,
+    /// Another branch of the inverse: joint 4 half a turn on.
+    pub flipped: bool,
 }
 
 impl Gantry {
@@ -26,7 +32,8 @@ impl Gantry {
 
 impl Model<6> for Gantry {
     fn gravity(&mut self, _: &[f64; 6]) -> [f64; 6] {
-        if self.dumb { [f64::NAN; 6] } else { [0.0, 0.0, 9.81, 0.0, 0.0, 0.0] }
+        let gravity = if self.wild { 1e6 } else { 9.81 };
+        if self.dumb { [f64::NAN; 6] } else { [0.0, 0.0, gravity, 0.0, 0.0, 0.0] }
     }
 
     fn moving(&mut self, _: &[f64; 6], dq: &[f64; 6], ddq: &[f64; 6]) -> [f64; 6] {
@@ -42,7 +49,9 @@ impl Model<6> for Gantry {
     }
 
     fn displaced(&mut self, q: &[f64; 6], by: &[f64; 3], _: &[f64; 6]) -> Option<[f64; 6]> {
-        if self.lost { None } else { moved(q, by, Self::tool) }
+        let mut found = moved(q, by, Self::tool).filter(|_| !self.lost)?;
+        found[3] += if self.flipped { std::f64::consts::PI } else { 0.0 };
+        Some(found)
     }
 }
 

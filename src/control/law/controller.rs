@@ -16,12 +16,12 @@ use super::contact::Contact;
 use super::drag::Drag;
 use super::error::ControllerError;
 use super::force::ForceLoop;
-use super::limits::{Exceeded, Freeze, Plan};
+use super::limits::{Exceeded, Freeze, Plan, Postures};
 use super::machine::{Arrival, Bounds, Fault, Machine, Reaction, Seen, Status, Touch, Wanted};
 use super::model::Model;
 use super::settings::{Settings, Target};
 use super::stop::{PathStop, Still};
-use super::watch::{Sample, Watch};
+use super::watch::{Sample, Tally, Watch};
 
 /// Output of the controller.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -48,6 +48,14 @@ pub struct Controller<M, const N: usize> {
     drag: Drag,
 }
 
+/// How often the model, targets and forces have failed of late.
+#[derive(Debug, Clone, Copy, Default)]
+struct Failing {
+    model: Tally,
+    plan: Tally,
+    force: Tally,
+}
+
 /// All that begins again with a reset.
 #[derive(Debug, Clone, Copy)]
 struct State<const N: usize> {
@@ -57,6 +65,8 @@ struct State<const N: usize> {
     contact: Contact,
     freeze: Freeze<N>,
     exceeded: Exceeded,
+    failing: Failing,
+    postures: Postures<N>,
     still: Still<N>,
     desired: Option<[f64; N]>,
     /// The last torques.
@@ -78,6 +88,8 @@ impl<const N: usize> State<N> {
             contact: Contact::default(),
             freeze: Freeze::NONE,
             exceeded: Exceeded::default(),
+            failing: Failing::default(),
+            postures: Postures::NONE,
             still: Still::NONE,
             desired: None,
             torque: None,
@@ -144,8 +156,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
     /// One period: what is wanted and what was measured in, torques out.
     pub fn step(&mut self, target: &Target<N>, sample: &Sample<N>) -> Command<N> {
         let Self { model, settings, state, .. } = self;
-        let plan =
-            state.plan.take(target, &settings.limits, &settings.velocity, settings.period, || model.touch(&target.q));
+        let plan = state.plan.take(target, settings, self.force.displacement(), || model.touch(&target.q));
         let relies = !matches!(self.reaction(), Some(Reaction::Damped | Reaction::Blind));
         let before = self.watch.position();
         let (arrival, dt) = self.watch.judge(sample, relies);
@@ -187,6 +198,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             Some(None) => Wanted::Free,
             Some(Some(_)) => Wanted::Press,
         };
+        let planless = state.failing.plan.count(!plan && wanted != Wanted::Nothing);
         let over = state.stop.as_ref().is_none_or(PathStop::is_over);
         let mut seen = Seen {
             arrival,
@@ -217,9 +229,20 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             None => state.contact = Contact::default(),
         }
         let lost = state.exceeded.unreached(give_up);
-        let others = [(lost, Fault::Reach), (excess, Fault::Excess), (stuck, Fault::Stuck)];
-        let other = others.into_iter().find(|(is, _)| *is).map(|(_, fault)| fault);
-        seen.limit = if frozen { Some(Fault::Frozen) } else { joint.or(other) };
+        let dumb = state.failing.model.count(!state.answers);
+        let forceless = wanted == Wanted::Press && state.failing.force.count(!seen.force);
+        let first = |limits: &[(bool, Fault)]| limits.iter().find(|(is, _)| *is).map(|(_, fault)| *fault);
+        let grave = first(&[(frozen, Fault::Frozen), (dumb, Fault::Model)]);
+        let milder = || {
+            first(&[
+                (planless, Fault::Plan),
+                (lost, Fault::Reach),
+                (excess, Fault::Excess),
+                (stuck, Fault::Stuck),
+                (forceless, Fault::Force),
+            ])
+        };
+        seen.limit = grave.or(joint).or_else(milder);
         seen
     }
 
@@ -247,10 +270,12 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         }
     }
 
-    /// Gravity of the model; the last one where it gives no numbers.
+    /// Gravity of the model; the last one where it gives no numbers, or such as no drive could
+    /// hold.
     fn weigh(&mut self, q: &[f64; N]) {
         let gravity = self.model.gravity(q);
-        self.state.answers = gravity.iter().all(|g| g.is_finite());
+        // A NaN is not below anything.
+        self.state.answers = (0..N).all(|j| gravity[j].abs() <= self.settings.torque[j]);
         if self.state.answers {
             self.state.gravity = gravity;
         }
@@ -373,7 +398,12 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
     fn send(&mut self, target: &Target<N>, last: &[f64; N], dt: f64) -> [f64; N] {
         let by = target.normal.map(|n| n * self.force.displacement());
         let wanted = self.model.displaced(&target.q, &by, last);
-        let wanted = wanted.filter(|q| q.iter().all(|x| x.is_finite()) && self.settings.limits.contain(q));
+        let Settings { limits, velocity, period, patience, .. } = &self.settings;
+        let wanted = wanted.filter(|q| {
+            q.iter().all(|x| x.is_finite())
+                && limits.contain(q)
+                && self.state.postures.take(q, velocity, *period, *patience)
+        });
         self.state.exceeded.reach(wanted.is_some(), self.settings.period);
         let Some(wanted) = wanted else { return *last };
         core::array::from_fn(|j| {

@@ -3,7 +3,8 @@
 use super::error::ControllerError;
 use super::machine::Fault;
 use super::model::Tool;
-use super::settings::Target;
+use super::settings::{Settings, Target};
+use super::watch::Tally;
 
 /// Limits beyond torque and speed. Each may be infinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -88,25 +89,38 @@ impl<const N: usize> Plan<N> {
         self.last.as_ref()
     }
 
-    /// Counts a step and takes its target, if that is sound and within the limits. `touch` is the
-    /// point of contact at the target, read where there are limits of its motion.
+    /// Counts a step and takes its target, if that is sound and within the limits, at a displacement
+    /// (m). `touch` is the point of contact at the target, read where there are limits of its
+    /// motion.
     pub(super) fn take(
         &mut self,
         target: &Target<N>,
-        limits: &Limits<N>,
-        velocity: &[f64; N],
-        period: f64,
+        settings: &Settings<N>,
+        displacement: f64,
         touch: impl FnOnce() -> Option<Tool<N>>,
     ) -> bool {
+        let Settings { limits, velocity, period, most, .. } = settings;
         self.since = self.since.saturating_add(1);
         let dt = f64::from(self.since) * period;
         let within = |x: &[f64; N], most: &[f64; N]| (0..N).all(|j| x[j].abs() <= ROUNDING * most[j]);
-        let jerk = |from: &Target<N>| core::array::from_fn(|j| (target.ddq[j] - from.ddq[j]) / dt);
+        let change = |now: &[f64; N], then: &[f64; N]| core::array::from_fn(|j| (now[j] - then[j]) / dt);
+        // Positions and speeds may be wrong by themselves, without the speed and acceleration that
+        // are said to belong to them. A normal that turns moves the displaced tool.
+        let follows = |from: &Target<N>| {
+            let by = |k: usize| target.normal[k] - from.normal[k];
+            let turn: f64 = (0..3).map(|k| by(k) * by(k)).sum();
+            let reach = ROUNDING * limits.tool[0] * dt;
+            within(&change(&target.q, &from.q), velocity)
+                && within(&change(&target.dq, &from.dq), &limits.acceleration)
+                && within(&change(&target.ddq, &from.ddq), &limits.jerk)
+                && displacement * displacement * turn <= reach * reach
+        };
         let sound = is_sound(target)
+            && target.force.is_none_or(|force| force <= *most)
             && limits.contain(&target.q)
             && within(&target.dq, velocity)
             && within(&target.ddq, &limits.acceleration)
-            && self.last.as_ref().is_none_or(|from| within(&jerk(from), &limits.jerk));
+            && self.last.as_ref().is_none_or(follows);
         if !sound {
             return false;
         }
@@ -140,7 +154,7 @@ fn is_sound<const N: usize>(target: &Target<N>) -> bool {
     // A NaN is in no range.
     q.iter().chain(dq).chain(ddq).all(|x| x.is_finite())
         && (0.98..1.02).contains(&length)
-        && force.is_none_or(|f| (0.0..1e6).contains(&f))
+        && force.is_none_or(|f| f >= 0.0)
         && ahead.abs() < 1.0
 }
 
@@ -180,13 +194,20 @@ impl<const N: usize> Freeze<N> {
     }
 }
 
-/// Counts how long limits are exceeded that a moment's noise may exceed.
+/// Counts how long limits are exceeded that a moment's noise may exceed: without a break, and with
+/// some.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Exceeded {
-    fast: u32,
-    pushed: u32,
+    fast: (u32, Tally),
+    pushed: (u32, Tally),
     saturated: f64,
     unreached: f64,
+}
+
+/// Counts, and says whether that is too often: in a row, or a third of them for long.
+fn too_often((row, all): &mut (u32, Tally), is: bool, patience: u32) -> bool {
+    *row = if is { row.saturating_add(1) } else { 0 };
+    all.count(is) || *row > patience
 }
 
 /// Measured speeds may be this many times the speed limit: desired positions go at the limit, and
@@ -219,10 +240,10 @@ impl Exceeded {
         patience: u32,
     ) -> Option<Fault> {
         let fast = (0..N).any(|j| (q[j] - before[j]).abs() > OVERSPEED * velocity[j] * dt);
-        self.fast = if fast { self.fast.saturating_add(1) } else { 0 };
+        let too_fast = too_often(&mut self.fast, fast, patience);
         if limits.is_beyond(q) {
             Some(Fault::Joint)
-        } else if self.fast > patience {
+        } else if too_fast {
             Some(Fault::Speed)
         } else {
             (self.saturated > limits.saturated).then_some(Fault::Torque)
@@ -232,7 +253,35 @@ impl Exceeded {
     /// Whether the estimated push, in any direction, has been above this for too long, N.
     pub(super) fn push(&mut self, push: &[f64; 3], most: f64, patience: u32) -> bool {
         let above = push.iter().map(|x| x * x).sum::<f64>() > most * most;
-        self.pushed = if above { self.pushed.saturating_add(1) } else { 0 };
-        self.pushed > patience
+        too_often(&mut self.pushed, above, patience)
+    }
+}
+
+/// Postures that the model has found for the displaced targets.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Postures<const N: usize> {
+    last: Option<[f64; N]>,
+    /// Steps since it was found.
+    since: u32,
+}
+
+/// A posture may be this many times as far from the one before as the speed limits allow: near a
+/// singularity the joints come later than the plan.
+const LEAP: f64 = 3.0;
+
+impl<const N: usize> Postures<N> {
+    pub(super) const NONE: Self = Self { last: None, since: 0 };
+
+    /// Whether a posture follows the last one, and is no other branch of the inverse. However long
+    /// ago that was found, the way from it is no longer than the patience allows.
+    pub(super) fn take(&mut self, q: &[f64; N], velocity: &[f64; N], period: f64, patience: u32) -> bool {
+        self.since = self.since.saturating_add(1).min(patience.saturating_add(1));
+        let reach = LEAP * f64::from(self.since) * period;
+        let follows = |last: &[f64; N]| (0..N).all(|j| (q[j] - last[j]).abs() <= velocity[j] * reach);
+        let takes = self.last.as_ref().is_none_or(follows);
+        if takes {
+            *self = Self { last: Some(*q), since: 0 };
+        }
+        takes
     }
 }

@@ -166,9 +166,9 @@ pub struct Seen {
     pub force: bool,
     /// The contact.
     pub touch: Touch,
-    /// The most severe limit that is exceeded: [`Fault::Frozen`], [`Fault::Joint`],
-    /// [`Fault::Speed`], [`Fault::Torque`], [`Fault::Reach`], [`Fault::Excess`] or
-    /// [`Fault::Stuck`].
+    /// The most severe limit that is exceeded: any but [`Fault::Position`], [`Fault::Clock`] and
+    /// [`Fault::Contact`]. [`Fault::Model`], [`Fault::Plan`] and [`Fault::Force`] are among them
+    /// where the patience is never over and yet too many steps fail.
     pub limit: Option<Fault>,
     /// Whether the tool is off the wall and the path has come to its stop.
     pub clear: bool,

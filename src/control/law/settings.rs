@@ -33,7 +33,8 @@ pub struct Settings<const N: usize> {
     /// How long it is looked for, s.
     pub give_up: f64,
     /// Force above which the tool leaves the wall, N: along the normal at once, and in any
-    /// direction as estimated ([`Sample::push`](super::Sample::push)) after the patience.
+    /// direction as estimated ([`Sample::push`](super::Sample::push)) after the patience. No larger
+    /// one is pressed with.
     pub most: f64,
     /// Share of the desired force that is fed forward as torques while the tool presses. At 0
     /// (equation 13) the springs of the joint loop carry the force and give way aside too; at 1

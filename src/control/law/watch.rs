@@ -26,11 +26,23 @@ pub struct Sample<const N: usize> {
 /// by this share of the tolerance in periods, 6.5 % with a patience of 5.
 const FORGOTTEN: f64 = 0.01;
 
-/// A bad sample weighs as much as two good ones: a third of them may be bad for long.
-const BAD: u32 = 2;
+/// Counts whether too much of something is bad. What is bad weighs as much as two that are good: a
+/// third may be bad for long.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Tally(u32);
 
-/// Weight of bad samples at which too many are bad: 20 in a row from none, as libfranka has it.
-const MOST_BAD: u32 = 40;
+impl Tally {
+    /// Weight of one that is bad.
+    const BAD: u32 = 2;
+    /// Weight at which too many are bad: 20 in a row from none, as libfranka has it.
+    const MOST: u32 = 40;
+
+    /// Counts one more, and says whether too many are bad.
+    pub(super) fn count(&mut self, bad: bool) -> bool {
+        self.0 = if bad { (self.0 + Self::BAD).min(Self::MOST + Self::BAD) } else { self.0.saturating_sub(1) };
+        self.0 > Self::MOST
+    }
+}
 
 /// Keeps the last good position, its stamp, and how many steps it is old.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,14 +58,14 @@ pub struct Watch<const N: usize> {
     since: u32,
     /// By how much the stamps have run ahead of the steps of late, s.
     slip: f64,
-    bad: u32,
+    bad: Tally,
 }
 
 impl<const N: usize> Watch<N> {
     /// For samples each `period` (s), of which `patience` in a row may fail, of joints that can't
     /// be faster than this.
     pub fn new(period: f64, patience: u32, fastest: [f64; N]) -> Self {
-        Self { period, fastest, patience, last: None, heard: None, since: 0, slip: 0.0, bad: 0 }
+        Self { period, fastest, patience, last: None, heard: None, since: 0, slip: 0.0, bad: Tally::default() }
     }
 
     /// The last good position.
@@ -102,7 +114,8 @@ impl<const N: usize> Watch<N> {
         if !(0..N).all(follows) {
             return self.bad(own);
         }
-        (self.slip, self.bad) = (slip, self.bad.saturating_sub(1));
+        self.slip = slip;
+        self.bad.count(false);
         self.take(sample, dt.max(0.5 * self.period))
     }
 
@@ -120,7 +133,6 @@ impl<const N: usize> Watch<N> {
 
     /// A leap that lasts is a fault after some steps; from there on the arm is where it says.
     fn bad(&mut self, own: f64) -> (Arrival, f64) {
-        self.bad = self.bad.saturating_add(BAD).min(MOST_BAD + BAD);
-        (if self.bad > MOST_BAD { Arrival::Gone } else { Arrival::Bad }, own)
+        (if self.bad.count(true) { Arrival::Gone } else { Arrival::Bad }, own)
     }
 }
