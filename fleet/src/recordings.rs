@@ -22,6 +22,7 @@ use datafusion::physical_plan::{
 };
 use denavit::identify::RecordingReader;
 use denavit::identify::recording::plain_preparation;
+use serde::{Deserialize, Serialize};
 
 use crate::open::row;
 use crate::remote::{Place, RecordingFile, fetched};
@@ -91,49 +92,73 @@ impl TableProvider for RecordingsTable {
         _limit: Option<usize>,
     ) -> Result<Arc<dyn ExecutionPlan>> {
         let files = self.place.recordings(state.runtime_env()).await?;
-        let partitions = state.config_options().execution.target_partitions.clamp(1, files.len().max(1));
-        let plan = RecordingsExec::new(self, files, partitions, projection.cloned())?;
-        Ok(Arc::new(plan))
+        let wanted = state.config_options().execution.target_partitions;
+        let partitions = match state.config().get_extension::<OfEachWorker>() {
+            // A plan of one partition would be kept at home; the shares have their own number.
+            Some(_) => wanted.max(2),
+            None => wanted.clamp(1, files.len().max(1)),
+        };
+        let (name, base, projection) = (self.name.clone(), std::env::current_dir()?, projection.cloned());
+        let parts = Parts { name, base, files, partitions, projection, day: self.day };
+        Ok(Arc::new(RecordingsExec::new(Arc::clone(&self.robot), parts)?))
     }
 }
 
 /// The leaf: partition `k` reads every `partitions`-th file from the `k`-th on.
 #[derive(Debug)]
-struct RecordingsExec {
+pub(crate) struct RecordingsExec {
     robot: Arc<KnownRobot>,
-    name: String,
-    files: Arc<[RecordingFile]>,
-    partitions: usize,
-    projection: Option<Vec<usize>>,
-    day: Option<i32>,
+    parts: Arc<Parts>,
     properties: Arc<PlanProperties>,
 }
 
+/// What a leaf reads, beside the robot.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Parts {
+    /// The arm's name in the table.
+    pub name: String,
+    /// The folder that relative paths start from; rows have the paths without it.
+    pub base: PathBuf,
+    /// The recordings.
+    pub files: Vec<RecordingFile>,
+    /// Recordings at once.
+    pub partitions: usize,
+    /// Columns.
+    pub projection: Option<Vec<usize>>,
+    /// Day of recordings without one.
+    pub day: Option<i32>,
+}
+
+/// Recordings at once on each worker, in a session that has workers.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OfEachWorker(pub usize);
+
 impl RecordingsExec {
-    fn new(
-        table: &RecordingsTable,
-        files: Vec<RecordingFile>,
-        partitions: usize,
-        projection: Option<Vec<usize>>,
-    ) -> Result<Self> {
-        let schema = match &projection {
+    pub(crate) fn new(robot: Arc<KnownRobot>, parts: Parts) -> Result<Self> {
+        let schema = match &parts.projection {
             Some(columns) => Arc::new(SCHEMA.project(columns)?),
             None => Arc::clone(&SCHEMA),
         };
         let properties = PlanProperties::new(
             EquivalenceProperties::new(schema),
-            Partitioning::UnknownPartitioning(partitions),
+            Partitioning::UnknownPartitioning(parts.partitions),
             EmissionType::Incremental,
             Boundedness::Bounded,
         );
-        let (robot, name, day) = (Arc::clone(&table.robot), table.name.clone(), table.day);
-        Ok(Self { robot, name, files: files.into(), partitions, projection, day, properties: Arc::new(properties) })
+        Ok(Self { robot, parts: Arc::new(parts), properties: Arc::new(properties) })
+    }
+
+    /// The robot and what is read.
+    #[cfg(feature = "cluster")]
+    pub(crate) fn contents(&self) -> (&Arc<KnownRobot>, &Parts) {
+        (&self.robot, &self.parts)
     }
 }
 
 impl DisplayAs for RecordingsExec {
     fn fmt_as(&self, _: DisplayFormatType, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "RecordingsExec: {} files in {} partitions, {:?}", self.files.len(), self.partitions, self.robot)
+        let Parts { files, partitions, .. } = &*self.parts;
+        write!(f, "RecordingsExec: {} files in {partitions} partitions, {:?}", files.len(), self.robot)
     }
 }
 
@@ -172,24 +197,24 @@ impl ExecutionPlan for RecordingsExec {
     fn execute(&self, partition: usize, context: Arc<TaskContext>) -> Result<SendableRecordBatchStream> {
         let schema = self.properties.equivalence_properties().schema();
         let mut stream = RecordBatchReceiverStreamBuilder::new(Arc::clone(schema), 1);
-        let (send, robot, files) = (stream.tx(), Arc::clone(&self.robot), Arc::clone(&self.files));
-        let (every, projection, robot_name) = (self.partitions, self.projection.clone(), self.name.clone());
-        let day = self.day;
+        let (send, robot, parts) = (stream.tx(), Arc::clone(&self.robot), Arc::clone(&self.parts));
         let runtime = tokio::runtime::Handle::current();
         stream.spawn_blocking(move || {
             let prepare = plain_preparation(&robot.robot);
             RecordingReader::with(&robot.robot, robot.digest, prepare, |reader| {
-                for file in files.iter().skip(partition).step_by(every) {
+                for file in parts.files.iter().skip(partition).step_by(parts.partitions) {
                     let mut row = match file {
-                        RecordingFile::Local(path) => row(&path.display().to_string(), path, &robot_name, reader),
+                        RecordingFile::Local(path) => {
+                            row(&path.display().to_string(), &parts.base.join(path), &parts.name, reader)
+                        }
                         RecordingFile::Remote(remote) => {
                             let local = runtime.block_on(fetched(&context.runtime_env(), remote))?;
-                            row(&remote.name, local.path(), &robot_name, reader)
+                            row(&remote.name, local.path(), &parts.name, reader)
                         }
                     };
-                    row.day = row.day.or(day);
+                    row.day = row.day.or(parts.day);
                     let rows = batch(&[row])?;
-                    let rows = match &projection {
+                    let rows = match &parts.projection {
                         Some(columns) => rows.project(columns)?,
                         None => rows,
                     };

@@ -69,7 +69,7 @@ fn line(change: &Change) -> String {
         date(change.found),
         causes(change),
         change.parameter,
-        between(change.size, change.unit),
+        between(change.size, &change.unit),
     )
 }
 

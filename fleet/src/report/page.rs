@@ -77,7 +77,7 @@ fn overview(watched: &Watched) -> String {
             by.map_or(String::new(), |by| escape(&format!(
                 "{} {}",
                 by.parameter,
-                between([by.value, by.std], by.unit)
+                between([by.value, by.std], &by.unit)
             ))),
             rarity(change.evidence),
         );
@@ -100,7 +100,7 @@ fn section(number: usize, change: &Change) -> String {
         let width = 100.0 * cause.probability;
         let values = cause.changes.iter().filter(|by| by.std > 0.0);
         let values: Vec<String> =
-            values.map(|by| format!("{} {}", by.parameter, between([by.value, by.std], by.unit))).collect();
+            values.map(|by| format!("{} {}", by.parameter, between([by.value, by.std], &by.unit))).collect();
         let _ = writeln!(
             rows,
             "<tr><th>{}</th><td>{}</td><td class=wide><span class=share style='width:{width:.1}%'></span></td><td>{:.0} %</td>\
@@ -224,7 +224,7 @@ fn history(change: &Change) -> String {
         let _ = write!(marks, "<line class=bar x1={at:.1} x2={at:.1} y1={top:.1} y2={bottom:.1} />");
         let _ = write!(marks, "<circle class={class} cx={at:.1} cy={:.1} r=3 />", plot.y(*value));
     }
-    let unit = if change.plotted_unit.is_empty() { "%" } else { change.plotted_unit };
+    let unit = if change.plotted_unit.is_empty() { "%" } else { &change.plotted_unit };
     let title = format!("{} ({}): change against the reference days, {unit}", change.plotted, meaning(&change.plotted));
     format!(
         "<p class=note><b>{}</b>. A point is a day, bars are its noise; lines are the means before and after the change.</p>\n\
