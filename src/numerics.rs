@@ -6,6 +6,7 @@ pub(crate) mod cholesky;
 pub mod elastic_joint;
 pub(crate) mod fft;
 pub(crate) mod integrators;
+pub(crate) mod parallel;
 pub(crate) mod pattern_search;
 pub mod prng;
 pub(crate) mod sos;

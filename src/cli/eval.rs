@@ -29,6 +29,8 @@ use crate::report;
 /// slipped, gears are warm, nothing is late. With a column `t` (s) the rows are a recording:
 /// bristles bend, gears warm (`temp1..` is read where it is there), and torques are late by
 /// time_delay.
+///
+/// States are spread over all cores; the result does not depend on their number.
 #[derive(Args)]
 #[command(
     after_help = "Example:\n  denavit eval robots/kuka-lwr4.yaml --quantity jacobian --states states.csv --json -"

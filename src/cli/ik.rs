@@ -14,6 +14,7 @@ use super::files;
 use super::provenance::Provenance;
 use super::table::Table;
 use crate::model::inverse_kinematics::{Answer, Ask, Kinematics, MOST, PoseError, SwivelRange};
+use crate::numerics::parallel::{parallel, threads};
 use crate::report;
 
 const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py", "r31", "r32", "r33", "pz"];
@@ -21,9 +22,10 @@ const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py
 /// Find the postures that bring the arm to given poses: all of them in closed form where the arm
 /// has one.
 ///
-/// Six turning joints without one (class `none`) are solved by elimination, all postures too. An
-/// arm that nearly has one is refined from a nominal arm, and the rest is searched numerically.
-/// These two print `exact: false`. All three print for each pose whether postures may be missing.
+/// Six joints without one (class `none`) are solved by elimination, all postures too, and so are
+/// seven of which one is given. An arm that nearly has one is refined from a nominal arm, and the
+/// rest is searched numerically. These two print `exact: false`. All three print for each pose
+/// whether postures may be missing.
 ///
 /// A pose is that of the last DH frame in the world frame, m, as `denavit eval --quantity
 /// forward_kinematics` prints it. Its columns are `r11 r12 r13 px r21 r22 r23 py r31 r32 r33 pz`.
@@ -35,7 +37,10 @@ const ENTRIES: [&str; 12] = ["r11", "r12", "r13", "px", "r21", "r22", "r23", "py
 /// the joint that is locked (`denavit check` names it). Without it: that of the posture `q1..qn`
 /// where there is one, else that at which some posture stays farthest from its limits (zero where
 /// none respects them). The result says which it was. Of an arm with a swivel angle it also says in
-/// which intervals of it each branch respects the limits, and where it stays farthest from them.
+/// which intervals of it each branch respects the limits, and where it stays farthest from them; of
+/// one with a locked joint, at which positions of the joint some posture does.
+///
+/// Poses are spread over all cores; the result does not depend on their number.
 ///
 /// Columns `q1..qn`, if there are any, are a posture near which to choose. Its solutions stand
 /// first, and where the arm is singular the free joints keep their positions of that posture.
@@ -159,44 +164,54 @@ impl Ik {
         let swivel = if table.has("swivel") { Some(table.column("swivel")?) } else { None };
         let near = if table.has("q1") { Some(table.joints("q", n)?) } else { None };
         let bar = if table.len > 10_000 { ProgressBar::new(table.len as u64) } else { ProgressBar::hidden() };
-        let mut poses = Vec::with_capacity(table.len);
-        for row in 0..table.len {
+        let answer = |row: usize| -> Result<Answer, PoseError> {
             let given: [[f64; 4]; 3] = core::array::from_fn(|i| core::array::from_fn(|j| entries[4 * i + j][row]));
             let pose = match &tool {
                 Some(back) => rows(&Displacement::from_rows(&given).after(back)),
                 None => given,
             };
             let near: Option<Vec<f64>> = near.as_ref().map(|q| (0..n).map(|j| q[j * table.len + row]).collect());
-            let found = (|| {
-                let ranges = kinematics.swivel_ranges(&pose, &reference)?;
-                let redundancy = match (swivel, &near) {
-                    (Some(s), _) => s[row],
-                    (None, Some(q)) => kinematics.redundancy(q, &reference),
-                    (None, None) => match &ranges {
-                        Some(ranges) => best(ranges),
-                        None => kinematics.best_redundancy(&pose, &reference)?,
-                    }
-                    .unwrap_or(0.0),
-                };
-                let ask = Ask { redundancy, reference, near, tolerance: self.tolerance, ..Ask::default() };
-                Ok((kinematics.solve(&pose, &ask)?, ranges))
-            })();
-            poses.push(found.map_err(|e: PoseError| {
-                let mend = match e {
-                    PoseError::NotARotation(_) => {
-                        "; a rotation has orthogonal columns of length one, to 1e-6: give at least seven decimals"
-                    }
-                    PoseError::Reflection => "; a rotation has +1: turn one column about",
-                    PoseError::NotFinite(..) => "; give a number",
-                };
-                Failure::input(format!("{file}, pose {} (line {}): {e}{mend}", row + 1, row + 2))
-            })?);
-            bar.inc(1);
-        }
+            let ranges = kinematics.swivel_ranges(&pose, &reference)?;
+            let locked = kinematics.locked_range(&pose)?;
+            let redundancy = match (swivel, &near) {
+                (Some(s), _) => s[row],
+                (None, Some(q)) => kinematics.redundancy(q, &reference),
+                (None, None) => {
+                    let at = locked.as_ref().and_then(|l| l.best).map(|(at, _)| at);
+                    at.or(ranges.as_deref().and_then(best)).unwrap_or(0.0)
+                }
+            };
+            let ask = Ask { redundancy, reference, near, tolerance: self.tolerance, ..Ask::default() };
+            Ok(Answer { postures: kinematics.solve(&pose, &ask)?, swivel: ranges, locked })
+        };
+        let blocks = parallel(threads(), table.len.div_ceil(BLOCK), |k| {
+            let rows = k * BLOCK..table.len.min((k + 1) * BLOCK);
+            bar.inc(rows.len() as u64);
+            rows.map(&answer).collect::<Vec<_>>()
+        });
         bar.finish_and_clear();
+        let mut poses = Vec::with_capacity(table.len);
+        for (row, found) in blocks.into_iter().flatten().enumerate() {
+            poses.push(found.map_err(|e| refused(file, row, e))?);
+        }
         Ok(poses)
     }
 }
+
+/// What is wrong with a pose, and how to mend it.
+fn refused(file: &str, row: usize, e: PoseError) -> Failure {
+    let mend = match e {
+        PoseError::NotARotation(_) => {
+            "; a rotation has orthogonal columns of length one, to 1e-6: give at least seven decimals"
+        }
+        PoseError::Reflection => "; a rotation has +1: turn one column about",
+        PoseError::NotFinite(..) => "; give a number",
+    };
+    Failure::input(format!("{file}, pose {} (line {}): {e}{mend}", row + 1, row + 2))
+}
+
+/// Poses that a thread takes at once.
+const BLOCK: usize = 32;
 
 /// The swivel angle at which some branch stays farthest from its limits.
 fn best(ranges: &[SwivelRange]) -> Option<f64> {

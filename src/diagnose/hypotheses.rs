@@ -331,6 +331,12 @@ pub trait Hypothesis: Sync {
         matches!(self.kind(), Kind::Body | Kind::Transmission)
     }
 
+    /// Whether it can follow any error that turns with the motion or drifts, and so takes a part of
+    /// what plain friction would explain.
+    fn follows_reversals(&self) -> bool {
+        false
+    }
+
     /// Whether its size is in its shape, and its one coefficient is 1 where its law holds: known to
     /// [`UNIT`].
     fn unit(&self) -> bool {

@@ -14,7 +14,7 @@ use super::select::excess::explained;
 use super::select::measure::{Meter, root_mean_square};
 use super::select::offer::Choice;
 use super::select::refine_and_select::{Selected, Session};
-use super::select::suspects::name;
+use super::select::suspects::{likelier, name};
 use super::windows::motion_error::budget;
 use super::windows::recording::{Recording, unexplained};
 use super::windows::torque_noise::torque_noise;
@@ -84,8 +84,12 @@ pub fn diagnose(
         // Of the logs that are not as the model says by themselves, where they are long enough.
         let others = if found.file_holds { fit } else { validate };
         if let Ok(other) = once(plant, others, &[], settings, progress) {
-            let known = |c: &Cause| found.causes.iter().any(|k| k.cause == c.cause && k.joints == c.joints);
+            let same = |a: &Cause, b: &Cause| a.cause == b.cause && a.joints == b.joints;
+            // A cause that no offered model has is one of the logs that differ.
+            let known = |c: &Cause| found.causes.iter().any(|k| k.in_extended && same(k, c));
             found.changes = other.causes.into_iter().filter(|c| c.cause != "unknown" && !known(c)).collect();
+            let changes = &found.changes;
+            found.causes.retain(|c| c.in_extended || !changes.iter().any(|k| same(k, c)));
         }
         if found.file_holds && !found.changes.is_empty() {
             // What the fitted logs show has a name.
@@ -236,7 +240,7 @@ fn once(
     let (left, unplayed) = without_columns(&model, left, noise);
     let mut causes = model.causes.clone();
     if model.tested.mode == Mode::Refitted && has_links {
-        causes.extend(session.links(&model));
+        causes.extend(likelier(session.links(&model), &suspects));
     }
     causes.extend(unplayed);
     if !causes.is_empty() || !left.is_empty() {

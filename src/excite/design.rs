@@ -6,6 +6,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use crate::data::trajectory::Trajectory;
+use crate::numerics::parallel::{parallel, threads};
 
 use super::Criterion;
 use super::constraints::{Constraint, Worst};
@@ -35,8 +36,7 @@ pub struct Effort {
 
 impl Default for Effort {
     fn default() -> Self {
-        let threads = std::thread::available_parallelism().map_or(1, usize::from);
-        Self { starts: 24, seed: 1, iterations: 60, finalists: 2, threads }
+        Self { starts: 24, seed: 1, iterations: 60, finalists: 2, threads: threads() }
     }
 }
 
@@ -336,31 +336,6 @@ fn undetermined(task: &Task<'_>, information: &Information) -> DesignError {
         true => DesignError::Uninformative(names(&information.undetermined())),
         false => DesignError::Inseparable { columns: names(&never), payload: task.payload },
     }
-}
-
-/// Calls `work` with `0..count` on some threads; results in order.
-fn parallel<T: Send>(threads: usize, count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
-    let next = AtomicUsize::new(0);
-    let done: Mutex<Vec<(usize, T)>> = Mutex::new(Vec::new());
-    std::thread::scope(|scope| {
-        for _ in 0..threads.clamp(1, count.max(1)) {
-            scope.spawn(|| {
-                loop {
-                    let k = next.fetch_add(1, Ordering::Relaxed);
-                    if k >= count {
-                        return;
-                    }
-                    let result = work(k);
-                    if let Ok(mut done) = done.lock() {
-                        done.push((k, result));
-                    }
-                }
-            });
-        }
-    });
-    let mut done = done.into_inner().unwrap_or_default();
-    done.sort_by_key(|d| d.0);
-    done.into_iter().map(|d| d.1).collect()
 }
 
 /// The motion that best separates two hypotheses: `first` and `second` give the columns that each

@@ -18,6 +18,20 @@ pub struct States {
     pub ddq: Vec<f64>,
 }
 
+impl States {
+    /// Samples `from..to`; parts that are empty stay so.
+    #[must_use]
+    pub fn part(&self, from: usize, to: usize) -> Self {
+        let of = |all: &[f64]| part(all, self.len, from, to);
+        Self { len: to - from, q: of(&self.q), dq: of(&self.dq), ddq: of(&self.ddq) }
+    }
+}
+
+/// Samples `from..to` of each row of `len`.
+pub(super) fn part(all: &[f64], len: usize, from: usize, to: usize) -> Vec<f64> {
+    all.chunks_exact(len.max(1)).flat_map(|row| &row[from..to]).copied().collect()
+}
+
 /// A sum of two velocities: that of a motor that turns with two joints.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VelocitySum {

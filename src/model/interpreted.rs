@@ -8,7 +8,9 @@ use dh_codegen::arm::{Argument, Function, Model};
 use dh_codegen::interpret::{Batch, Interpreter, Scratch, State};
 use dh_codegen::robot::{Convention, JointKind, Robot};
 
+use super::arm::part;
 use crate::model::{Arm, BaseParameter, Description, FrameKinematics, LinkExtents, Payload, States};
+use crate::numerics::parallel::{parallel, threads};
 
 /// A robot made ready to be evaluated in batches.
 pub struct Interpreted {
@@ -96,6 +98,27 @@ impl Interpreted {
     /// # Panics
     /// If the function was not among those given to [`Interpreted::new`].
     pub fn evaluate(&self, function: Function, states: &States, tau: &[f64], standard: &[f64]) -> Vec<Vec<f64>> {
+        self.evaluate_on(threads(), function, states, tau, standard)
+    }
+
+    /// The same on so many threads. A state's result does not depend on its neighbours, so the bits
+    /// are those of one thread.
+    fn evaluate_on(
+        &self,
+        threads: usize,
+        function: Function,
+        states: &States,
+        tau: &[f64],
+        standard: &[f64],
+    ) -> Vec<Vec<f64>> {
+        let blocks = parallel(threads, states.len.div_ceil(BLOCK), |k| {
+            let (from, to) = (k * BLOCK, states.len.min((k + 1) * BLOCK));
+            self.block(function, &states.part(from, to), &part(tau, states.len, from, to), standard)
+        });
+        blocks.into_iter().flatten().collect()
+    }
+
+    fn block(&self, function: Function, states: &States, tau: &[f64], standard: &[f64]) -> Vec<Vec<f64>> {
         let size: usize = self.interpreter.shape(function).map_or(0, |s| s.iter().product());
         let mut out = vec![0.0; size * states.len];
         if function.arguments().contains(&Argument::BaseParameters) {
@@ -125,6 +148,9 @@ impl Interpreted {
         self.interpreter.shape(function).unwrap_or_default().to_vec()
     }
 }
+
+/// States that are evaluated together: their results stay in the second cache.
+const BLOCK: usize = 512;
 
 fn batch<'a>(states: &'a States, tau: &'a [f64], parameters: &'a [f64]) -> Batch<'a> {
     Batch { len: states.len, q: &states.q, dq: &states.dq, ddq: &states.ddq, tau, parameters }
@@ -225,6 +251,29 @@ impl Payload for Interpreted {
     fn payload_regressor(&self, states: &States, out: &mut [f64]) {
         if !self.payload.is_empty() {
             self.interpreter.run_nonzeros(Function::PayloadRegressor, &batch(states, &[], &[]), out);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// More states than a block holds, and not a whole number of blocks.
+    #[test]
+    fn results_have_the_same_bits_on_any_number_of_threads() {
+        let robot =
+            Robot::from_yaml(include_str!("../../robots/kuka-lwr4.yaml"), &dh_codegen::robot::no_files).unwrap();
+        let arm = Interpreted::new(&robot.robot, &[Function::ForwardDynamics]);
+        let len = 2 * BLOCK + 77;
+        let wave = |k: f64| (0..7 * len).map(|i| (k * i as f64).sin()).collect::<Vec<f64>>();
+        let states = States { len, q: wave(0.7), dq: wave(1.3), ddq: wave(2.1) };
+        let standard = dh_codegen::arm::param::standard_values(&robot.robot).unwrap();
+        for function in [Function::BaseRegressor, Function::ForwardDynamics, Function::InverseDynamics] {
+            let one = arm.evaluate_on(1, function, &states, &wave(3.3), &standard);
+            assert_eq!(one.len(), len);
+            assert!(one == arm.evaluate_on(3, function, &states, &wave(3.3), &standard), "{function:?}");
+            assert!(one == arm.block(function, &states, &wave(3.3), &standard), "{function:?}");
         }
     }
 }

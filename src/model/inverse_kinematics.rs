@@ -1,10 +1,8 @@
 //! Inverse kinematics of any robot file, without compiling: the text that generated crates carry,
 //! run by the interpreter.
 
-use core::f64::consts::PI;
-
 use dh_codegen::arm::{Inverse, Model};
-use dh_codegen::ik::{Arm, Branch, Family, Query, Reference, Status};
+use dh_codegen::ik::{Arm, Branch, Query, Reference, Status};
 use dh_codegen::robot::Robot;
 
 pub use dh_codegen::ik::PoseError;
@@ -83,20 +81,34 @@ impl Default for Ask {
     }
 }
 
-/// Postures of a pose, and where its swivel angle may be, for an arm that has one.
-pub type Answer = (Postures, Option<Vec<SwivelRange>>);
+/// Positions of a locked joint at which some posture respects the limits.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LockedRange {
+    /// From and to, rad or m, ascending.
+    pub intervals: Vec<[f64; 2]>,
+    /// Where some posture stays farthest from its limits, and that distance, rad or m.
+    pub best: Option<(f64, f64)>,
+}
+
+/// Postures of a pose, and where the redundancy may be.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Answer {
+    /// At one redundancy.
+    pub postures: Postures,
+    /// Of an arm with a swivel angle.
+    pub swivel: Option<Vec<SwivelRange>>,
+    /// Of an arm with a locked joint.
+    pub locked: Option<LockedRange>,
+}
 
 /// Arms of each size as one type.
 trait Solver: Send + Sync {
     fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError>;
     fn redundancy(&self, q: &[f64], reference: &Reference) -> f64;
-    fn best_redundancy(&self, pose: &[[f64; 4]; 3], reference: &Reference) -> Result<Option<f64>, PoseError>;
+    fn locked_range(&self, pose: &[[f64; 4]; 3]) -> Result<Option<LockedRange>, PoseError>;
     fn swivel_ranges(&self, pose: &[[f64; 4]; 3], reference: &Reference)
     -> Result<Option<Vec<SwivelRange>>, PoseError>;
 }
-
-/// At how many positions of a joint that is locked the margins are compared.
-const POSITIONS: usize = 48;
 
 impl<const N: usize> Solver for Arm<N> {
     fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError> {
@@ -133,34 +145,9 @@ impl<const N: usize> Solver for Arm<N> {
         q.try_into().map_or(0.0, |q| Arm::redundancy(self, q, reference))
     }
 
-    fn best_redundancy(&self, pose: &[[f64; 4]; 3], reference: &Reference) -> Result<Option<f64>, PoseError> {
-        let mut best: Option<(f64, f64)> = None;
-        let mut offer = |at: f64, margin: f64| {
-            if best.is_none_or(|(_, most)| margin > most) {
-                best = Some((at, margin));
-            }
-        };
-        match &self.family {
-            Family::Swivel(_) => {
-                for range in Solver::swivel_ranges(self, pose, reference)?.unwrap_or_default() {
-                    if let Some((at, margin)) = range.best {
-                        offer(at, margin);
-                    }
-                }
-            }
-            other => {
-                let Some(joint) = other.locked() else { return Ok(None) };
-                let [low, high] = self.limits[usize::from(joint)].unwrap_or([-PI, PI]);
-                for k in 0..POSITIONS {
-                    let at = low + (high - low) * (k as f64 + 0.5) / POSITIONS as f64;
-                    let query = Query { redundancy: at, reference: *reference, ..Query::default() };
-                    if let Some(s) = Arm::solve(self, pose, &query)?.safest() {
-                        offer(at, s.margin);
-                    }
-                }
-            }
-        }
-        Ok(best.map(|(at, _)| at))
+    fn locked_range(&self, pose: &[[f64; 4]; 3]) -> Result<Option<LockedRange>, PoseError> {
+        let ranges = self.locked_ranges(pose)?;
+        Ok(ranges.map(|r| LockedRange { intervals: r.list.iter().copied().collect(), best: r.best }))
     }
 
     fn swivel_ranges(
@@ -232,14 +219,13 @@ impl Kinematics {
         self.solver.redundancy(q, reference)
     }
 
-    /// The swivel angle, or one of 48 positions of the locked joint, at which some posture of a
-    /// pose stays farthest from its limits. It is `None` if no swivel angle respects them, the pose
-    /// is out of reach, or the arm is not redundant.
+    /// Positions of the locked joint at which some posture respects the limits; `None` for an arm
+    /// without one. See [`Arm::locked_ranges`] for what is narrow.
     ///
     /// # Errors
     /// Like [`Kinematics::solve`].
-    pub fn best_redundancy(&self, pose: &[[f64; 4]; 3], reference: &Reference) -> Result<Option<f64>, PoseError> {
-        self.solver.best_redundancy(pose, reference)
+    pub fn locked_range(&self, pose: &[[f64; 4]; 3]) -> Result<Option<LockedRange>, PoseError> {
+        self.solver.locked_range(pose)
     }
 
     /// Intervals of the swivel angle of each of the eight branches under the joint limits, and its

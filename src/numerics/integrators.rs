@@ -164,3 +164,23 @@ pub(crate) fn norm(system: &dyn System, tolerance: f64, y: &[f64], new: &[f64], 
         .sum();
     (sum / y.len().max(1) as f64).sqrt()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An error above what is allowed is taken back and shortens the step; one below it is kept.
+    #[test]
+    fn a_step_is_kept_up_to_its_allowed_error() {
+        for (error, kept) in [(0.99, true), (1.01, false), (30.0, false), (f64::NAN, false)] {
+            let mut pace = Pace::new(Solver::default());
+            assert_eq!(pace.judge(0.0, 1e-3, error, 2.0).unwrap(), kept, "{error}");
+            assert_eq!([pace.steps, pace.rejected], [usize::from(kept), usize::from(!kept)]);
+            assert!(pace.next < 1e-3, "{error}: {}", pace.next);
+        }
+        // An error of order 3 grows with the cube of the step: it is aimed at 0.9 of the longest.
+        let mut pace = Pace::new(Solver::default());
+        pace.judge(0.0, 1e-3, 0.125, 2.0).unwrap();
+        assert!((pace.next - 1.8e-3).abs() < 1e-12, "{}", pace.next);
+    }
+}

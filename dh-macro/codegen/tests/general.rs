@@ -1,10 +1,10 @@
-//! Six turning joints without a geometry of their own: all postures by elimination.
+//! Six joints without a geometry of their own: all postures by elimination.
 
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3, PI, TAU};
 
 use dh_codegen::arm::{Inverse, Model};
 use dh_codegen::ik::{Arm, CHOICES, Family, NO_CHOICE, Query, Solutions, Status};
-use dh_codegen::robot::{Angle, Convention, Length, Robot, no_files};
+use dh_codegen::robot::{Angle, Convention, JointKind, Length, Robot, no_files};
 
 /// Twist, d, offset, r of each row.
 type Table = [[f64; 4]; 6];
@@ -61,8 +61,8 @@ impl Random {
         z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
         low + (high - low) * (((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64)
     }
-    fn posture(&mut self) -> [f64; 6] {
-        core::array::from_fn(|_| self.uniform(-PI, PI))
+    fn posture(&mut self, arm: &Arm<6>) -> [f64; 6] {
+        arm.axes.map(|a| if a.slides { self.uniform(-1.0, 1.0) } else { self.uniform(-PI, PI) })
     }
     fn table(&mut self) -> Table {
         core::array::from_fn(|_| {
@@ -71,7 +71,8 @@ impl Random {
     }
 }
 
-fn arm(table: &Table, convention: Convention) -> Arm<6> {
+/// Kinds as letters.
+fn arm(kinds: &str, table: &Table, convention: Convention) -> Arm<6> {
     let text = "name: x\nconvention: modified\njoints: [ { type: revolute } ]\n";
     let mut robot = Robot::from_yaml(text, &no_files).unwrap().robot;
     let template = robot.joints[0].clone();
@@ -81,6 +82,7 @@ fn arm(table: &Table, convention: Convention) -> Arm<6> {
             let mut joint = template.clone();
             let [alpha, d, theta, r] = table[i];
             joint.name = format!("j{i}");
+            joint.kind = if &kinds[i..=i] == "P" { JointKind::Prismatic } else { JointKind::Revolute };
             (joint.alpha, joint.d) = (Angle::radians(alpha), Length::meters(d));
             (joint.theta, joint.r) = (Angle::radians(theta), Length::meters(r));
             joint
@@ -91,28 +93,41 @@ fn arm(table: &Table, convention: Convention) -> Arm<6> {
     inverse.arm(&[None; 6]).unwrap()
 }
 
-/// Named arms, and as many random ones.
+/// Named arms, as many random ones, and random ones with joints that slide.
 fn arms() -> Vec<(String, Arm<6>)> {
+    let turning = "RRRRRR";
     let mut random = Random(99);
-    let mut all = vec![("xarm6".to_string(), arm(&XARM6, Convention::Modified))];
+    let mut all = vec![("xarm6".to_string(), arm(turning, &XARM6, Convention::Modified))];
     for (name, table) in [("jaco2", JACO2), ("gen3-lite", GEN3_LITE), ("crx-10ia", CRX_10IA), ("sixteen", SIXTEEN)] {
-        all.push((name.into(), arm(&table, Convention::Standard)));
+        all.push((name.into(), arm(turning, &table, Convention::Standard)));
     }
-    all.extend((0..5).map(|k| (format!("random {k}"), arm(&random.table(), Convention::Standard))));
+    all.extend((0..5).map(|k| (format!("random {k}"), arm(turning, &random.table(), Convention::Standard))));
+    for kinds in ["PRRRRR", "RRPRRR", "RRRRPR", "PRRPRR", "RPPRRR", "PPPRRR", "RPRPRP"] {
+        all.push((kinds.into(), arm(kinds, &random.table(), Convention::Standard)));
+    }
     all
 }
 
+fn slides(arm: &Arm<6>) -> bool {
+    arm.axes.iter().any(|a| a.slides)
+}
+
 /// Largest difference of a joint, whole turns apart.
-fn far(a: &[f64; 6], b: &[f64; 6]) -> f64 {
-    a.iter().zip(b).fold(0.0, |m, (a, b)| m.max((a - b - TAU * ((a - b) / TAU).round()).abs()))
+fn far(arm: &Arm<6>, a: &[f64; 6], b: &[f64; 6]) -> f64 {
+    (0..6).fold(0.0, |m: f64, k| {
+        let d = a[k] - b[k];
+        m.max(if arm.axes[k].slides { d } else { d - TAU * (d / TAU).round() }.abs())
+    })
 }
 
 fn solve(arm: &Arm<6>, pose: &[[f64; 4]; 3]) -> Solutions<6> {
     let found = arm.solve(pose, &Query::default()).unwrap();
     for s in found.as_slice() {
+        // What rounding leaves grows with the ways.
+        let size = s.q.iter().zip(arm.axes).filter(|(_, a)| a.slides).fold(1.0f64, |m, (q, _)| m.max(q.abs()));
         let again = arm.forward(&s.q);
         for (a, b) in again.as_flattened().iter().zip(pose.as_flattened()) {
-            assert!((a - b).abs() < 1e-11, "{a} {b}");
+            assert!((a - b).abs() < 1e-11 * size, "{a} {b}");
         }
     }
     found
@@ -122,8 +137,8 @@ fn marked(found: &Solutions<6>) -> bool {
     found.uncertain || found.lost > 0 || found.status == Status::Singular
 }
 
-fn has(found: &Solutions<6>, q: &[f64; 6], within: f64) -> bool {
-    found.as_slice().iter().any(|s| far(&s.q, q) < within)
+fn has(arm: &Arm<6>, found: &Solutions<6>, q: &[f64; 6], within: f64) -> bool {
+    found.as_slice().iter().any(|s| far(arm, &s.q, q) < within)
 }
 
 fn count(default: usize) -> usize {
@@ -133,26 +148,35 @@ fn count(default: usize) -> usize {
 #[test]
 fn random_postures_are_found() {
     let count = count(150);
-    for (name, arm) in arms() {
+    let alone = std::env::var("DENAVIT_IK_ROBOT").ok();
+    for (name, arm) in arms().into_iter().filter(|(name, _)| alone.as_ref().is_none_or(|a| a == name)) {
         let mut random = Random(7);
         let (mut missed, mut silent, mut uncertain, mut odd, mut branches) = (0, 0, 0, 0, 0);
+        // Poses with an odd number of postures that do not say so.
+        let mut alone = 0;
         let start = std::time::Instant::now();
         for _ in 0..count {
-            let q = random.posture();
+            let q = random.posture(&arm);
             let found = solve(&arm, &arm.forward(&q));
-            let own = has(&found, &q, 1e-6);
+            let own = has(&arm, &found, &q, 1e-6);
             missed += usize::from(!own);
             silent += usize::from(!own && !marked(&found));
             uncertain += usize::from(marked(&found));
-            odd += found.as_slice().len() % 2;
+            let unpaired = found.as_slice().len() % 2;
+            odd += unpaired;
+            alone += if found.uncertain || found.lost > 0 { 0 } else { unpaired };
             branches += found.as_slice().len();
         }
         let (time, mean) = (start.elapsed().as_secs_f64() / count as f64 * 1e6, branches as f64 / count as f64);
         eprintln!(
-            "{name}: {count} postures, missed {missed}, unmarked {silent}, odd {odd}, marked {uncertain}, {mean:.2} branches, {time:.0} us"
+            "{name}: {count} postures, missed {missed}, unmarked {silent}, odd {odd} (unmarked {alone}), marked {uncertain}, {mean:.2} branches, {time:.0} us"
         );
-        assert_eq!((silent, odd), (0, 0), "{name}");
-        assert!(missed as f64 <= 1e-5 * count as f64 && uncertain as f64 <= 1.0 + 1e-3 * count as f64, "{name}");
+        assert_eq!((silent, alone), (0, 0), "{name}");
+        // Postures with slides of a thousand times the arm's size have lost digits, and are marked. So
+        // is an odd number of postures, of which a million poses have one now and then.
+        let doubts = if slides(&arm) { 6e-3 } else { 1e-3 };
+        assert!(odd as f64 <= 1e-5 * count as f64 || slides(&arm), "{name}");
+        assert!(missed as f64 <= 1e-5 * count as f64 && uncertain as f64 <= 1.0 + doubts * count as f64, "{name}");
     }
 }
 
@@ -163,7 +187,7 @@ fn every_choice_finds_the_same() {
         let Family::General(general) = arm.family else { panic!() };
         let mut random = Random(3);
         for _ in 0..15 {
-            let pose = arm.forward(&random.posture());
+            let pose = arm.forward(&random.posture(&arm));
             let all = solve(&arm, &pose);
             for choice in general.order.into_iter().filter(|c| *c != NO_CHOICE) {
                 let mut order = [NO_CHOICE; CHOICES];
@@ -171,7 +195,7 @@ fn every_choice_finds_the_same() {
                 let other =
                     solve(&Arm { family: Family::General(dh_codegen::ik::General { order, ..general }), ..arm }, &pose);
                 assert_eq!(all.as_slice().len(), other.as_slice().len(), "{name} {choice}");
-                assert!(all.as_slice().iter().all(|s| has(&other, &s.q, 1e-6)), "{name} {choice}");
+                assert!(all.as_slice().iter().all(|s| has(&arm, &other, &s.q, 1e-6)), "{name} {choice}");
             }
         }
     }
@@ -184,13 +208,13 @@ fn a_search_finds_no_more() {
         let searched = Arm { family: Family::Numerical, exact: false, ..arm };
         let mut random = Random(5);
         for _ in 0..count(3).min(300) {
-            let pose = arm.forward(&random.posture());
+            let pose = arm.forward(&random.posture(&arm));
             let all = solve(&arm, &pose);
             for _ in 0..6 {
-                let near = random.posture();
+                let near = random.posture(&arm);
                 let query = Query { near: Some(&near), ..Query::default() };
                 for s in searched.solve(&pose, &query).unwrap().as_slice() {
-                    assert!(has(&all, &s.q, 1e-6) || marked(&all), "{name}: {:?}", s.q);
+                    assert!(has(&arm, &all, &s.q, 1e-6) || marked(&all), "{name}: {:?}", s.q);
                 }
             }
         }
@@ -199,9 +223,9 @@ fn a_search_finds_no_more() {
 
 #[test]
 fn sixteen_postures_are_found() {
-    let arm = arm(&SIXTEEN, Convention::Standard);
+    let arm = arm("RRRRRR", &SIXTEEN, Convention::Standard);
     let mut random = Random(7);
-    let most = (0..200).map(|_| solve(&arm, &arm.forward(&random.posture())).as_slice().len()).max();
+    let most = (0..200).map(|_| solve(&arm, &arm.forward(&random.posture(&arm))).as_slice().len()).max();
     assert_eq!(most, Some(16));
 }
 
@@ -216,7 +240,7 @@ fn half_and_quarter_turns_are_like_others() {
                 if random.uniform(0.0, 1.0) < 0.5 { quarter + small } else { random.uniform(-PI, PI) }
             });
             let found = solve(&arm, &arm.forward(&q));
-            assert!(has(&found, &q, 1e-4) || marked(&found), "{name} {q:?}");
+            assert!(has(&arm, &found, &q, 1e-4) || marked(&found), "{name} {q:?}");
         }
     }
 }
@@ -256,7 +280,7 @@ fn determinant(arm: &Arm<6>, q: &[f64; 6]) -> f64 {
 
 /// A posture where two merge: a zero of the determinant along one joint.
 fn fold(arm: &Arm<6>, random: &mut Random) -> Option<[f64; 6]> {
-    let q = random.posture();
+    let q = random.posture(arm);
     let joint = 1 + (random.uniform(0.0, 4.0) as usize).min(3);
     let at = |x: f64| {
         let mut q = q;
@@ -293,7 +317,7 @@ fn beside_singularities_nothing_is_lost_unmarked() {
             tried += 1;
             let found = solve(&arm, &arm.forward(&q));
             let within = if away < 1e-5 { 1e-4 } else { 1e-5 };
-            assert!(has(&found, &q, within) || marked(&found), "{name} {away:e} {q:?}");
+            assert!(has(&arm, &found, &q, within) || marked(&found), "{name} {away:e} {q:?}");
             if away == 0.0 {
                 assert!(marked(&found), "{name} {q:?}");
             }
@@ -307,7 +331,9 @@ fn beside_singularities_nothing_is_lost_unmarked() {
 /// pose on this side, less two, however near the real axis the pair is.
 #[test]
 fn complex_pairs_near_the_real_axis_are_no_postures() {
-    for (name, arm) in arms() {
+    // Where three joints slide, no shift of the pose leads away from the fold.
+    let folds = |arm: &Arm<6>| arm.axes.iter().filter(|a| a.slides).count() < 3;
+    for (name, arm) in arms().into_iter().filter(|(_, arm)| folds(arm)) {
         let mut random = Random(17);
         let (mut tried, mut plain) = (0, 0);
         while tried < count(40) {
@@ -329,7 +355,7 @@ fn complex_pairs_near_the_real_axis_are_no_postures() {
 /// A pose that no posture reaches.
 #[test]
 fn out_of_reach_is_out_of_reach() {
-    for (name, arm) in arms() {
+    for (name, arm) in arms().into_iter().filter(|(_, arm)| !slides(arm)) {
         let pose = [[1.0, 0.0, 0.0, 30.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
         let found = arm.solve(&pose, &Query::default()).unwrap();
         assert_eq!((found.status, found.uncertain), (Status::Unreachable, false), "{name}");

@@ -11,6 +11,7 @@ mod candidates;
 // [general]
 mod dense;
 // [/general]
+mod differential;
 mod doubt;
 // [general]
 mod elimination;
@@ -46,11 +47,17 @@ mod pose;
 mod quartic;
 // [/six]
 mod real;
+// [six|general]
+mod redundancy;
+// [/six|general]
 mod reference;
 // [six]
 mod regional;
 mod six;
 // [/six]
+// [general]
+mod slides;
+// [/general]
 mod solution;
 mod subproblem;
 // [swivel]
@@ -60,6 +67,7 @@ mod vector;
 
 pub use arm::{Arm, Family, Query};
 pub use axis::Axis;
+pub use differential::{Differential, Velocities};
 // [general]
 pub use general::{CHOICES, General, NO_CHOICE};
 // [/general]
@@ -71,6 +79,9 @@ pub use list::List;
 pub use plane::Plane;
 // [/plane]
 pub use pose::Displacement;
+// [six|general]
+pub use redundancy::{Range, Ranges};
+// [/six|general]
 pub use reference::Reference;
 // [six]
 pub use regional::Regional;

@@ -90,6 +90,16 @@ impl super::robot::InverseKinematics<{ super::DOF }> for Robot {
     ) -> Result<super::ik::Solutions<{ super::DOF }>, super::ik::PoseError> {
         super::inverse_kinematics(pose, query)
     }
+    fn tool_inverse_kinematics(
+        &self,
+        pose: &[[f64; 4]; 3],
+        query: &super::ik::Query<'_, { super::DOF }>,
+    ) -> Result<super::ik::Solutions<{ super::DOF }>, super::ik::PoseError> {
+        super::tool_inverse_kinematics(pose, query)
+    }
+    fn arm(&self) -> super::ik::Arm<{ super::DOF }> {
+        super::IK
+    }
     fn redundancy(&self, q: &[f64; super::DOF], reference: &super::ik::Reference) -> f64 {
         super::IK.redundancy(q, reference)
     }

@@ -4,7 +4,7 @@
 //! `N` is the number of joints. Parameters are vectors of the robot's own length, associated types
 //! of [`Dynamics`]. `S` is the scalar: `f64` unless said otherwise, `f32`, or a pack of states.
 
-use super::ik::{PoseError, Query, Reference, Solutions};
+use super::ik::{Arm, PoseError, Query, Reference, Solutions};
 use super::runtime::Scalar;
 
 /// Top three rows of a homogeneous matrix: axes of a frame as columns, then its origin, m.
@@ -117,6 +117,16 @@ pub trait InverseKinematics<const N: usize>: Kinematics<N> {
     /// # Errors
     /// If an entry is not finite, or the first three columns are no rotation.
     fn inverse_kinematics(&self, pose: &Pose, query: &Query<'_, N>) -> Result<Solutions<N>, PoseError>;
+
+    /// Postures that bring the tool frame to a pose.
+    ///
+    /// # Errors
+    /// Like [`InverseKinematics::inverse_kinematics`].
+    fn tool_inverse_kinematics(&self, pose: &Pose, query: &Query<'_, N>) -> Result<Solutions<N>, PoseError>;
+
+    /// The arm's lines and limits: velocities within limits ([`Arm::velocities`]), small steps
+    /// ([`Arm::approach`]), paths ([`Arm::follow`]).
+    fn arm(&self) -> Arm<N>;
 
     /// Redundancy parameter of a posture: its swivel angle or the position of the locked joint;
     /// zero for other arms.

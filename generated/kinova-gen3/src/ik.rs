@@ -11,6 +11,7 @@
 mod arm;
 mod axis;
 mod candidates;
+mod differential;
 mod doubt;
 mod homotopy;
 mod interval;
@@ -29,6 +30,7 @@ mod vector;
 
 pub use arm::{Arm, Family, Query};
 pub use axis::Axis;
+pub use differential::{Differential, Velocities};
 pub use interval::{Interval, Intervals};
 pub use list::List;
 pub use pose::Displacement;

@@ -129,6 +129,26 @@ fn postures_reach_their_pose() {
             }
         }
     }
+    let pose = tool_pose(&Q);
+    let found = tool_inverse_kinematics(&pose, &query).unwrap();
+    assert!(!found.as_slice().is_empty());
+    for posture in found.as_slice() {
+        let reached = tool_pose(&posture.q);
+        for (a, b) in reached.as_flattened().iter().zip(pose.as_flattened()) {
+            assert!((a - b).abs() < 1e-9, "{:?}", posture.branch);
+        }
+    }
+}
+
+#[test]
+fn velocities_are_those_of_the_jacobian() {
+    let (arm, jacobian) = (IK.with_tool(&TOOL), tool_jacobian(&Q));
+    let twist: [f64; 6] = core::array::from_fn(|i| dot(&jacobian[i], &DQ));
+    let found = arm.velocities(&Q, &twist, &ik::Differential { near: 0.0, ..Default::default() });
+    assert!(found.left[0] + found.left[1] < 1e-5 * largest(&twist), "{:?}", found.left);
+    for i in 0..6 {
+        near(dot(&arm.jacobian(&Q)[i], &DQ), twist[i], largest(&twist));
+    }
 }
 
 #[test]

@@ -11,6 +11,7 @@
 mod arm;
 mod axis;
 mod candidates;
+mod differential;
 mod doubt;
 mod lanes;
 mod list;
@@ -25,6 +26,7 @@ mod vector;
 
 pub use arm::{Arm, Family, Query};
 pub use axis::Axis;
+pub use differential::{Differential, Velocities};
 pub use list::List;
 pub use plane::Plane;
 pub use pose::Displacement;

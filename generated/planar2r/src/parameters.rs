@@ -129,3 +129,5 @@ pub const IK: ik::Arm<DOF> = ik::Arm {
         lift: None,
     }),
 };
+/// The tool frame in the last DH frame, m; nothing where the robot file has no tool.
+pub const TOOL: ik::Displacement = ik::Displacement { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [-0.0, 0.0, 1.0]], shift: [0.4, 0.0, 0.0] };

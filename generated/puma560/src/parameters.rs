@@ -239,3 +239,5 @@ pub const IK: ik::Arm<DOF> = ik::Arm {
         method: ik::Method::Wrist { center: [0.41150000000000003, 0.1501, 0.4331], regional: ik::Regional::Parallel { mirrored: true } },
     }),
 };
+/// The tool frame in the last DH frame, m; nothing where the robot file has no tool.
+pub const TOOL: ik::Displacement = ik::Displacement { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], shift: [0.0, 0.0, 0.0] };

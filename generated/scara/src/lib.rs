@@ -330,3 +330,11 @@ pub fn payload_regressor<S: Scalar>(q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF])
 pub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
     IK.solve_inlined(pose, query)
 }
+
+/// The same for a pose of the tool frame, as [`tool_pose`] gives it; errors are the tool's.
+///
+/// # Errors
+/// Like [`inverse_kinematics`].
+pub fn tool_inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {
+    IK.with_tool(&TOOL).solve(pose, query)
+}

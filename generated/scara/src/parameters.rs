@@ -129,3 +129,5 @@ pub const IK: ik::Arm<DOF> = ik::Arm {
         lift: Some((ik::Axis { slides: true, h: [0.0, 0.0, -1.0], c: [0.6000000000000001, 0.0, 0.4] }, 2, 2)),
     }),
 };
+/// The tool frame in the last DH frame, m; nothing where the robot file has no tool.
+pub const TOOL: ik::Displacement = ik::Displacement { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], shift: [0.0, 0.0, 0.0] };

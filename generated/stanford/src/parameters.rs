@@ -205,3 +205,5 @@ pub const IK: ik::Arm<DOF> = ik::Arm {
         method: ik::Method::Wrist { center: [0.0, 0.154, 0.412], regional: ik::Regional::Meet { mirrored: false, at: [0.0, 0.0, 0.412] } },
     }),
 };
+/// The tool frame in the last DH frame, m; nothing where the robot file has no tool.
+pub const TOOL: ik::Displacement = ik::Displacement { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], shift: [0.0, 0.0, 0.0] };

@@ -11,6 +11,7 @@
 mod arm;
 mod axis;
 mod candidates;
+mod differential;
 mod doubt;
 mod lanes;
 mod list;
@@ -19,6 +20,7 @@ mod polish;
 mod pose;
 mod quartic;
 mod real;
+mod redundancy;
 mod reference;
 mod regional;
 mod six;
@@ -28,8 +30,10 @@ mod vector;
 
 pub use arm::{Arm, Family, Query};
 pub use axis::Axis;
+pub use differential::{Differential, Velocities};
 pub use list::List;
 pub use pose::Displacement;
+pub use redundancy::{Range, Ranges};
 pub use reference::Reference;
 pub use regional::Regional;
 pub use six::{Method, Six};

@@ -253,3 +253,5 @@ pub const IK: ik::Arm<DOF> = ik::Arm {
         method: ik::Method::ThreeParallel { meet: Some([-1.18425, -0.17415, 0.06085]) },
     }),
 };
+/// The tool frame in the last DH frame, m; nothing where the robot file has no tool.
+pub const TOOL: ik::Displacement = ik::Displacement { rotation: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], shift: [0.0, 0.0, 0.0] };

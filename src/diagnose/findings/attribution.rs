@@ -1,7 +1,7 @@
 //! From findings and measures to the entries of the result, in order, with the causes that can't be
 //! separated from them.
 
-use super::calibration::{self, Features};
+use super::calibration::{self, Change, Features};
 use super::evidence;
 use super::evidence::Shown;
 use super::reported_cause::{Item, friction_values, place_of};
@@ -12,10 +12,11 @@ use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
 use crate::diagnose::hypotheses::{COULOMB, Hypothesis as _, Named, OFFSET, Quantity, VISCOUS};
 use crate::diagnose::search::baseline_friction::BaselineFriction;
+use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::Accepted;
 use crate::diagnose::select::beside::Shares;
 use crate::diagnose::select::measure::{Measured, share, taken_of};
-use dh_codegen::robot::effects;
+use dh_codegen::robot::{EffectKind, effects};
 
 /// A model whose causes get probabilities.
 pub(in crate::diagnose) struct Attribution<'a> {
@@ -30,6 +31,8 @@ pub(in crate::diagnose) struct Attribution<'a> {
     pub(in crate::diagnose) own_validation: bool,
     /// The equations in stretches of one piece each.
     pub(in crate::diagnose) stretches: &'a Moments,
+    /// Evidence of the search that started from the unchanged file.
+    pub(in crate::diagnose) evidence: &'a [Evidence],
 }
 
 impl Attribution<'_> {
@@ -67,7 +70,7 @@ impl Attribution<'_> {
         Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
-            probability: calibration::probability(item.accepted.is_none(), &features),
+            probability: self.probability(item, &features),
             support,
             margin,
             share: part,
@@ -109,6 +112,26 @@ impl Attribution<'_> {
             }
         }
         keys
+    }
+
+    /// Probability of an item with these features; of one that the search from the unchanged file
+    /// found, by how it was found there. Of several terms of friction in one item the least sure
+    /// one counts.
+    fn probability(&self, item: &Item, features: &Features) -> f64 {
+        let of = |effect: EffectKind| {
+            let found = self.evidence.iter().find(|e| e.effect == effect && e.place == item.place)?;
+            if item.hypothesis.local() {
+                return Some(calibration::local(features.support));
+            }
+            let (validated, confirmed) = (features.share, features.confirmed);
+            Some(calibration::change(&Change { share: found.share, left_out: found.left_out, validated, confirmed }))
+        };
+        let plain = |k: &usize| of([&VISCOUS, &COULOMB, &OFFSET][k % 3].effect());
+        let terms = || item.friction.iter().map(plain).collect::<Option<Vec<f64>>>();
+        let several = || terms().and_then(|all| all.into_iter().reduce(f64::min));
+        of(item.hypothesis.effect())
+            .or_else(several)
+            .unwrap_or_else(|| calibration::probability(item.accepted.is_none(), features))
     }
 
     /// How an item recurs in stretches of the fitted logs. It is 1 for a cause that acts in a part

@@ -59,7 +59,7 @@ pub(in crate::diagnose) fn items(tested: &ModelUnderTest<'_>, accepted: &[Accept
             let owner = items.iter_mut().find(|i| {
                 let friction = i.hypothesis.kind() == Kind::Friction && which < 2 && given[j][which].is_some();
                 let shift = which == 2 && i.hypothesis.has_constant();
-                i.accepted.is_some() && i.place == [j] && (friction || shift)
+                i.accepted.is_some() && i.place == [j] && (friction || shift) && !tested.separate[k]
             });
             match owner {
                 Some(owner) => owner.friction.push(k),

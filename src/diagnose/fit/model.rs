@@ -159,6 +159,9 @@ pub struct ModelUnderTest<'a> {
     pub frozen: Vec<bool>,
     /// Friction parameters that are fitted but no news: too little or too unsure to be named.
     pub quiet: Vec<bool>,
+    /// Friction parameters that changed by themselves, whatever law of friction is found beside
+    /// them.
+    pub separate: Vec<bool>,
     /// Prior on directions that the motion does not show, at the file's values; made at the first
     /// fit.
     pub regulariser: Option<Regulariser>,
@@ -198,6 +201,7 @@ impl<'a> ModelUnderTest<'a> {
             scene,
             frozen,
             quiet,
+            separate: vec![false; 3 * plant.dof()],
             regulariser: None,
             motion_error: Vec::new(),
             all,

@@ -25,6 +25,9 @@ pub struct FrictionDrift;
 /// `T0`.
 const REFERENCE: f64 = 25.0;
 
+/// Least length of a log that shows a drift, s.
+const SHORTEST: f64 = 10.0;
+
 impl FrictionDrift {
     /// Whether a temperature was recorded throughout.
     fn recorded(scene: &WindowedData<'_>, j: usize) -> bool {
@@ -61,8 +64,10 @@ impl Hypothesis for FrictionDrift {
         grid
     }
 
-    fn shows(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> bool {
-        moves(scene, place[0])
+    /// Grease takes minutes to warm up: of a few seconds only a recorded temperature tells.
+    fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
+        let long = scene.time.iter().fold(0.0_f64, |m, t| m.max(*t));
+        moves(scene, place[0]) && (long > SHORTEST || shape[0] == 0.0)
     }
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
@@ -102,6 +107,10 @@ impl Hypothesis for FrictionDrift {
 
     fn over(&self) -> Over {
         Over::Time
+    }
+
+    fn follows_reversals(&self) -> bool {
+        true
     }
 
     fn says(&self) -> &'static str {

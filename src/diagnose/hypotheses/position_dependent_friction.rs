@@ -84,6 +84,10 @@ impl Hypothesis for PositionDependentFriction {
         Over::Position
     }
 
+    fn follows_reversals(&self) -> bool {
+        true
+    }
+
     fn says(&self) -> &'static str {
         "friction varies along the joint's travel"
     }

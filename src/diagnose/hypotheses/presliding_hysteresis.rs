@@ -79,6 +79,10 @@ impl Hypothesis for PreslidingHysteresis {
         x.iter().all(|level| *level <= scene.rated[place[0]])
     }
 
+    fn follows_reversals(&self) -> bool {
+        true
+    }
+
     fn says(&self) -> &'static str {
         "friction has memory: after a reversal it builds up over a distance"
     }

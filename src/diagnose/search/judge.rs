@@ -41,7 +41,7 @@ pub(in crate::diagnose) const SURE: f64 = 4.5;
 /// Less than this share of a joint's squared error is left by what takes nearly all of it.
 const NEARLY: f64 = 0.1;
 /// Support of a cause that holds in every stretch, where correlated windows can't decide.
-const THROUGHOUT: f64 = 1.0;
+pub(super) const THROUGHOUT: f64 = 1.0;
 
 /// By what a cause is judged.
 pub(in crate::diagnose) struct Judge<'a> {
@@ -100,51 +100,80 @@ impl Judge<'_> {
         (self.throughout(before, after, trial) || stands_out()).then_some(THROUGHOUT)
     }
 
+    /// Whether a cause that was fitted has plausible numbers: inside its ranges, with the signs
+    /// that its name implies.
+    pub(in crate::diagnose) fn stands(&self, last: &Chosen, after: &Fitted) -> bool {
+        let Chosen { cause, place, shape, x } = last;
+        let Some(terms) = after.terms.last().filter(|terms| !terms.is_empty()) else { return false };
+        let signed = terms.iter().zip(x).all(|(t, x)| t.sign != Sign::Positive || *x > 0.0);
+        signed && !at_edge(*cause, shape) && cause.plausible(&self.tested.scene, place, shape, x)
+    }
+
+    /// Whether a cause takes enough of some joint's error beside the noise.
+    pub(in crate::diagnose) fn matters(&self, cause: &dyn Hypothesis, before: &Fitted, after: &Fitted) -> bool {
+        let taken = variance_taken(before, after);
+        let enough = |j: usize| taken[j] > self.least(cause, j).max(self.settings.least_gain * mean_square(before, j));
+        (0..taken.len()).any(enough)
+    }
+
+    /// Whether a cause in a place is the misfit of an earlier law of its kind there, or of another
+    /// kind unless it takes half of what is left.
+    pub(in crate::diagnose) fn overshadowed(
+        &self,
+        cause: &dyn Hypothesis,
+        place: &[usize],
+        before: &Fitted,
+        after: &Fitted,
+    ) -> bool {
+        let taken = variance_taken(before, after);
+        let variance: f64 = taken.iter().filter(|t| **t > 0.0).sum();
+        let most = (0..taken.len()).any(|j| taken[j] > 0.5 * mean_square(before, j));
+        let here = |a: &Accepted| !place.is_empty() && a.chosen.place == place;
+        let same = |a: &Accepted| here(a) && a.chosen.cause.kind() == cause.kind();
+        self.accepted.iter().any(|a| {
+            let share = if same(a) { self.settings.least_share } else { 0.3 * self.settings.least_share };
+            (same(a) || here(a) && !most) && variance < share * a.variance
+        })
+    }
+
+    /// Largest share of a joint's squared error that a cause takes while it acts, if it acts in a
+    /// part of a log; `None` where that is less than a quarter, or too little beside the noise.
+    pub(in crate::diagnose) fn share_within(&self, last: &Chosen, before: &Fitted, after: &Fitted) -> Option<f64> {
+        let span = last.span(self.tested.scene.step)?;
+        let square = |f: &Fitted, j: usize| {
+            let part = f.residual[j].get(span.clone()).unwrap_or(&[]);
+            part.iter().map(|e| e * e).sum::<f64>() / part.len().max(1) as f64
+        };
+        let share = |j: usize| {
+            let [a, b] = [before, after].map(|f| square(f, j));
+            (a - b > (0.25 * a).max(self.least(last.cause, j))).then(|| 1.0 - b / a)
+        };
+        (0..self.noise.len()).filter_map(share).reduce(f64::max)
+    }
+
     /// Whether the last of `trial` is worth having.
     pub(in crate::diagnose) fn judge(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> Option<Accepted> {
-        let Self { tested, settings, accepted, .. } = *self;
         let last = trial.last()?;
-        let terms = after.terms.last()?;
         let Chosen { cause, place, shape, x } = last;
-        if terms.is_empty() || at_edge(*cause, shape) || !cause.plausible(&tested.scene, place, shape, x) {
-            return None;
-        }
-        if terms.iter().zip(&last.x).any(|(t, x)| t.sign == Sign::Positive && *x <= 0.0) {
-            return None;
-        }
         let counts = &before.solution.counts;
-        let support = self.support(before, after, trial, unknowns(*cause, shape, terms.len()))?;
-        // Large enough beside the noise, on some joint?
+        if !self.stands(last, after) {
+            return None;
+        }
+        let support = self.support(before, after, trial, unknowns(*cause, shape, x.len()))?;
+        if !self.matters(*cause, before, after) || self.overshadowed(*cause, place, before, after) {
+            return None;
+        }
         let taken = variance_taken(before, after);
-        let size = |j: usize| if counts[j] > 0.0 { before.solution.rss[j] / counts[j] } else { 0.0 };
-        if !(0..taken.len()).any(|j| taken[j] > self.least(*cause, j).max(settings.least_gain * size(j))) {
-            return None;
-        }
         let variance: f64 = taken.iter().filter(|t| **t > 0.0).sum();
-        // The misfit of an earlier law of the same kind is not another cause.
-        let same = |a: &Accepted| {
-            a.chosen.place == last.place && a.chosen.cause.kind() == last.cause.kind() && !last.place.is_empty()
-        };
-        let most = (0..taken.len()).any(|j| taken[j] > 0.5 * size(j));
-        let overshadowed = accepted.iter().any(|a| {
-            let share = if same(a) { settings.least_share } else { 0.3 * settings.least_share };
-            // A law of another kind that takes most of what is left is no misfit.
-            let joints = !a.chosen.place.is_empty() && a.chosen.place == last.place && !most;
-            (same(a) || joints) && variance < share * a.variance
-        });
-        if overshadowed {
-            return None;
-        }
-        let stands: Vec<bool> = (0..counts.len()).map(|j| last.place.is_empty() && stands(tested, j)).collect();
+        let stands: Vec<bool> = (0..counts.len()).map(|j| place.is_empty() && stands(self.tested, j)).collect();
         let Confirmation { confirmed, predicted, spoilt, stirred } = confirmation(before, after, &stands);
-        if last.cause.local() {
+        if cause.local() {
             // No other part can vouch for it: it must stand out by itself.
-            let stands_out = (0..taken.len()).any(|j| taken[j] > 0.25 * size(j));
-            if !stands_out {
+            if !(0..taken.len()).any(|j| taken[j] > 0.25 * mean_square(before, j)) {
                 return None;
             }
         } else if confirmed < 0.75
-            || predicted < 0.6 * settings.least_gain
+            || predicted < 0.6 * self.settings.least_gain
             || spoilt > bearable(*cause, predicted)
             || stirred > (0.5 * predicted).max(0.1)
         {
@@ -216,4 +245,10 @@ fn confirmation(before: &Fitted, after: &Fitted, stands: &[bool]) -> Confirmatio
 fn variance_taken(before: &Fitted, after: &Fitted) -> Vec<f64> {
     let pairs = before.solution.rss.iter().zip(&after.solution.rss).zip(&before.solution.counts);
     pairs.map(|((a, b), n)| if *n > 0.0 { (a - b) / n } else { 0.0 }).collect()
+}
+
+/// Mean square of a joint's residual, (N m)^2.
+fn mean_square(fitted: &Fitted, j: usize) -> f64 {
+    let Solution { rss, counts, .. } = &fitted.solution;
+    if counts[j] > 0.0 { rss[j] / counts[j] } else { 0.0 }
 }

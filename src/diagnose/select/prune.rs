@@ -4,7 +4,7 @@
 
 use super::measure::{Meter, leave_out, taken_of};
 use super::reduction::without;
-use super::refine_and_select::{Selected, Session};
+use super::refine_and_select::{Found, Selected, Session};
 use crate::diagnose::findings::reported_cause::{Item, items, place_of};
 use crate::diagnose::search::judge::chosen_of;
 use crate::identify::ConsistentError;
@@ -31,7 +31,7 @@ impl<'a> Session<'a> {
         for _ in 0..MOST {
             (self.progress)("without what does not carry over to the validating logs");
             let Some(item) = self.least_missed(&mut model) else { return Ok(Pruned::Fails(sentence)) };
-            let Selected { mut tested, mut accepted, rivals, mut why, .. } = model;
+            let Selected { mut tested, mut accepted, rivals, mut why, evidence, suspects, .. } = model;
             why.push(format!(
                 "{} {} is not in the model: the validating logs are predicted better without it.",
                 item.hypothesis.name(),
@@ -40,7 +40,7 @@ impl<'a> Session<'a> {
             item.friction.iter().for_each(|&k| tested.frozen[k] = true);
             let out: Vec<usize> = item.accepted.into_iter().collect();
             let fitted = without(&mut tested, &mut accepted, &out);
-            model = self.validated(tested, accepted, fitted, rivals, why)?;
+            model = self.validated(tested, accepted, fitted, Found { rivals, why, evidence, suspects })?;
             if model.accepted.is_empty() {
                 return Ok(Pruned::Fails(sentence));
             }

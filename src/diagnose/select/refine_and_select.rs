@@ -13,6 +13,7 @@ use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
 use crate::diagnose::fit::uncertainty::Uncertainty;
 use crate::diagnose::run::Settings;
 use crate::diagnose::search::baseline_friction::{BaselineFriction, reconsider};
+use crate::diagnose::search::forward::{Evidence, forward};
 use crate::diagnose::search::judge::{Accepted, adopt, chosen_of};
 use crate::diagnose::search::search;
 use crate::diagnose::windows::recording::Recording;
@@ -94,8 +95,33 @@ pub(in crate::diagnose) struct Selected<'a> {
     pub(in crate::diagnose) left_out: LeftOut,
     /// Alternatives to plain friction.
     pub(in crate::diagnose) rivals: Vec<BaselineFriction>,
+    /// Of the search that started from the unchanged file.
+    pub(in crate::diagnose) evidence: Vec<Evidence>,
     /// Causes that left the model, and why: sentences.
     pub(in crate::diagnose) why: Vec<String>,
+}
+
+/// What a search and its reductions say beside the causes of a model.
+#[derive(Default)]
+pub(super) struct Found {
+    /// Alternatives to plain friction.
+    pub(super) rivals: Vec<BaselineFriction>,
+    /// Causes that left the model, and why: sentences.
+    pub(super) why: Vec<String>,
+    /// Of the search that started from the unchanged file.
+    pub(super) evidence: Vec<Evidence>,
+    /// Causes with the probability that they had beside each other.
+    pub(super) suspects: Vec<Cause>,
+}
+
+/// A model, measured.
+struct Attributed {
+    items: Vec<Item>,
+    others: Vec<Without>,
+    fitted: Fitted,
+    after: Measured,
+    after_fit: Measured,
+    causes: Vec<Cause>,
 }
 
 impl<'a> Session<'a> {
@@ -109,8 +135,13 @@ impl<'a> Session<'a> {
     /// The model with all causes that hold.
     pub(in crate::diagnose) fn searched(&self, mode: Mode) -> Result<Selected<'a>, ConsistentError> {
         let mut tested = self.tested(mode);
-        let accepted = search(&mut tested, self.noise, &self.settings.search, self.progress);
-        self.select(tested, accepted)
+        let settings = &self.settings.search;
+        if mode == Mode::Trusted {
+            let found = forward(&mut tested, self.noise, settings, self.progress);
+            return self.select(tested, found.accepted, Some((found.friction, found.evidence)));
+        }
+        let accepted = search(&mut tested, self.noise, settings, self.progress);
+        self.select(tested, accepted, None)
     }
 
     /// All parameters refitted, and no further cause.
@@ -118,7 +149,7 @@ impl<'a> Session<'a> {
         let mut tested = self.tested(Mode::Refitted);
         let fitted = fix_friction(&mut tested, &mut [], self.noise);
         let fitted = free_friction(&mut tested, &mut [], fitted);
-        self.validated(tested, Vec::new(), fitted, Vec::new(), Vec::new())
+        self.validated(tested, Vec::new(), fitted, Found::default())
     }
 
     /// The unchanged file.
@@ -126,14 +157,21 @@ impl<'a> Session<'a> {
         let mut tested = self.tested(Mode::Trusted);
         tested.frozen.iter_mut().for_each(|f| *f = true);
         let fitted = tested.fit(&mut []);
-        self.validated(tested, Vec::new(), fitted, Vec::new(), Vec::new())
+        self.validated(tested, Vec::new(), fitted, Found::default())
     }
 
     fn select(
         &self,
         mut tested: ModelUnderTest<'a>,
         mut accepted: Vec<Accepted>,
+        changes: Option<(Vec<BaselineFriction>, Vec<Evidence>)>,
     ) -> Result<Selected<'a>, ConsistentError> {
+        let (friction, evidence) = changes.unzip();
+        let evidence = evidence.unwrap_or_default();
+        let suspects = match &friction {
+            Some(rivals) => self.found(&mut tested, &mut accepted, rivals, &evidence)?,
+            None => Vec::new(),
+        };
         if accepted.iter().any(|a| a.chosen.cause.unit()) {
             let mut chosen = chosen_of(&accepted);
             tested.polish(&mut chosen);
@@ -141,14 +179,38 @@ impl<'a> Session<'a> {
         }
         let fitted = fix_friction(&mut tested, &mut accepted, self.noise);
         (self.progress)("what else plain friction might be");
-        let (fitted, rivals) = reconsider(&mut tested, &mut accepted, fitted, self.noise, &self.settings.search);
+        let (fitted, rivals) = match friction {
+            Some(known) => (fitted, known),
+            None => reconsider(&mut tested, &mut accepted, fitted, self.noise, &self.settings.search),
+        };
         let fitted = drop_insignificant(&mut tested, &mut accepted, fitted, self.noise);
         let fitted = free_friction(&mut tested, &mut accepted, fitted);
         (self.progress)("what holds on stretches that were left out");
         let mut why = Vec::new();
         let fitted =
             backward_eliminate(self.plant, self.fit, &mut tested, &mut accepted, fitted, self.ground, &mut why);
-        self.validated(tested, accepted, fitted, rivals, why)
+        let found = Found { rivals, why, evidence, suspects };
+        self.validated(tested, accepted, fitted, found)
+    }
+
+    /// The causes that the search from the unchanged file found, before any leaves the model.
+    fn found(
+        &self,
+        tested: &mut ModelUnderTest<'a>,
+        accepted: &mut Vec<Accepted>,
+        rivals: &[BaselineFriction],
+        evidence: &[Evidence],
+    ) -> Result<Vec<Cause>, ConsistentError> {
+        (self.progress)("measuring what was found");
+        let fitted = without(tested, accepted, &[]);
+        let fitted = inside(tested, accepted, &fitted)?;
+        let causes = self.attributed(tested, accepted, fitted, rivals, evidence)?.causes;
+        let here = |c: &Cause| {
+            let same =
+                |e: &Evidence| e.effect.name() == c.cause && e.place.iter().map(|j| j + 1).eq(c.joints.iter().copied());
+            evidence.iter().any(same)
+        };
+        Ok(causes.into_iter().filter(here).collect())
     }
 
     /// Causes (index) that do not hold on validating and fitted logs (errors of the model there).
@@ -171,6 +233,47 @@ impl<'a> Session<'a> {
         (0..causes.len()).filter(|&i| if causes[i].on == "fit" { !stands(i) } else { !holds(i) }).collect()
     }
 
+    /// Measures a model, and each of its causes beside the others.
+    fn attributed(
+        &self,
+        tested: &mut ModelUnderTest<'a>,
+        accepted: &mut Vec<Accepted>,
+        fitted: Fitted,
+        rivals: &[BaselineFriction],
+        evidence: &[Evidence],
+    ) -> Result<Attributed, ConsistentError> {
+        (self.progress)("measuring on data that was not used");
+        let chosen = chosen_of(accepted);
+        let items = items(tested, accepted, &fitted);
+        let [mut far, mut near] = [self.validate, self.fit].map(|data| Meter::new(self.plant, data, tested));
+        let after = far.of(tested, &fitted, &chosen, true);
+        let after_fit = near.of(tested, &fitted, &chosen, false);
+        let mut beside = Beside { session: self, far, near, after: &after, after_fit: &after_fit };
+        let others: Vec<Without> = items.iter().map(|item| beside.without(tested, &chosen, item)).collect();
+        let fitted = without(tested, accepted, &[]);
+        let fitted = inside(tested, accepted, &fitted)?;
+        let weighing = Attribution {
+            tested,
+            fitted: &fitted,
+            uncertainty: &Uncertainty::of(tested, &fitted, &chosen_of(accepted)),
+            accepted,
+            rivals,
+            noise: self.noise,
+            own_validation: self.own_validation,
+            stretches: &tested.stretches(&chosen_of(accepted)),
+            evidence,
+        };
+        let causes = items
+            .iter()
+            .zip(&others)
+            .map(|(item, other)| {
+                let (with, on) = if other.near { (&after_fit, "fit") } else { (&after, "validate") };
+                weighing.attribute(item, [&other.measured, with], other.shares(), other.interval, on)
+            })
+            .collect();
+        Ok(Attributed { items, others, fitted, after, after_fit, causes })
+    }
+
     /// Takes out what does not hold on data that were not used, and measures; all of it of the
     /// model inside what is possible.
     pub(super) fn validated(
@@ -178,40 +281,15 @@ impl<'a> Session<'a> {
         mut tested: ModelUnderTest<'a>,
         mut accepted: Vec<Accepted>,
         mut fitted: Fitted,
-        rivals: Vec<BaselineFriction>,
-        mut why: Vec<String>,
+        found: Found,
     ) -> Result<Selected<'a>, ConsistentError> {
-        let (mut suspects, mut round) = (Vec::new(), 0);
+        let Found { rivals, mut why, evidence, mut suspects } = found;
+        let mut round = 0;
         let (after, after_fit, causes) = loop {
-            (self.progress)("measuring on data that was not used");
             fitted = inside(&mut tested, &mut accepted, &fitted)?;
-            let chosen = chosen_of(&accepted);
-            let items = items(&tested, &accepted, &fitted);
-            let [mut far, mut near] = [self.validate, self.fit].map(|data| Meter::new(self.plant, data, &tested));
-            let after = far.of(&tested, &fitted, &chosen, true);
-            let after_fit = near.of(&tested, &fitted, &chosen, false);
-            let mut beside = Beside { session: self, far, near, after: &after, after_fit: &after_fit };
-            let others: Vec<Without> = items.iter().map(|item| beside.without(&mut tested, &chosen, item)).collect();
-            fitted = without(&mut tested, &mut accepted, &[]);
-            fitted = inside(&mut tested, &mut accepted, &fitted)?;
-            let weighing = Attribution {
-                tested: &tested,
-                fitted: &fitted,
-                uncertainty: &Uncertainty::of(&tested, &fitted, &chosen_of(&accepted)),
-                accepted: &accepted,
-                rivals: &rivals,
-                noise: self.noise,
-                own_validation: self.own_validation,
-                stretches: &tested.stretches(&chosen_of(&accepted)),
-            };
-            let mut causes: Vec<Cause> = items
-                .iter()
-                .zip(&others)
-                .map(|(item, other)| {
-                    let (with, on) = if other.near { (&after_fit, "fit") } else { (&after, "validate") };
-                    weighing.attribute(item, [&other.measured, with], other.shares(), other.interval, on)
-                })
-                .collect();
+            let measured = self.attributed(&mut tested, &mut accepted, fitted, &rivals, &evidence)?;
+            let Attributed { items, others, after, after_fit, mut causes, .. } = measured;
+            fitted = measured.fitted;
             let failed = self.failed(&items, &others, &causes, [&after, &after_fit]);
             beside_the_rest(&mut suspects, &mut causes, &failed);
             let failed = if failed.is_empty() { unlikely(&causes) } else { failed };
@@ -228,6 +306,6 @@ impl<'a> Session<'a> {
             round += 1;
         };
         let left_out = tested.possible_left_out(&chosen_of(&accepted), &fitted)?;
-        Ok(Selected { tested, accepted, fitted, after, after_fit, causes, suspects, left_out, rivals, why })
+        Ok(Selected { tested, accepted, fitted, after, after_fit, causes, suspects, left_out, rivals, evidence, why })
     }
 }

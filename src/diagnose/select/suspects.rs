@@ -7,6 +7,7 @@
 
 use crate::diagnose::findings::calibration;
 use crate::diagnose::findings::result::Cause;
+use dh_codegen::robot::effects;
 
 /// Whether two causes are one in one place.
 fn same(a: &Cause, b: &Cause) -> bool {
@@ -37,6 +38,14 @@ pub(in crate::diagnose) fn raise(causes: &mut [Cause], known: &[Cause]) {
 pub(in crate::diagnose) fn beside_the_rest(suspects: &mut Vec<Cause>, causes: &mut [Cause], failed: &[usize]) {
     remember(suspects, causes.iter().enumerate().filter(|(i, _)| !failed.contains(i)).map(|(_, cause)| cause));
     raise(causes, suspects);
+}
+
+/// Refitted links that are likelier than any body beside the file's links: one body that is likelier
+/// says the same in fewer words.
+pub(in crate::diagnose) fn likelier(links: Vec<Cause>, suspects: &[Cause]) -> Vec<Cause> {
+    let body = |c: &&Cause| [effects::Payload::NAME, effects::LinkInertiaError::NAME].contains(&c.cause);
+    let likeliest = suspects.iter().filter(body).map(|c| c.probability).fold(0.0, f64::max);
+    links.into_iter().filter(|c| c.probability > likeliest).collect()
 }
 
 /// Adds the suspects that are likely enough to be named and not in the offered model. Where one
@@ -98,6 +107,14 @@ mod tests {
         let mut left = [cause("payload", &[], 0.2), cause("torque_offset", &[3], 0.1)];
         raise(&mut left, &known);
         assert_eq!(left.map(|c| c.probability), [0.6, 0.1]);
+    }
+
+    #[test]
+    fn a_likely_body_stands_for_refitted_links() {
+        let links = || vec![cause("link_inertia_error", &[2], 0.9), cause("link_inertia_error", &[3], 0.6)];
+        assert_eq!(likelier(links(), &[cause("viscous_friction", &[2], 0.95)]).len(), 2);
+        let left = likelier(links(), &[cause("payload", &[], 0.8), cause("link_inertia_error", &[1], 0.3)]);
+        assert_eq!(left.iter().map(|c| &c.joints[..]).collect::<Vec<_>>(), [[2]]);
     }
 
     #[test]

@@ -307,3 +307,27 @@ fn a_payload_of_the_fitted_log_alone() {
     let named: Vec<&str> = found.changes.iter().map(|c| c.cause).collect();
     assert!(named.iter().any(|c| ["payload", "link_inertia_error"].contains(c)), "{named:?}");
 }
+
+/// A term of friction that changed stands out of a periodic error of its size on the same joint,
+/// which no law of the vocabulary has, and comes before laws that could follow both.
+#[test]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
+fn changed_friction_is_found_beside_an_error_of_its_size() {
+    let robot = planar();
+    let bodies = Bodies::of(&bare(&robot));
+    for (seed, viscous, level) in [(31, 0.12, 0.0), (32, 0.0, 0.1)] {
+        let (found, _) = found(&robot, seed, &|s| {
+            let (rigid, friction) = (bodies.torques(s), plain(&robot, &s[1]));
+            let foreign = 0.1 * (2.0 * s[0][0]).sin() * (3.0 * s[0][1]).cos();
+            let change = viscous * s[1][1] + level * sign(s[1][1]);
+            [rigid[0] + friction[0], rigid[1] + friction[1] + foreign + change]
+        });
+        let (name, symbol, truth) = match viscous > 0.0 {
+            true => ("viscous_friction", "FV2", 0.05 + viscous),
+            false => ("coulomb_friction", "FC2", 0.1 + level),
+        };
+        let first = found.causes.iter().find(|c| c.cause != "unknown").unwrap();
+        assert_eq!((first.cause, &first.joints[..]), (name, &[2][..]), "{:?}", names(&found));
+        assert!(first.probability > 0.5 && (value(&found, symbol) / truth - 1.0).abs() < 0.2, "{first:?}");
+    }
+}

@@ -158,3 +158,76 @@ impl Rosenbrock {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{Matrix3, Vector3};
+
+    use super::*;
+    use crate::numerics::integrators::Solver;
+
+    /// A mass on a spring, a damper and a bristle: `m x'' = -k x - d x' - c z`, `z' = a x' + b z`.
+    struct Bristled;
+
+    const MASS: f64 = 2.0;
+    const SPRING: f64 = 300.0;
+    const DAMPER: f64 = 5.0;
+    const BRISTLE: LinearBristle = LinearBristle { along: [(0, 1.0), (0, 0.0)], c: 40.0, a: 500.0, b: -700.0 };
+
+    fn jacobian() -> Matrix3<f64> {
+        let LinearBristle { c, a, b, .. } = BRISTLE;
+        Matrix3::new(0.0, 1.0, 0.0, -SPRING / MASS, -DAMPER / MASS, -c / MASS, 0.0, a, b)
+    }
+
+    impl System for Bristled {
+        fn coordinates(&self) -> usize {
+            1
+        }
+
+        fn rate(&mut self, _: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Breakdown> {
+            dy.copy_from_slice((jacobian() * Vector3::from_column_slice(y)).as_slice());
+            Ok(())
+        }
+
+        fn linearise(&mut self, t: f64, y: &[f64], linear: &mut Linear, dy: &mut [f64]) -> Result<(), Breakdown> {
+            *linear =
+                Linear { mass: vec![MASS], stiffness: vec![SPRING], damping: vec![DAMPER], bristles: vec![BRISTLE] };
+            self.rate(t, y, dy)
+        }
+    }
+
+    /// Positions and bristles are eliminated: the same step by the whole matrix,
+    /// `(I - h g J) k_i = h f + h J s`.
+    #[test]
+    fn elimination_is_the_whole_system() {
+        for h in [1e-4, 3e-3, 0.1] {
+            let mut method = Rosenbrock::default();
+            let y = [0.3, -0.7, 0.2];
+            for buffer in method.k.iter_mut().chain([
+                &mut method.stage,
+                &mut method.rate,
+                &mut method.first,
+                &mut method.sum,
+                &mut method.new,
+            ]) {
+                buffer.resize(3, 0.0);
+            }
+            let tolerance = Solver::default().tolerance;
+            Bristled.linearise(0.0, &y, &mut method.linear, &mut method.first).unwrap();
+            method.step(&mut Bristled, 0.0, h, &y, tolerance).unwrap();
+            let (j, start) = (jacobian(), Vector3::from(y));
+            let matrix = (Matrix3::identity() - h * GAMMA * j).lu();
+            let mut k: Vec<Vector3<f64>> = Vec::new();
+            for i in 0..4 {
+                let sum = |of: &[f64; 3]| k.iter().zip(of).map(|(k, by)| k * *by).sum::<Vector3<f64>>();
+                let right = h * j * (start + sum(&ALPHA[i])) + h * j * sum(&GAMMAS[i]);
+                let next = matrix.solve(&right).unwrap();
+                k.push(next);
+            }
+            let end = start + k.iter().zip(B).map(|(k, b)| k * b).sum::<Vector3<f64>>();
+            for e in 0..3 {
+                assert!((method.new[e] - end[e]).abs() < 1e-12 * (1.0 + end.amax()), "{h} {e}: {:?} {end}", method.new);
+            }
+        }
+    }
+}

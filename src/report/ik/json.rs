@@ -4,7 +4,7 @@ use dh_codegen::arm::Inverse;
 use dh_codegen::ik::{Family, Status};
 use serde_json::{Value, json};
 
-use crate::model::inverse_kinematics::{Answer, SwivelRange};
+use crate::model::inverse_kinematics::{Answer, LockedRange, SwivelRange};
 
 /// The status in the JSON.
 pub(in crate::report) fn status(status: Status) -> &'static str {
@@ -15,12 +15,19 @@ pub(in crate::report) fn status(status: Status) -> &'static str {
     }
 }
 
+/// Without limits there is no margin: null, and not an infinity that JSON does not have.
+fn margin(margin: f64) -> Value {
+    if margin.is_finite() { json!(margin) } else { Value::Null }
+}
+
 fn range(r: &SwivelRange) -> Value {
-    let best = r.best.map(|(swivel, margin)| {
-        // Without limits there is no margin.
-        json!({ "swivel": swivel, "limit_margin": if margin.is_finite() { json!(margin) } else { Value::Null } })
-    });
+    let best = r.best.map(|(swivel, m)| json!({ "swivel": swivel, "limit_margin": margin(m) }));
     json!({ "branch": r.branch.to_string(), "intervals": r.intervals, "best": best })
+}
+
+fn locked(r: &LockedRange) -> Value {
+    let best = r.best.map(|(position, m)| json!({ "position": position, "limit_margin": margin(m) }));
+    json!({ "intervals": r.intervals, "best": best })
 }
 
 /// How postures are found.
@@ -35,7 +42,8 @@ fn method(inverse: &Inverse) -> &'static str {
 
 /// `{"class", "poses": [{"status", "solutions": [..]}]}`.
 pub fn ik_json(name: &str, inverse: &Inverse, redundant: bool, poses: &[Answer]) -> Value {
-    let pose = |(p, ranges): &Answer| {
+    let pose = |answer: &Answer| {
+        let p = &answer.postures;
         let solutions: Vec<Value> = p
             .list
             .iter()
@@ -46,9 +54,7 @@ pub fn ik_json(name: &str, inverse: &Inverse, redundant: bool, poses: &[Answer])
                     "position_error": s.position_error,
                     "rotation_error": s.rotation_error,
                     "within_limits": s.within_limits,
-                    // Without limits there is no margin: null, and not an infinity that JSON does
-                    // not have.
-                    "limit_margin": if s.margin.is_finite() { json!(s.margin) } else { Value::Null },
+                    "limit_margin": margin(s.margin),
                 });
                 if !s.free.is_empty() {
                     v["free_joints"] = json!(s.free.iter().map(|j| j + 1).collect::<Vec<_>>());
@@ -72,8 +78,12 @@ pub fn ik_json(name: &str, inverse: &Inverse, redundant: bool, poses: &[Answer])
         if p.second_plane {
             v["reference_plane"] = json!("second");
         }
-        if let (Some(ranges), true) = (ranges, p.status != Status::Unreachable) {
+        if let (Some(ranges), true) = (&answer.swivel, p.status != Status::Unreachable) {
             v["swivel_intervals"] = ranges.iter().map(range).collect();
+        }
+        // Where the pose is out of reach at this position of the joint, it may be reached at others.
+        if let Some(ranges) = &answer.locked {
+            v["locked_intervals"] = locked(ranges);
         }
         if !inverse.exact || matches!(inverse.family, Family::General(_)) {
             v["branches_lost"] = json!(p.lost);

@@ -5,7 +5,7 @@ use core::fmt::Write;
 use dh_codegen::arm::Inverse;
 use dh_codegen::ik::{Family, Status};
 
-use crate::model::inverse_kinematics::{Answer, SwivelRange};
+use crate::model::inverse_kinematics::{Answer, LockedRange, SwivelRange};
 
 /// A larger pose error than this is no rounding, m and rad.
 const SHOWN: f64 = 1e-9;
@@ -14,7 +14,8 @@ const SHOWN: f64 = 1e-9;
 pub fn ik_text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
     let mut t = format!("{name}: {} ({})\n", inverse.class, inverse.reason);
     let searched = matches!(inverse.family, Family::Numerical);
-    for (k, (pose, ranges)) in poses.iter().enumerate() {
+    for (k, answer) in poses.iter().enumerate() {
+        let pose = &answer.postures;
         let _ = match pose.status {
             Status::Unreachable => {
                 let [p, r] = pose.distance;
@@ -53,11 +54,28 @@ pub fn ik_text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
             let off = if p.max(r) > SHOWN { format!("  off by {p:.3e} m and {r:.3e} rad") } else { String::new() };
             let _ = writeln!(t, "  {}  {}{limits}{free}{off}", q.join(" "), s.branch);
         }
-        if let (Some(ranges), true) = (ranges, pose.status != Status::Unreachable) {
+        if let (Some(ranges), true) = (&answer.swivel, pose.status != Status::Unreachable) {
             swivel(&mut t, inverse, ranges);
+        }
+        if let (Some(range), Some(joint)) = (&answer.locked, inverse.family.locked()) {
+            locked(&mut t, usize::from(joint) + 1, range);
         }
     }
     t
+}
+
+/// Positions of the locked joint.
+fn locked(t: &mut String, joint: usize, range: &LockedRange) {
+    if range.intervals.is_empty() {
+        let _ = writeln!(t, "  at no position of q{joint} that was looked at a posture respects the limits");
+        return;
+    }
+    let all: Vec<String> = range.intervals.iter().map(|[a, b]| format!("[{a:.5}, {b:.5}]")).collect();
+    let best = match range.best {
+        Some((at, margin)) if margin.is_finite() => format!("; best {at:.5}, {margin:.5} from them"),
+        _ => String::new(),
+    };
+    let _ = writeln!(t, "  positions of q{joint} at which a posture respects the limits: {}{best}", all.join(" "));
 }
 
 /// Intervals of the swivel angle.

@@ -88,6 +88,16 @@ impl @robot::InverseKinematics<{{ @DOF }}> for {of} {{
     ) -> Result<@ik::Solutions<{{ @DOF }}>, @ik::PoseError> {{
         @inverse_kinematics(pose, query)
     }}
+    fn tool_inverse_kinematics(
+        &self,
+        pose: &[[f64; 4]; 3],
+        query: &@ik::Query<'_, {{ @DOF }}>,
+    ) -> Result<@ik::Solutions<{{ @DOF }}>, @ik::PoseError> {{
+        @tool_inverse_kinematics(pose, query)
+    }}
+    fn arm(&self) -> @ik::Arm<{{ @DOF }}> {{
+        @IK
+    }}
     fn redundancy(&self, q: &[f64; @DOF], reference: &@ik::Reference) -> f64 {{
         @IK.redundancy(q, reference)
     }}

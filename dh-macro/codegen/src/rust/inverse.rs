@@ -3,7 +3,7 @@
 use core::fmt::{Debug, Write};
 
 use crate::arm::{Inverse, Model};
-use crate::ik::{Axis, Family, Method, Six};
+use crate::ik::{Axis, Displacement, Family, Method, Six};
 
 /// One per line.
 fn axes(axes: &[Axis], indent: &str) -> String {
@@ -80,6 +80,11 @@ pub(super) fn constants(model: &Model) -> String {
         inverse.exact,
         family(&inverse.family)
     );
+    let tool = model.chain().tool.map_or(Displacement::NONE, |(rotation, shift)| Displacement { rotation, shift });
+    let _ = writeln!(
+        t,
+        "/// The tool frame in the last DH frame, m; nothing where the robot file has no tool.\npub const TOOL: ik::Displacement = ik::{tool:?};"
+    );
     t
 }
 
@@ -101,7 +106,7 @@ pub(super) fn function(model: &Model) -> String {
         }
     };
     format!(
-        "/// {which} that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.\n///\n/// {}.{redundancy}\n///\n/// # Errors\n/// If an entry is not finite, or the first three columns are no rotation.\npub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {{\n    IK.solve_inlined(pose, query)\n}}\n",
+        "/// {which} that bring the last DH frame to a pose: the top three rows of `T(0, n)`, m.\n///\n/// {}.{redundancy}\n///\n/// # Errors\n/// If an entry is not finite, or the first three columns are no rotation.\npub fn inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {{\n    IK.solve_inlined(pose, query)\n}}\n\n/// The same for a pose of the tool frame, as [`tool_pose`] gives it; errors are the tool's.\n///\n/// # Errors\n/// Like [`inverse_kinematics`].\npub fn tool_inverse_kinematics(pose: &[[f64; 4]; 3], query: &ik::Query<'_, DOF>) -> Result<ik::Solutions<DOF>, ik::PoseError> {{\n    IK.with_tool(&TOOL).solve(pose, query)\n}}\n",
         capital(&inverse.reason)
     )
 }

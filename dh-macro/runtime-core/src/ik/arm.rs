@@ -51,7 +51,7 @@ pub enum Family {
     Plane(Plane),
     // [/plane]
     // [general]
-    /// Six turning joints in general position, or seven of which one is given.
+    /// Six joints in general position, of which three at most slide, or seven of which one is given.
     General(General),
     // [/general]
     /// Only joints that slide: linear.

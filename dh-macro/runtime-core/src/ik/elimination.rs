@@ -1,4 +1,5 @@
-//! Six turns whose product is a pose: five of them eliminated (Raghavan and Roth 1993).
+//! Six joints whose product is a pose: five of them eliminated (Raghavan and Roth 1993). The hidden
+//! one turns; the others turn or slide.
 //!
 //! Written as a loop that begins with the hidden joint, `E0 (E1 E2 line3) = G E5' E4' line3`: joint 3
 //! does not move its own line. Fourteen numbers of a line are bilinear in the cosines and sines of
@@ -6,17 +7,22 @@
 //! angles, linear in cosine and sine of the hidden one; multiplied with cosine and sine of half of
 //! an angle they are twelve for twelve products. No tangent of a half angle, so half turns are like
 //! others.
+//!
+//! A joint that slides by `d` has `d^2` and `d` where one that turns has cosine and sine, and `1` and
+//! `d` where that has cosine and sine of half the angle. If joint 3 slides, a whole frame keeps its
+//! directions: fourteen numbers again, its axes, the moment of the line, and where the origin is
+//! across the slide as the frame sees it.
 
 use super::axis::{Axis, Value};
 use super::dense::{Rows, eliminate, eliminate_complex, kernel};
 use super::harmonics::Complex;
 use super::pose::Displacement;
 use super::real::root;
-use super::vector::{Turn, add, beside, cross, dot, scale, sub, times, transposed};
+use super::vector::{Turn, add, beside, cross, dot, scale, sub, times};
 
 /// Numbers of a line.
 const NUMBERS: usize = 14;
-/// Products of `(c, s, 1)` of two angles; the last is one.
+/// Products of `(c, s, 1)` or `(d^2, d, 1)` of two joints; the last is one.
 const PRODUCTS: usize = 9;
 /// Those that vary.
 const VARY: usize = 8;
@@ -69,13 +75,19 @@ impl Loop {
     }
 }
 
-/// Six that do not change in a turn about z, then four x and four y that turn.
+/// Of a line, six that do not change in a turn about z, then four x and four y that turn.
 fn numbers(h: [f64; 3], p: [f64; 3]) -> [f64; NUMBERS] {
     let moment = cross(p, h);
     let (pp, ph) = (dot(p, p), dot(p, h));
     let r = sub(scale(pp, h), scale(2.0 * ph, p));
     let (q, l) = (moment, h);
     [l[2], p[2], q[2], r[2], pp, ph, l[0], p[0], q[0], r[0], l[1], p[1], q[1], r[1]]
+}
+
+/// The same of a frame that is known but for a slide along its axis `h`.
+fn numbers_of_frame([h, x, y]: [[f64; 3]; 3], p: [f64; 3]) -> [f64; NUMBERS] {
+    let m = cross(p, h);
+    [h[2], x[2], y[2], m[2], dot(p, x), dot(p, y), h[0], x[0], y[0], m[0], h[1], x[1], y[1], m[1]]
 }
 
 /// A third of a turn.
@@ -85,33 +97,47 @@ const THIRDS: [Turn; 3] = [
     Turn { c: -0.5, s: -0.866_025_403_784_438_6 },
 ];
 
-/// `[c, s, 1]` parts of what has these values at the three thirds.
+/// `[c, s, 1]` parts of what has these values at the three thirds of a turn, `[d^2, d, 1]` parts of
+/// what has them at the ways 0, 1 and -1.
 #[inline(always)]
-fn parts([a, b, c]: [f64; 3]) -> [f64; 3] {
+fn parts(slides: bool, [a, b, c]: [f64; 3]) -> [f64; 3] {
     const K: f64 = 0.577_350_269_189_625_8;
-    [(2.0 * a - b - c) / 3.0, (b - c) * K, (a + b + c) / 3.0]
+    if slides {
+        [0.5 * (b + c) - a, 0.5 * (b - c), a]
+    } else {
+        [(2.0 * a - b - c) / 3.0, (b - c) * K, (a + b + c) / 3.0]
+    }
 }
 
-/// Numbers of the line that two joints move, by the products of their turns.
+/// Where a joint is looked at.
+#[inline(always)]
+fn sampled(axis: &Axis) -> [Value; 3] {
+    if axis.slides { [0.0, 1.0, -1.0].map(Value::way) } else { THIRDS.map(Value::turn) }
+}
+
+/// Numbers of the line (or frame) that two joints move, by the products of their positions.
 fn side(first: &Axis, second: &Axis, line: &Axis, after: &Displacement) -> Side {
     let mut at = [[[0.0; NUMBERS]; 3]; 3];
-    for (j, second_turn) in THIRDS.iter().enumerate() {
-        let v = Value::turn(*second_turn);
-        let (h, p) = (second.direction(v, line.h), second.point(v, line.c));
-        for (i, first_turn) in THIRDS.iter().enumerate() {
-            let v = Value::turn(*first_turn);
-            let (h, p) = (first.direction(v, h), first.point(v, p));
-            at[i][j] = numbers(times(&after.rotation, h), after.point(p));
+    for (j, w) in sampled(second).into_iter().enumerate() {
+        for (i, v) in sampled(first).into_iter().enumerate() {
+            let direction = |x| times(&after.rotation, first.direction(v, second.direction(w, x)));
+            let p = after.point(first.point(v, second.point(w, line.c)));
+            at[i][j] = if line.slides {
+                let x = beside(line.h);
+                numbers_of_frame([line.h, x, cross(line.h, x)].map(direction), p)
+            } else {
+                numbers(direction(line.h), p)
+            };
         }
     }
     let mut out = [[0.0; PRODUCTS]; NUMBERS];
     for (n, row) in out.iter_mut().enumerate() {
         let mut half = [[0.0; 3]; 3];
         for i in 0..3 {
-            half[i] = parts([at[i][0][n], at[i][1][n], at[i][2][n]]);
+            half[i] = parts(second.slides, [at[i][0][n], at[i][1][n], at[i][2][n]]);
         }
         for j in 0..3 {
-            let [c, s, one] = parts([half[0][j], half[1][j], half[2][j]]);
+            let [c, s, one] = parts(first.slides, [half[0][j], half[1][j], half[2][j]]);
             (row[j], row[3 + j], row[6 + j]) = (c, s, one);
         }
     }
@@ -130,6 +156,8 @@ pub(super) struct Elimination {
     other: Side,
     /// Direction in which the other side turns.
     sense: f64,
+    /// Do the joints slide: those of the other side, then those of the eliminated one?
+    slides: [bool; 4],
     /// Smallest part of the triangle's diagonal in the largest.
     pub regular: f64,
 }
@@ -153,6 +181,8 @@ impl Elimination {
         let near = side(a1, a2, a3, &Displacement::NONE);
         let far = side(&a5.reversed(), &a4.reversed(), a3, &l.pose);
         let (gone, other, sense) = if pose_side { (far, near, 1.0) } else { (near, far, -1.0) };
+        let [one, two, four, five] = [a1, a2, a4, a5].map(|a| a.slides);
+        let slides = if pose_side { [one, two, five, four] } else { [five, four, one, two] };
         let mut out = Self {
             matrix: [[[0.0; TERMS]; TERMS]; 3],
             vectors: [[0.0; NUMBERS]; VARY],
@@ -160,6 +190,7 @@ impl Elimination {
             constant: [0.0; NUMBERS],
             other,
             sense,
+            slides,
             regular: 0.0,
         };
         out.reduce(&gone);
@@ -232,6 +263,15 @@ impl Elimination {
             three[0][VARY] -= last;
             for (matrix, part) in self.matrix.iter_mut().zip(&three) {
                 for j in 0..3 {
+                    if self.slides[0] {
+                        // d^3, d^2, d, 1.
+                        let (square, plain, one) = (part[j], part[3 + j], part[6 + j]);
+                        let by_one = &mut matrix[2 * e];
+                        (by_one[3 + j], by_one[6 + j], by_one[9 + j]) = (square, plain, one);
+                        let by_way = &mut matrix[2 * e + 1];
+                        (by_way[j], by_way[3 + j], by_way[6 + j]) = (square, plain, one);
+                        continue;
+                    }
                     let (c, s, one) = (0.5 * part[j], 0.5 * part[3 + j], part[6 + j]);
                     let by_cosine = &mut matrix[2 * e];
                     (by_cosine[j], by_cosine[3 + j], by_cosine[6 + j], by_cosine[9 + j]) = (one + c, s, c, s);
@@ -300,31 +340,23 @@ impl Elimination {
         (trace, root(size) * root(inverse))
     }
 
-    /// The other four angles at a root: those of the side that was not eliminated, then those of the
-    /// other.
-    pub fn angles(&self, q: Turn) -> [Turn; 4] {
+    /// The other four positions at a root: those of the side that was not eliminated, then those of
+    /// the other.
+    pub fn positions(&self, q: Turn) -> [Value; 4] {
         let mut rows = self.at(q);
         eliminate::<TERMS, TERMS>(&mut rows);
         let x = kernel::<TERMS, TERMS>(&rows);
         let block = |k: usize| [x[3 * k], x[3 * k + 1], x[3 * k + 2]];
-        // (c, s, 1) of the second angle times cosine and sine of half the first, and of one and a
-        // half of it, which stand for the first where these are small.
-        let (a, b) = (block(0), block(1));
-        let (first, _) = Turn::along(dot(a, a) - dot(b, b), 2.0 * dot(a, b));
-        // The half angle, of either sign, from its larger part.
-        let half =
-            if first.c > 0.0 { Turn::along(1.0 + first.c, first.s).0 } else { Turn::along(first.s, 1.0 - first.c).0 };
-        let w = add(scale(half.c, a), scale(half.s, b));
-        let sign = if w[2] < 0.0 { -1.0 } else { 1.0 };
-        let (second, _) = Turn::along(sign * w[0], sign * w[1]);
-        let [third, fourth] = self.eliminated(q, first, second);
+        // `(c, s, 1)` of the second joint, times what the first one makes of it.
+        let (first, w) = if self.slides[0] { slide(block) } else { turn(block) };
+        let second = single(self.slides[1], w);
+        let [third, fourth] = self.eliminated(q, factors(self.slides[0], first), factors(self.slides[1], second));
         [first, second, third, fourth]
     }
 
-    /// The angles of the eliminated side, from the others.
-    fn eliminated(&self, q: Turn, first: Turn, second: Turn) -> [Turn; 2] {
+    /// Positions of the eliminated side, from the factors of the others.
+    fn eliminated(&self, q: Turn, u: [f64; 3], w: [f64; 3]) -> [Value; 2] {
         let mut x = [0.0; NUMBERS];
-        let (u, w) = ([first.c, first.s, 1.0], [second.c, second.s, 1.0]);
         for (x, row) in x.iter_mut().zip(&self.other) {
             *x = u[0] * dot([row[0], row[1], row[2]], w)
                 + u[1] * dot([row[3], row[4], row[5]], w)
@@ -349,19 +381,60 @@ impl Elimination {
             let pivot = self.triangle[k][k];
             m[k] = sum / if pivot.abs() < 1e-150 { 1e-150 } else { pivot };
         }
-        [Turn::along(m[2], m[5]).0, Turn::along(m[6], m[7]).0]
+        [single(self.slides[2], [m[2], m[5], 1.0]), single(self.slides[3], [m[6], m[7], 1.0])]
     }
 }
 
-/// The angle of joint 3, from all others.
-pub(super) fn last(l: &Loop, v: &Posture) -> Turn {
-    let turn = |k: usize| l.axes[k].displacement(v[k]).rotation;
-    let product = super::vector::product;
-    let left = product(&product(&turn(0), &turn(1)), &turn(2));
-    let right = product(&turn(4), &turn(5));
-    let rest = product(&product(&transposed(&left), &l.pose.rotation), &transposed(&right));
-    let h = l.axes[3].h;
+/// The angle whose half's cosine and sine, and those of one and a half of it, multiply the blocks:
+/// and what they multiply. The latter two stand for the first where these are small.
+fn turn(block: impl Fn(usize) -> [f64; 3]) -> (Value, [f64; 3]) {
+    let (a, b) = (block(0), block(1));
+    let (first, _) = Turn::along(dot(a, a) - dot(b, b), 2.0 * dot(a, b));
+    // The half angle, of either sign, from its larger part.
+    let half =
+        if first.c > 0.0 { Turn::along(1.0 + first.c, first.s).0 } else { Turn::along(first.s, 1.0 - first.c).0 };
+    (Value::turn(first), add(scale(half.c, a), scale(half.s, b)))
+}
+
+/// The way whose powers, the third first, multiply the blocks: and what they multiply.
+fn slide(block: impl Fn(usize) -> [f64; 3]) -> (Value, [f64; 3]) {
+    let [cube, square, plain, one] = [block(0), block(1), block(2), block(3)];
+    // By least squares over neighbours.
+    let above = dot(cube, square) + dot(square, plain) + dot(plain, one);
+    let below = dot(square, square) + dot(plain, plain) + dot(one, one);
+    let way = above / below.max(1e-150);
+    let w = if way.abs() < 1.0 { add(one, scale(way, plain)) } else { add(plain, scale(1.0 / way, one)) };
+    (Value::way(way), w)
+}
+
+/// Of `(c, s, 1)` or `(d^2, d, 1)`, times anything.
+fn single(slides: bool, [a, b, c]: [f64; 3]) -> Value {
+    if slides {
+        let way = if a.abs() > c.abs() { a / b } else { b / c };
+        // Beyond all measure where both vanish.
+        Value::way(if way.abs() < 1e100 { way } else { 0.0 })
+    } else {
+        let sign = if c < 0.0 { -1.0 } else { 1.0 };
+        Value::turn(Turn::along(sign * a, sign * b).0)
+    }
+}
+
+/// `(c, s, 1)` or `(d^2, d, 1)`.
+fn factors(slides: bool, v: Value) -> [f64; 3] {
+    if slides { [v.way * v.way, v.way, 1.0] } else { [v.turn.c, v.turn.s, 1.0] }
+}
+
+/// The position of joint 3, from all others.
+pub(super) fn last(l: &Loop, v: &Posture) -> Value {
+    let axis = &l.axes[3];
+    let moved = |k: usize| l.axes[k].displacement(v[k]);
+    let left = moved(0).after(&moved(1)).after(&moved(2));
+    let rest = left.inverse().after(&l.pose).after(&moved(4).after(&moved(5)).inverse());
+    let h = axis.h;
+    if axis.slides {
+        return Value::way(dot(h, rest.shift));
+    }
     let b = beside(h);
-    let image = times(&rest, b);
-    Turn::along(dot(b, image), dot(cross(h, b), image)).0
+    let image = times(&rest.rotation, b);
+    Value::turn(Turn::along(dot(b, image), dot(cross(h, b), image)).0)
 }

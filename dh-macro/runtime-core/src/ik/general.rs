@@ -1,5 +1,6 @@
-//! Any six turning joints: up to sixteen postures, from the roots of a polynomial of degree sixteen
-//! in one angle, each refined.
+//! Any six joints, of which most turn: up to sixteen postures, from the roots of a polynomial of
+//! degree sixteen in one angle, each refined. With two joints that slide it has degree eight, with
+//! three there are two postures, in closed form. Ways count in parts of the arm's size.
 //!
 //! Which joint is hidden, and which side eliminated, does not matter in theory. In practice one
 //! choice may be singular for an arm's geometry and another for a pose, so there is an order of
@@ -10,17 +11,18 @@ use super::arm::{Arm, Query};
 use super::axis::{Axis, Value};
 use super::candidates::Candidates;
 use super::elimination::{Elimination, Loop, Posture, last};
-use super::harmonics::{Complex, ROOTS, Roots, SAMPLES, angles, roots};
+use super::harmonics::{Complex, DEGREE, ROOTS, Roots, SAMPLES, angles, roots};
 use super::list::List;
 use super::newton::{linear, newton, twin};
 use super::pose::Displacement;
+use super::slides::{self, Slides};
 use super::solution::{Branch, CAPACITY};
 use super::vector::{Turn, add, norm, scale, sub, unit};
 
 /// Choices that are kept.
 pub const CHOICES: usize = 6;
 
-/// Six turning joints in general position.
+/// Six joints in general position.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct General {
     /// Lines in order, all `q` zero; the points are near the middle of the arm.
@@ -68,7 +70,7 @@ const AWAY: [f64; 4] = [1e-3, -1e-3, 1e-5, -1e-5];
 
 /// What was found so far.
 struct Found {
-    /// Turns in the joints' own order, and how far from a singularity.
+    /// Positions in the joints' own order, and how far from a singularity.
     list: List<(Posture, f64), CAPACITY>,
     /// Nearest miss, for a pose out of reach.
     best: Option<(f64, Posture)>,
@@ -80,7 +82,7 @@ impl Found {
         let far = |other: &Posture| {
             let mut most = 0.0f64;
             for (a, b) in other.iter().zip(posture) {
-                most = most.max((a.turn.c - b.turn.c).abs() + (a.turn.s - b.turn.s).abs());
+                most = most.max((a.turn.c - b.turn.c).abs() + (a.turn.s - b.turn.s).abs() + (a.way - b.way).abs());
             }
             most
         };
@@ -111,7 +113,8 @@ impl General {
         let slides = |j: usize| arm.axes.get(j).is_some_and(|a| a.slides);
         let whole = |six: &Posture| {
             let mut values = [Value::ZERO; N];
-            let own = self.joints.iter().zip(six).map(|(j, v)| (usize::from(*j), *v));
+            let long = |v: &Value| Value { way: v.way * self.size, ..*v };
+            let own = self.joints.iter().zip(six).map(|(j, v)| (usize::from(*j), long(v)));
             for (joint, value) in own.chain(locked) {
                 if let Some(place) = values.get_mut(joint) {
                     *place = value;
@@ -142,16 +145,22 @@ impl General {
         for (q, joint) in q.iter_mut().zip(self.joints) {
             *q = near.get(usize::from(joint)).copied().unwrap_or(0.0);
         }
-        let (sin, cos) = f64::sin_cos_all(&q);
-        let mut posture = [Value::ZERO; 6];
-        for (k, v) in posture.iter_mut().enumerate() {
-            *v = Value::turn(Turn { c: cos[k], s: sin[k] });
-        }
+        let posture = self.posture(axes, &q);
         let round = Loop::new(axes, g, 0, self.size);
         let (_, left) = linear(&round, &posture);
         if left < NAMED {
             self.refine(&round, posture, 0, found);
         }
+    }
+
+    /// From positions, rad or m.
+    fn posture(&self, axes: &[Axis; 6], q: &[f64; 6]) -> Posture {
+        let (sin, cos) = f64::sin_cos_all(q);
+        let mut posture = [Value::ZERO; 6];
+        for (k, (v, axis)) in posture.iter_mut().zip(axes).enumerate() {
+            *v = if axis.slides { Value::way(q[k] / self.size) } else { Value::turn(Turn { c: cos[k], s: sin[k] }) };
+        }
+        posture
     }
 
     /// Of an arm with seven joints: the other six behind the locked one, and its value.
@@ -181,7 +190,8 @@ impl General {
         // The last axis is no farther from the first than all distances between them together.
         let ways = axes.iter().zip(axes.iter().skip(1)).map(|(a, b)| norm(sub(b.c, a.c)));
         let [first, .., last] = axes;
-        if norm(sub(g.point(last.c), first.c)) > 1e-9 * self.size + ways.sum::<f64>() {
+        let slides = axes.iter().any(|a| a.slides);
+        if !slides && norm(sub(g.point(last.c), first.c)) > 1e-9 * self.size + ways.sum::<f64>() {
             return true;
         }
         for choice in self.order {
@@ -229,22 +239,43 @@ impl General {
         let pose_side = choice % 2 == 1;
         let hidden = usize::from(choice / 2);
         let round = Loop::new(axes, g, hidden, self.size);
+        if let Some(slides) = Slides::new(&round) {
+            return self.turns_first(&slides, &round, hidden, found);
+        }
         let system = Elimination::new(&round, pose_side);
-        let mut known = polynomial(&system);
+        let mut known = polynomial(|q| system.determinant(q), DEGREE);
         known.refine(|z| system.derivative(z));
         if !(known.noise < LOUD && system.regular > 1e-9) {
             return false;
         }
         let hopeless = found.list.is_empty();
         for z in known.z.iter().take(known.len) {
-            let size = z.size();
-            let off = (size - 1.0).abs();
-            // Of a pose out of reach, the nearest miss is wanted.
-            if !(off < BESIDE || off < 1.0 && hopeless && found.list.is_empty()) {
-                continue;
+            if let Some(q) = tried(*z, hopeless && found.list.is_empty()) {
+                self.refine(&round, start(&system, &round, q, pose_side), hidden, found);
             }
-            let posture = start(&system, &round, Turn { c: z.re / size, s: z.im / size }, pose_side);
-            self.refine(&round, posture, hidden, found);
+        }
+        matched(&known, hidden, found)
+    }
+
+    /// The same of two or three joints that slide.
+    fn turns_first(&self, slides: &Slides<'_>, round: &Loop, hidden: usize, found: &mut Found) -> bool {
+        if !slides.hides() {
+            for sign in [1.0, -1.0] {
+                self.refine(round, slides.posture(Turn::NONE, sign), hidden, found);
+            }
+            return true;
+        }
+        let known = polynomial(|q| slides.polynomial(q), slides::DEGREE);
+        if !(known.noise < LOUD) {
+            return false;
+        }
+        let hopeless = found.list.is_empty();
+        for z in known.z.iter().take(known.len) {
+            if let Some(q) = tried(*z, hopeless && found.list.is_empty()) {
+                for sign in [1.0, -1.0] {
+                    self.refine(round, slides.posture(q, sign), hidden, found);
+                }
+            }
         }
         matched(&known, hidden, found)
     }
@@ -273,12 +304,21 @@ impl General {
     /// How far the polynomial's nearest root is from a posture's hidden angle, rad; `None` where
     /// this choice alone does not lead to the posture, or not surely to all others.
     pub fn trial(&self, q: &[f64; 6], choice: u8) -> Option<f64> {
-        let (sin, cos) = f64::sin_cos_all(q);
-        let mut posture = [Value::ZERO; 6];
+        let hidden = usize::from(choice / 2) % 6;
+        let slides = self.axes.iter().filter(|a| a.slides).count();
+        let fits = match slides {
+            0 | 1 => !self.axes[hidden].slides,
+            2 => !self.axes[hidden].slides && choice.is_multiple_of(2),
+            3 => choice == 0,
+            _ => false,
+        };
+        if !fits {
+            return None;
+        }
+        let posture = self.posture(&self.axes, q);
         let mut g = Displacement::NONE;
-        for (k, axis) in self.axes.iter().enumerate() {
-            posture[k] = Value::turn(Turn { c: cos[k], s: sin[k] });
-            g = g.after(&axis.displacement(posture[k]));
+        for (axis, v) in self.axes.iter().zip(posture) {
+            g = g.after(&axis.displacement(Value { way: v.way * self.size, ..v }));
         }
         let mut found = Found { list: List::new(([Value::ZERO; 6], 0.0)), best: None };
         let sure = self.attempt(&self.axes, &g, choice, &mut found);
@@ -287,10 +327,17 @@ impl General {
         if !sure || found.list.len() != count {
             return None;
         }
-        let hidden = usize::from(choice / 2) % 6;
         let round = Loop::new(&self.axes, &g, hidden, self.size);
-        let known = polynomial(&Elimination::new(&round, choice % 2 == 1));
-        let here = Complex { re: cos[hidden], im: sin[hidden] };
+        let known = match Slides::new(&round) {
+            Some(slides) if slides.hides() => polynomial(|q| slides.polynomial(q), slides::DEGREE),
+            Some(_) => return Some(0.0),
+            None => {
+                let system = Elimination::new(&round, choice % 2 == 1);
+                polynomial(|q| system.determinant(q), DEGREE)
+            }
+        };
+        let turn = posture.get(hidden).map_or(Turn::NONE, |v| v.turn);
+        let here = Complex { re: turn.c, im: turn.s };
         let far = known.z.iter().take(known.len).map(|z| z.minus(here).size());
         Some(far.fold(f64::INFINITY, f64::min))
     }
@@ -363,22 +410,30 @@ fn matched(known: &Roots, hidden: usize, found: &Found) -> bool {
 }
 
 /// Roots of a choice as the samples give them.
-fn polynomial(system: &Elimination) -> Roots {
+fn polynomial(of: impl Fn(Turn) -> f64, degree: usize) -> Roots {
     let turns = angles();
     let mut samples = [0.0; SAMPLES];
     for (sample, q) in samples.iter_mut().zip(&turns) {
-        *sample = system.determinant(*q);
+        *sample = of(*q);
     }
-    roots(&samples, &turns)
+    roots(&samples, &turns, degree)
+}
+
+/// The angle of a root that may be real. Of a pose out of reach the nearest miss is wanted, so
+/// others are tried, too.
+fn tried(z: Complex, others: bool) -> Option<Turn> {
+    let size = z.size();
+    let off = (size - 1.0).abs();
+    (off < BESIDE || off < 1.0 && others).then(|| Turn { c: z.re / size, s: z.im / size })
 }
 
 /// All joints of the loop at a root.
 fn start(system: &Elimination, round: &Loop, hidden: Turn, pose_side: bool) -> Posture {
-    let [a, b, c, d] = system.angles(hidden);
+    let [a, b, c, d] = system.positions(hidden);
     // Near side: joints 1 and 2; far side: 5 and 4.
     let ([one, two], [five, four]) = if pose_side { ([a, b], [c, d]) } else { ([c, d], [a, b]) };
-    let mut v = [hidden, one, two, Turn::NONE, four, five].map(Value::turn);
-    v[3] = Value::turn(last(round, &v));
+    let mut v = [Value::turn(hidden), one, two, Value::ZERO, four, five];
+    v[3] = last(round, &v);
     v
 }
 

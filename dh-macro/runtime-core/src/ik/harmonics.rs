@@ -1,6 +1,6 @@
-//! Roots of a trigonometric polynomial of degree eight that is known at equal distances.
+//! Roots of a trigonometric polynomial of degree eight or less that is known at equal distances.
 //!
-//! With `z = e^(i q)` it is a polynomial of degree 16 whose real roots lie on the unit circle, where
+//! With `z = e^(i q)` it is a polynomial of twice the degree whose real roots lie on the unit circle, where
 //! its coefficients are as good as its samples. All roots are found together (Aberth and Ehrlich).
 
 use super::super::runtime::Scalar;
@@ -10,8 +10,8 @@ use super::vector::Turn;
 /// Samples: three more than a polynomial of degree eight has coefficients. The others tell the
 /// noise.
 pub(super) const SAMPLES: usize = 20;
-/// Its degree.
-const DEGREE: usize = 8;
+/// Its degree at most.
+pub(super) const DEGREE: usize = 8;
 /// Its complex roots.
 pub(super) const ROOTS: usize = 2 * DEGREE;
 /// Iterations at most; eight are usual.
@@ -87,7 +87,7 @@ pub(super) struct Roots {
     pub error: [f64; ROOTS],
     /// How many there are.
     pub len: usize,
-    /// What the samples have beyond degree eight, in parts of the largest coefficient.
+    /// What the samples have beyond the degree, in parts of the largest coefficient.
     pub noise: f64,
 }
 
@@ -110,16 +110,17 @@ fn coefficients(samples: &[f64; SAMPLES], turns: &[Turn; SAMPLES]) -> [Complex; 
     out
 }
 
-/// All roots of the polynomial through the samples.
-pub(super) fn roots(samples: &[f64; SAMPLES], turns: &[Turn; SAMPLES]) -> Roots {
+/// All roots of the polynomial of a degree up to [`DEGREE`] through the samples.
+pub(super) fn roots(samples: &[f64; SAMPLES], turns: &[Turn; SAMPLES], degree: usize) -> Roots {
     let half = coefficients(samples, turns);
-    let mut most = 1e-300f64;
-    for c in &half {
+    let (mut most, mut beyond) = (1e-300f64, 0.0f64);
+    for (k, c) in half.iter().enumerate() {
         most = most.max(c.size());
+        beyond = if k > degree { beyond.max(c.size()) } else { beyond };
     }
-    let noise = half[DEGREE + 1].size().max(half[DEGREE + 2].size()) / most;
+    let noise = beyond / most;
     // Roots beyond all measure, and their counterparts at zero, are none.
-    let mut degree = DEGREE;
+    let mut degree = degree.min(DEGREE);
     while degree > 1 && !half.get(degree).is_some_and(|c| c.size() > 1e-13 * most) {
         degree -= 1;
     }

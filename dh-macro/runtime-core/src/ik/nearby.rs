@@ -68,7 +68,7 @@ impl<const N: usize> Arm<N> {
                 let [p, r] = sizes(&remainder(&ideal, g, &start));
                 wanted += usize::from(k == 0 && p.max(r) < 1e-6);
                 let reached = p < OUT_OF_REACH * size && r < OUT_OF_REACH;
-                if reached && slack(&equations(self, g, query, &start).1, size) < REGULAR {
+                if reached && slack(&equations(self, g, query, &start).1, size, N) < REGULAR {
                     narrow = true;
                     walk(self, g, query, &start, &[-1.0, 1.0], FAR, |v| {
                         self.refine(g, query, v, kind, out, work);
@@ -81,7 +81,7 @@ impl<const N: usize> Arm<N> {
         let mut at = 0;
         while let Some(found) = out.list.as_slice().get(at).copied() {
             let start = values(self, &found.q);
-            if slack(&equations(self, g, query, &start).1, size) < REGULAR {
+            if slack(&equations(self, g, query, &start).1, size, N) < REGULAR {
                 narrow = true;
                 let kind = (found.branch, found.free);
                 around(self, g, query, &start, |v| self.refine(g, query, v, kind, out, work));

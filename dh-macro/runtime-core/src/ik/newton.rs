@@ -1,16 +1,23 @@
-//! Newton's steps of six turning joints, and what lies across a singularity.
+//! Newton's steps of six joints, and what lies across a singularity.
 
 use super::super::runtime::Scalar;
 use super::dense::{Rows, back, eliminate, kernel};
 use super::elimination::{Loop, Posture};
 use super::pose::Displacement;
-use super::vector::{Turn, cross, norm, product, sub, times, transposed};
+use super::vector::{Turn, cross, norm, product, scale, sub, times, transposed};
 
 /// Six columns of the joints, what is left, and one to fill whole registers.
 type System = Rows<8>;
 
+/// Length that counts as one, in parts of the arm's size: that of the posture, where slides are far
+/// out.
+fn long(v: &Posture) -> f64 {
+    v.iter().fold(1.0, |most, v| v.way.abs().max(most))
+}
+
 /// Equations of Newton's step: columns of the joints, then what is left; and its size.
 pub(super) fn linear(round: &Loop, v: &Posture) -> (System, f64) {
+    let parts = 1.0 / long(v);
     let mut before = Displacement::NONE;
     let mut h = [[0.0; 3]; 6];
     let mut c = [[0.0; 3]; 6];
@@ -27,24 +34,29 @@ pub(super) fn linear(round: &Loop, v: &Posture) -> (System, f64) {
     let w = [0.5 * (r[2][1] - r[1][2]), 0.5 * (r[0][2] - r[2][0]), 0.5 * (r[1][0] - r[0][1])];
     let mut rows = [[0.0; 8]; 16];
     for k in 0..6 {
-        let l = cross(h[k], sub(tip, c[k]));
+        let turned = || (scale(parts, cross(h[k], sub(tip, c[k]))), h[k]);
+        let (l, w) = if round.axes[k].slides { (h[k], [0.0; 3]) } else { turned() };
         for i in 0..3 {
-            (rows[i][k], rows[3 + i][k]) = (l[i], h[k][i]);
+            (rows[i][k], rows[3 + i][k]) = (l[i], w[i]);
         }
     }
     for i in 0..3 {
-        (rows[i][6], rows[3 + i][6]) = (left[i], w[i]);
+        (rows[i][6], rows[3 + i][6]) = (parts * left[i], w[i]);
     }
     // Beyond a quarter turn the sine falls again.
     let wide = r[0][0] + r[1][1] + r[2][2] < 1.0;
     (rows, norm(left) + norm(w) + if wide { 1.0 } else { 0.0 })
 }
 
-/// Turns moved on.
-fn stepped(v: &Posture, d: &[f64; 6]) -> Posture {
+/// Joints moved on.
+fn stepped(round: &Loop, v: &Posture, d: &[f64; 6]) -> Posture {
     let (sin, cos) = f64::sin_cos_all(d);
-    let mut out = *v;
+    let (mut out, long) = (*v, long(v));
     for (k, v) in out.iter_mut().enumerate() {
+        if round.axes[k].slides {
+            v.way += long * d[k];
+            continue;
+        }
         let turn = v.turn.then(Turn { c: cos[k], s: sin[k] });
         let n = 1.5 - 0.5 * (turn.c * turn.c + turn.s * turn.s);
         v.turn = Turn { c: turn.c * n, s: turn.s * n };
@@ -85,7 +97,7 @@ pub(super) fn newton(round: &Loop, v: &mut Posture) -> (f64, f64) {
         if most > 0.3 {
             d = d.map(|x| x * 0.3 / most);
         }
-        let next = stepped(v, &d);
+        let next = stepped(round, v, &d);
         let (next_rows, next_left) = linear(round, &next);
         if next_left >= left {
             worse += 1;
@@ -125,9 +137,9 @@ pub(super) fn twin(round: &Loop, v: &Posture) -> Option<Posture> {
         sum
     };
     let here = image(&rows);
-    let (on, _) = linear(round, &stepped(v, &idle.map(|x| x * STEP)));
-    let (off, _) = linear(round, &stepped(v, &idle.map(|x| -x * STEP)));
+    let (on, _) = linear(round, &stepped(round, v, &idle.map(|x| x * STEP)));
+    let (off, _) = linear(round, &stepped(round, v, &idle.map(|x| -x * STEP)));
     let bend = (image(&on) - image(&off)) / (2.0 * STEP);
     let way = -2.0 * here / bend;
-    (way.abs() < 0.3).then(|| stepped(v, &idle.map(|x| x * way)))
+    (way.abs() < 0.3).then(|| stepped(round, v, &idle.map(|x| x * way)))
 }

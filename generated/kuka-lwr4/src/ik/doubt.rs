@@ -111,7 +111,7 @@ impl<const N: usize> Arm<N> {
             let [a, b, c, d, e, f] = parts[i];
             [a, b, c, d, e, f, row[i]]
         });
-        if !(slack(&columns, size) < FREE) {
+        if !(slack(&columns, size, N) < FREE) {
             return 0;
         }
         // A motion of all joints, minus the least motion with the same effect: the difference has

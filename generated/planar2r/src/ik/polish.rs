@@ -108,12 +108,12 @@ pub(super) fn equations<const N: usize>(
 
 /// Distance of a Jacobian from a singularity: the rest of the last column after it is made square
 /// to the others, the longest first (Gram and Schmidt with pivots). Lengths count in parts of
-/// `size`.
-pub(super) fn slack<const N: usize>(columns: &[Rows; N], size: f64) -> f64 {
+/// `size`. Of an arm with joints to spare only the first `rank` columns count.
+pub(super) fn slack<const N: usize>(columns: &[Rows; N], size: f64, rank: usize) -> f64 {
     let mut rest = columns.map(|[x, y, z, a, b, c, d]| [x / size, y / size, z / size, a, b, c, d]);
     let dot = |a: &Rows, b: &Rows| a.iter().zip(b).fold(0.0, |s, (x, y)| s + x * y);
     let mut least = f64::INFINITY;
-    for k in 0..N {
+    for k in 0..rank.min(N) {
         let longer = |best: (usize, f64), (i, c): (usize, &Rows)| {
             let n2 = dot(c, c);
             if n2 > best.1 { (i, n2) } else { best }

@@ -1,4 +1,4 @@
-//! Six turning joints without a geometry of their own: which joint is hidden, and which side
+//! Six joints without a geometry of their own: which joint is hidden, and which side
 //! eliminated.
 
 use super::Found;
@@ -9,11 +9,16 @@ use crate::ik::{Axis, CHOICES, Family, General, NO_CHOICE};
 const TRIALS: usize = 16;
 const FAILURES: usize = 1;
 
-/// By elimination: six turning joints, or seven of which the last or the first is locked.
+/// By elimination: six joints, or seven of which one is locked: one that slides before others, as an
+/// arm on a rail is solved best without it, then the last, the first, and those between.
 pub(super) fn candidates(axes: &[Axis]) -> Vec<Found> {
-    let locks = match axes.len() {
+    let locks: Vec<Option<usize>> = match axes.len() {
         6 => vec![None],
-        7 => vec![Some(6), Some(0)],
+        7 => {
+            let mut order = [6, 0, 5, 1, 4, 2, 3];
+            order.sort_by_key(|&joint| !axes[joint].slides);
+            order.into_iter().map(Some).collect()
+        }
         _ => Vec::new(),
     };
     locks.into_iter().filter_map(|locked| found(axes, locked)).collect()
@@ -22,14 +27,15 @@ pub(super) fn candidates(axes: &[Axis]) -> Vec<Found> {
 fn found(axes: &[Axis], locked: Option<usize>) -> Option<Found> {
     let kept: Vec<usize> = (0..axes.len()).filter(|&k| Some(k) != locked).collect();
     let six: [Axis; 6] = kept.iter().map(|&k| axes[k]).collect::<Vec<_>>().try_into().ok()?;
-    if six.iter().any(|a| a.slides) {
-        return None;
-    }
     let joints: [u8; 6] = kept.iter().map(|&k| k as u8).collect::<Vec<_>>().try_into().ok()?;
     let (six, size) = gathered(six);
     let order = order(&General { axes: six, joints, locked: None, size, order: [NO_CHOICE; CHOICES] })?;
     let why = "no axes that simplify the equations were found, exactly or nearly";
-    let by = "five joints are eliminated, and the polynomial of degree 16 in the other solved";
+    let by = match six.iter().filter(|a| a.slides).count() {
+        0 | 1 => "five joints are eliminated, and the polynomial of degree 16 in the other solved",
+        2 => "turns before slides, and the polynomial of degree 8 in one angle solved",
+        _ => "three turns make the rotation, three slides the rest",
+    };
     let given = locked.map_or(String::new(), |joint| format!("; joint {} is given", joint + 1));
     let general = General { axes: six, joints, locked: locked.map(|joint| joint as u8), size, order };
     Some(Found { class: "none", reason: format!("{why}: {by}{given}"), family: Family::General(general) })
@@ -57,9 +63,11 @@ fn order(general: &General) -> Option<[u8; CHOICES]> {
     let postures: [[f64; 6]; TRIALS] = core::array::from_fn(|_| {
         core::array::from_fn(|_| {
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            ((state >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0) * core::f64::consts::PI
+            (state >> 11) as f64 / (1u64 << 53) as f64 * 2.0 - 1.0
         })
     });
+    let range = general.axes.map(|a| if a.slides { general.size } else { core::f64::consts::PI });
+    let postures = postures.map(|unit| core::array::from_fn(|k| unit[k] * range[k]));
     let mut rated: Vec<(usize, f64, u8)> = Vec::new();
     for choice in 0..12 {
         let (mut failures, mut digits) = (0, 0.0);

@@ -1,0 +1,476 @@
+//! Searches what changed in the robot file: forward selection from the unchanged file.
+//!
+//! Friction that the file has is fixed until a term of it is the best candidate of a round,
+//! so that a changed level competes with every other cause. In the best place, the candidate with
+//! the fewest unknowns goes first where it gains nearly as much. It is accepted if it takes enough
+//! of a joint's error, in the fit and on stretches of the logs that are left out in turn, and makes
+//! no other joint worse there.
+
+use super::baseline_friction::BaselineFriction;
+use super::candidate::{Candidate, candidates, evaluate, logs, refine, rivals, unknowns};
+use super::judge::{Accepted, Judge, THROUGHOUT, adopt, chosen_of};
+use super::{SearchSettings, equivalent_robot_cause, simplify};
+use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
+use crate::diagnose::fit::regulariser::Regulariser;
+use crate::diagnose::hypotheses::{COULOMB, Hypothesis, Kind, OFFSET, VISCOUS, laws};
+use crate::diagnose::select::model_choice::LeftOut;
+use dh_codegen::robot::EffectKind;
+
+/// Plain friction and offset, in the order of a joint's unknowns.
+const PLAIN: [&dyn Hypothesis; 3] = [&VISCOUS, &COULOMB, &OFFSET];
+
+/// Candidates that are refused before a round ends.
+const REFUSED: usize = 8;
+
+/// Part of its score by which a candidate with fewer unknowns in the same place may lag behind.
+const SIMPLER: f64 = 0.05;
+
+/// The same of plain friction beside a friction law with a memory or of position, which follow any
+/// error that turns with the motion.
+const PLAINER: f64 = 0.2;
+
+/// Share by which the error of a joint on left-out stretches may grow.
+const SPOILT: f64 = 0.3;
+
+/// What acts in a part of a log gains at least so many times what it would gain in the upper
+/// quartile of all other parts.
+const ALONE: f64 = 3.0;
+
+/// Evidence for one cause as it was accepted.
+#[derive(Debug, Clone, PartialEq)]
+pub(in crate::diagnose) struct Evidence {
+    pub(in crate::diagnose) effect: EffectKind,
+    pub(in crate::diagnose) place: Vec<usize>,
+    /// Share of the squared error of its main joint that it takes; of a cause that acts in a part
+    /// of a log, there.
+    pub(in crate::diagnose) share: f64,
+    /// The same on stretches that are left out in turn.
+    pub(in crate::diagnose) left_out: f64,
+}
+
+/// What the search found.
+pub(in crate::diagnose) struct Found {
+    pub(in crate::diagnose) accepted: Vec<Accepted>,
+    /// Of each cause, in the order in which they were accepted.
+    pub(in crate::diagnose) evidence: Vec<Evidence>,
+    /// Terms of plain friction that changed, with their alternatives; by joint.
+    pub(in crate::diagnose) friction: Vec<BaselineFriction>,
+}
+
+/// Cause, place and number of coefficients: of several laws of one cause each is tried.
+type Law = (&'static str, Vec<usize>, usize);
+
+fn law(candidate: &Candidate) -> Law {
+    (candidate.cause.name(), candidate.place.clone(), candidate.gain.x.len())
+}
+
+/// A term of plain friction: its number among the unknowns.
+fn plain(candidate: &Candidate) -> Option<usize> {
+    let which = PLAIN.iter().position(|p| p.effect() == candidate.cause.effect())?;
+    candidate.place.first().map(|j| 3 * j + which)
+}
+
+/// Searches until nothing more is worth having. The model under test is left with the friction
+/// terms that were found free, and all others of the file fixed.
+pub(in crate::diagnose) fn forward(
+    tested: &mut ModelUnderTest<'_>,
+    noise: &[f64],
+    settings: &SearchSettings,
+    progress: &dyn Fn(&str),
+) -> Found {
+    // Friction that the file lacks is an unknown, not a change.
+    let given = given_friction(tested.plant);
+    tested.frozen = given.iter().flatten().map(Option::is_some).collect();
+    tested.regulariser = Some(Regulariser::none());
+    let mut search = Forward {
+        tested,
+        noise,
+        settings,
+        chosen: Vec::new(),
+        accepted: Vec::new(),
+        friction: Vec::new(),
+        evidence: Vec::new(),
+    };
+    let mut fitted = search.tested.fit(&mut []);
+    let mut refused = Vec::new();
+    while search.accepted.len() < settings.most {
+        progress(&format!("{} found, looking for more", search.evidence.len()));
+        let Some(next) = search.round(&fitted, &mut refused) else { break };
+        fitted = next;
+    }
+    progress("whether other laws explain several causes at once");
+    search.unite(&mut fitted);
+    search.prune(&mut fitted);
+    let Forward { mut accepted, friction, evidence, .. } = search;
+    simplify(tested, &mut accepted, &mut fitted);
+    let mut chosen = chosen_of(&accepted);
+    tested.fit_regularised_beside(&mut chosen);
+    adopt(&mut accepted, &chosen);
+    Found { accepted, evidence, friction }
+}
+
+/// A part of the model that was found: one of the causes, or a term of friction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Part {
+    Cause(usize),
+    Friction(usize),
+}
+
+struct Forward<'s, 'a> {
+    tested: &'s mut ModelUnderTest<'a>,
+    noise: &'s [f64],
+    settings: &'s SearchSettings,
+    chosen: Vec<Chosen>,
+    accepted: Vec<Accepted>,
+    friction: Vec<BaselineFriction>,
+    evidence: Vec<Evidence>,
+}
+
+impl Forward<'_, '_> {
+    /// Adds the best cause that is accepted; `None` where there is none.
+    fn round(&mut self, fitted: &Fitted, refused: &mut Vec<Law>) -> Option<Fitted> {
+        let ranked = self.ranked(fitted, refused);
+        let before = self.tested.left_out(&self.chosen, fitted);
+        let mut tried: Vec<usize> = Vec::new();
+        while tried.len() < REFUSED {
+            let at = best(&ranked, &tried)?;
+            tried.push(at);
+            if let Some(next) = self.accept(&ranked, at, fitted, &before) {
+                return Some(next);
+            }
+            refused.push(law(&ranked[at]));
+        }
+        None
+    }
+
+    /// Puts another law of a cause in the place of it and of all causes of its joints alone, where it
+    /// explains as much: the first law that was taken may have been a part of it. What is left then
+    /// looked like friction of those joints.
+    fn unite(&mut self, fitted: &mut Fitted) {
+        for index in 0..self.accepted.len() {
+            let Some(own) = self.accepted.get(index).map(|a| a.chosen.clone()) else { break };
+            let inside = |place: &[usize]| !place.is_empty() && place.iter().all(|j| own.place.contains(j));
+            let beside = |i: usize, a: &Accepted| i != index && inside(&a.chosen.place);
+            let others: Vec<usize> =
+                (0..self.accepted.len()).filter(|&i| i != index && !beside(i, &self.accepted[i])).collect();
+            let given = given_friction(self.tested.plant);
+            let constant = own.cause.has_constant();
+            let free = |k: usize| !self.tested.frozen[k] && given[k / 3][k % 3].is_some() && !(constant && k % 3 == 2);
+            let terms: Vec<usize> =
+                (0..self.tested.frozen.len()).filter(|&k| free(k) && own.place.contains(&(k / 3))).collect();
+            if own.cause.moves_time() || others.len() + 1 == self.accepted.len() && terms.is_empty() {
+                continue;
+            }
+            terms.iter().for_each(|&k| self.tested.frozen[k] = true);
+            let mut rest: Vec<Chosen> = others.iter().map(|&i| self.accepted[i].chosen.clone()).collect();
+            let without = self.tested.fit(&mut rest);
+            let saved = self.accepted.len() - others.len() - 1 + terms.len();
+            match self.united(&own, &rest, &without, (saved, fitted)) {
+                Some((trial, next)) => {
+                    let mut kept: Vec<Accepted> = others.iter().map(|&i| self.accepted[i].clone()).collect();
+                    kept.push(self.accepted[index].clone());
+                    self.evidence
+                        .retain(|e| e.effect == own.cause.effect() && e.place == own.place || !inside(&e.place));
+                    self.friction.retain(|f| !own.place.contains(&f.joint));
+                    (self.accepted, self.chosen, *fitted) = (kept, trial, next);
+                    adopt(&mut self.accepted, &self.chosen);
+                    return self.unite(fitted);
+                }
+                None => terms.iter().for_each(|&k| self.tested.frozen[k] = false),
+            }
+        }
+        *fitted = self.tested.fit(&mut self.chosen);
+        adopt(&mut self.accepted, &self.chosen);
+    }
+
+    /// Takes out, the least first, what takes less than the least gain of a joint's error beside all
+    /// others: what was accepted before the cause that it stood for.
+    fn prune(&mut self, fitted: &mut Fitted) {
+        loop {
+            let parts = self.parts();
+            if parts.len() < 2 {
+                break;
+            }
+            let shares: Vec<(f64, Part)> = parts.into_iter().map(|part| (self.share_of(part, fitted), part)).collect();
+            let least = shares.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+            let Some((_, part)) = least.filter(|(share, _)| *share < self.settings.least_gain) else { break };
+            self.remove(part);
+            *fitted = self.tested.fit(&mut self.chosen);
+            adopt(&mut self.accepted, &self.chosen);
+        }
+        *fitted = self.tested.fit(&mut self.chosen);
+        adopt(&mut self.accepted, &self.chosen);
+    }
+
+    /// What was found and can be taken out: neither delays, which have moved the data, nor what acts
+    /// in a part of a log.
+    fn parts(&self) -> Vec<Part> {
+        let of = |e: &Evidence| {
+            if let Some(which) = PLAIN.iter().position(|p| p.effect() == e.effect) {
+                let k = 3 * e.place.first()? + which;
+                return (!self.tested.frozen[k]).then_some(Part::Friction(k));
+            }
+            let here = |c: &Chosen| c.cause.effect() == e.effect && c.place == e.place;
+            let index = self.chosen.iter().position(here)?;
+            let cause = self.chosen[index].cause;
+            (!cause.moves_time() && !cause.local()).then_some(Part::Cause(index))
+        };
+        self.evidence.iter().filter_map(of).collect()
+    }
+
+    /// Share of its main joint's squared error that a part takes beside all others.
+    fn share_of(&mut self, part: Part, fitted: &Fitted) -> f64 {
+        let mut rest = self.chosen.clone();
+        match part {
+            Part::Cause(index) => drop(rest.remove(index)),
+            Part::Friction(k) => self.tested.frozen[k] = true,
+        }
+        let without = self.tested.fit(&mut rest);
+        if let Part::Friction(k) = part {
+            self.tested.frozen[k] = false;
+        }
+        let joint = main_joint(&without, fitted);
+        let [a, b] = [&without, fitted].map(|f| f.solution.rss[joint]);
+        if a > 0.0 { 1.0 - b / a } else { 0.0 }
+    }
+
+    /// Takes a part out, with its evidence; the fit is left to the caller.
+    fn remove(&mut self, part: Part) {
+        let (effect, place) = match part {
+            Part::Cause(index) => {
+                self.chosen.remove(index);
+                let gone = self.accepted.remove(index).chosen;
+                (gone.cause.effect(), gone.place)
+            }
+            Part::Friction(k) => {
+                self.tested.frozen[k] = true;
+                (PLAIN[k % 3].effect(), vec![k / 3])
+            }
+        };
+        self.evidence.retain(|e| e.effect != effect || e.place != place);
+    }
+
+    /// The best law of a cause beside the `rest`, if it loses no more than the unknowns of what it
+    /// replaces cost: `saved` causes and terms of the whole model.
+    fn united(
+        &mut self,
+        own: &Chosen,
+        rest: &[Chosen],
+        without: &Fitted,
+        (saved, whole): (usize, &Fitted),
+    ) -> Option<(Vec<Chosen>, Fitted)> {
+        let of = |cause: &'static dyn Hypothesis| {
+            let shapes = cause.grid(&self.tested.scene, &own.place, &without.residual);
+            let tried = shapes.iter().filter_map(|shape| evaluate(self.tested, without, cause, &own.place, shape));
+            tried.max_by(|a, b| a.score.total_cmp(&b.score))
+        };
+        let mut best = laws(own.cause.effect()).filter_map(of).max_by(|a, b| a.score.total_cmp(&b.score))?;
+        refine(self.tested, without, &mut best);
+        let mut trial = [rest, &[best.chosen()]].concat();
+        let next = self.tested.fit(&mut trial);
+        let lost: f64 =
+            logs(&next.solution.rss, &whole.solution.rss).zip(&whole.solution.counts).map(|(l, n)| l * n).sum();
+        let more = unknowns(best.cause, &best.shape, best.gain.x.len()) - unknowns(own.cause, &own.shape, own.x.len());
+        let pays = saved as f64 > more && lost < (saved as f64 - more.max(0.0)) * counts(whole).ln();
+        (pays && self.judge().stands(trial.last()?, &next)).then_some((trial, next))
+    }
+
+    /// All candidates, plain friction among them, best first.
+    fn ranked(&self, fitted: &Fitted, refused: &[Law]) -> Vec<Candidate> {
+        let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| {
+            let same = |c: &&Chosen| c.cause.name() == cause.name() && c.place == place;
+            self.chosen.iter().filter(same).count() < cause.most()
+        };
+        let mut all = candidates(self.tested, fitted, &wanted);
+        for (k, _) in self.tested.frozen.iter().enumerate().filter(|(_, frozen)| **frozen) {
+            let (cause, place) = (PLAIN[k % 3], [k / 3]);
+            if wanted(cause, &place) {
+                all.extend(evaluate(self.tested, fitted, cause, &place, &[]));
+            }
+        }
+        all.retain(|c| !refused.contains(&law(c)));
+        // Stable: what `candidates` put first stays there among equals.
+        all.sort_by(|a, b| b.score.total_cmp(&a.score));
+        all
+    }
+
+    /// The model with a candidate, if that is accepted; else all is as before.
+    fn accept(&mut self, ranked: &[Candidate], at: usize, fitted: &Fitted, before: &LeftOut) -> Option<Fitted> {
+        let candidate = &ranked[at];
+        let delays = self.tested.scene.delays.clone();
+        let friction = plain(candidate);
+        let mut trial = self.chosen.clone();
+        match friction {
+            Some(k) => {
+                // Beside a law of friction its level is a part of that.
+                let law = |c: &Chosen| c.place == candidate.place && c.cause.kind() == Kind::Friction;
+                self.tested.separate[k] = !self.chosen.iter().any(law);
+                self.tested.frozen[k] = false;
+            }
+            None => trial.push(candidate.chosen()),
+        }
+        let next = self.tested.fit(&mut trial);
+        if let Some(evidence) = self.holds((ranked, at), &trial, [fitted, &next], before) {
+            match friction {
+                Some(k) => self.adopt_friction(k / 3, ranked, at, &next),
+                None => self.adopt_cause(&mut trial, ranked, at, [fitted, &next]),
+            }
+            // A body on the last link has become a payload.
+            let name = |last: &Chosen| (last.cause.effect(), last.place.clone());
+            let (effect, place) = match friction {
+                Some(_) => (evidence.effect, evidence.place),
+                None => trial.last().map_or((evidence.effect, evidence.place), name),
+            };
+            self.evidence.push(Evidence { effect, place, ..evidence });
+            self.chosen = trial;
+            adopt(&mut self.accepted, &self.chosen);
+            return Some(next);
+        }
+        if let Some(k) = friction {
+            self.tested.frozen[k] = true;
+        }
+        if delays != self.tested.scene.delays {
+            let by: Vec<f64> = self.tested.scene.delays.iter().zip(&delays).map(|(a, b)| b - a).collect();
+            self.tested.undo_delay(&by);
+        }
+        // The scene's model is that of the last fit.
+        self.tested.fit(&mut self.chosen.clone());
+        None
+    }
+
+    /// Evidence for one of the candidates that was fitted (`after`, as the last of `trial` unless it
+    /// is plain friction); `None` if it is not worth having.
+    fn holds(
+        &self,
+        (ranked, at): (&[Candidate], usize),
+        trial: &[Chosen],
+        [before, after]: [&Fitted; 2],
+        left: &LeftOut,
+    ) -> Option<Evidence> {
+        let judge = self.judge();
+        let candidate = &ranked[at];
+        let Candidate { cause, place, .. } = candidate;
+        let evidence = |share: f64, left_out: f64| {
+            Some(Evidence { effect: cause.effect(), place: place.clone(), share, left_out })
+        };
+        if plain(candidate).is_none() && !trial.last().is_some_and(|last| judge.stands(last, after)) {
+            return None;
+        }
+        if cause.local() {
+            let share = judge.share_within(trial.last()?, before, after)?;
+            let holds = gained(candidate, ranked.len(), before, after) > 0.0 && self.is_alone(candidate, before);
+            return if holds { evidence(share, share) } else { None };
+        }
+        if !judge.matters(*cause, before, after) || judge.overshadowed(*cause, place, before, after) {
+            return None;
+        }
+        let now = self.tested.left_out(trial, after);
+        let squares = |l: &LeftOut, j: usize| l.joint_rms(j).powi(2);
+        let share = |j: usize| match squares(left, j) {
+            known if known > 0.0 => 1.0 - squares(&now, j) / known,
+            _ => 0.0,
+        };
+        let main = main_joint(before, after);
+        let worst = (0..self.noise.len()).map(share).fold(0.0, f64::min);
+        if share(main) <= 0.6 * self.settings.least_gain || worst <= -SPOILT {
+            return None;
+        }
+        let taken = 1.0 - after.solution.rss[main] / before.solution.rss[main].max(f64::MIN_POSITIVE);
+        evidence(taken, share(main))
+    }
+
+    /// Whether what acts in a part of a log gains far more there than it would anywhere else: a
+    /// slow error looks like a constant wrench in any short piece.
+    fn is_alone(&self, candidate: &Candidate, before: &Fitted) -> bool {
+        let Some([start, end]) = candidate.cause.acts(&candidate.shape) else { return true };
+        let (length, all) = (end - start, self.tested.scene.len as f64 * self.tested.scene.step);
+        let worth = |c: &Candidate| c.score + unknowns(c.cause, &c.shape, c.gain.x.len()) * counts(before).ln();
+        let beside = |k: usize| {
+            let shift = k as f64 * length;
+            let mut shape = candidate.shape.clone();
+            (shape[0], shape[1]) = (shift, shift + length);
+            let apart = shift + length <= start || shift >= end;
+            apart.then(|| evaluate(self.tested, before, candidate.cause, &candidate.place, &shape)).flatten()
+        };
+        let pieces = (all / length.max(1e-3)).floor().min(400.0) as usize;
+        let mut others: Vec<f64> = (0..pieces).filter_map(beside).map(|c| worth(&c)).collect();
+        others.sort_by(f64::total_cmp);
+        let usual = others.get(others.len() * 3 / 4).copied().unwrap_or(0.0);
+        worth(candidate) > ALONE * usual
+    }
+
+    fn judge(&self) -> Judge<'_> {
+        Judge { tested: self.tested, noise: self.noise, settings: self.settings, accepted: &self.accepted, tried: 1 }
+    }
+
+    fn adopt_friction(&mut self, joint: usize, ranked: &[Candidate], at: usize, next: &Fitted) {
+        let rivals = rivals(ranked, at, next);
+        match self.friction.iter_mut().find(|f| f.joint == joint) {
+            Some(known) => known.rivals = rivals,
+            None => self.friction.push(BaselineFriction { joint, rivals }),
+        }
+    }
+
+    fn adopt_cause(&mut self, trial: &mut [Chosen], ranked: &[Candidate], at: usize, [before, after]: [&Fitted; 2]) {
+        let Some(last) = trial.last_mut() else { return };
+        let terms = after.terms.last().map_or(&[][..], |t| t.as_slice());
+        if let Some(other) = equivalent_robot_cause(self.tested, last, terms) {
+            *last = other;
+        }
+        let of = |f: &Fitted| {
+            f.solution.rss.iter().zip(&f.solution.counts).map(|(r, n)| r / n.max(1.0)).collect::<Vec<f64>>()
+        };
+        let variance = of(before).iter().zip(of(after)).map(|(a, b)| (a - b).max(0.0)).sum();
+        self.accepted.push(Accepted {
+            chosen: last.clone(),
+            // Left-out stretches have decided.
+            support: gained(&ranked[at], ranked.len(), before, after).max(THROUGHOUT),
+            confirmed: 1.0,
+            rivals: rivals(ranked, at, after),
+            variance,
+        });
+    }
+}
+
+/// Twice the gain in log-likelihood, in independent windows, less the cost of the unknowns and of
+/// the choice among so many candidates.
+fn gained(candidate: &Candidate, candidates: usize, before: &Fitted, after: &Fitted) -> f64 {
+    let windows = || before.solution.counts.iter().zip(&after.memory).map(|(n, m)| n / m);
+    let gain: f64 = logs(&before.solution.rss, &after.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();
+    let unknowns = unknowns(candidate.cause, &candidate.shape, candidate.gain.x.len());
+    gain - unknowns * windows().sum::<f64>().max(2.0).ln() - 2.0 * (candidates as f64).ln()
+}
+
+/// Windows of all joints.
+fn counts(fitted: &Fitted) -> f64 {
+    fitted.solution.counts.iter().sum::<f64>().max(2.0)
+}
+
+/// The joint on which most is gained.
+fn main_joint(before: &Fitted, after: &Fitted) -> usize {
+    let gains: Vec<f64> =
+        logs(&before.solution.rss, &after.solution.rss).zip(&before.solution.counts).map(|(l, n)| l * n).collect();
+    (0..gains.len()).max_by(|&a, &b| gains[a].total_cmp(&gains[b])).unwrap_or(0)
+}
+
+/// The candidate to try next: the best one, or one in its place with fewer unknowns that gains
+/// nearly as much.
+fn best(ranked: &[Candidate], tried: &[usize]) -> Option<usize> {
+    let left = || (0..ranked.len()).filter(|i| !tried.contains(i));
+    let first = left().next().filter(|&i| ranked[i].score > 0.0)?;
+    let top = &ranked[first];
+    let count = |c: &Candidate| unknowns(c.cause, &c.shape, c.gain.x.len());
+    let place = |c: &Candidate| c.place == top.place || c.place.is_empty() || top.place.is_empty();
+    let follows = top.cause.follows_reversals();
+    let near = |c: &Candidate| {
+        let friction = c.cause.kind() == Kind::Friction && plain(c).is_some();
+        let lag = if follows && friction { PLAINER } else { SIMPLER };
+        c.score > (1.0 - lag) * top.score
+    };
+    let simpler = left().filter(|&i| place(&ranked[i]) && count(&ranked[i]) < count(top) && near(&ranked[i]));
+    let fewest = |a: &usize, b: &usize| {
+        let [a, b] = [&ranked[*a], &ranked[*b]];
+        count(a).total_cmp(&count(b)).then(b.score.total_cmp(&a.score))
+    };
+    Some(simpler.min_by(fewest).unwrap_or(first))
+}

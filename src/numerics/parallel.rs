@@ -1,0 +1,60 @@
+//! Independent pieces of work on several threads, results in order.
+//!
+//! Threads of the standard library: pieces are few and large, none divides further, and the order of
+//! all sums stays with the caller, so a pool that steals work would add dependencies alone.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// As many threads as this process may use.
+pub(crate) fn threads() -> usize {
+    std::thread::available_parallelism().map_or(1, usize::from)
+}
+
+/// Calls `work` with `0..count` on some threads; results in order, whatever the number of threads.
+pub(crate) fn parallel<T: Send>(threads: usize, count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
+    if threads <= 1 || count <= 1 {
+        return (0..count).map(work).collect();
+    }
+    let next = AtomicUsize::new(0);
+    let done: Mutex<Vec<(usize, T)>> = Mutex::new(Vec::new());
+    std::thread::scope(|scope| {
+        for _ in 0..threads.min(count) {
+            scope.spawn(|| {
+                loop {
+                    let k = next.fetch_add(1, Ordering::Relaxed);
+                    if k >= count {
+                        return;
+                    }
+                    let result = work(k);
+                    if let Ok(mut done) = done.lock() {
+                        done.push((k, result));
+                    }
+                }
+            });
+        }
+    });
+    let mut done = done.into_inner().unwrap_or_default();
+    done.sort_by_key(|d| d.0);
+    done.into_iter().map(|d| d.1).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn results_are_in_order_for_any_number_of_threads() {
+        for threads in [1, 2, 7, 100] {
+            for count in [0, 1, 5, 64] {
+                let found = parallel(threads, count, |k| {
+                    if k % 3 == 0 {
+                        std::thread::yield_now();
+                    }
+                    k * k
+                });
+                assert_eq!(found, (0..count).map(|k| k * k).collect::<Vec<_>>());
+            }
+        }
+    }
+}
