@@ -299,12 +299,15 @@ impl Factor {
                 Ok(written) => return Ok(all.and(written)),
                 Err(FleetError::Engine(why)) => {
                     let left = store.known(&name).await?.missing(files, By::Name);
-                    let (still, _) = present.present().await?;
+                    let (still, gone) = present.present().await?;
                     // Neither has anything come, nor is a worker gone: it would end the same way.
                     if left.len() == todo && still == present {
                         return Err(FleetError::Engine(why));
                     }
-                    let said = cluster::first_line(&why.to_string()).to_string();
+                    let said = match gone.is_empty() {
+                        true => cluster::first_line(&why.to_string()).to_string(),
+                        false => gone.join("; "),
+                    };
                     eprintln!("{}", visible(&format!("{said}; once more, for {} recordings", left.len())));
                     all.recordings += todo - left.len();
                     table = RecordingsTable { robot, name, place: Place::Files(left), day };

@@ -33,7 +33,7 @@ use url::Url;
 use crate::Fleet;
 use crate::error::FleetError;
 use crate::merge::MergeFactor;
-use crate::recordings::OfEachWorker;
+use crate::recordings::{DoneForOthers, OfEachWorker};
 use crate::robots::Robots;
 
 /// A worker that is silent for the sum of both is dead: pings are sent so often, and waited for so
@@ -182,10 +182,12 @@ pub async fn serve(listen: SocketAddr, robots: &[PathBuf], ready: impl FnOnce(So
     let listener = tokio::net::TcpListener::bind(listen).await.map_err(deaf)?;
     let runtime = Arc::new(RuntimeEnv::default());
     let stores = Arc::clone(&runtime);
+    let done = Arc::new(DoneForOthers::default());
     let session = move |asked: WorkerQueryContext| {
-        let (known, stores) = (Arc::clone(&known), Arc::clone(&stores));
+        let (known, stores, done) = (Arc::clone(&known), Arc::clone(&stores), Arc::clone(&done));
         async move {
-            let builder = asked.builder.with_distributed_user_codec(leaves::Codec(Arc::clone(&known)));
+            let mut builder = asked.builder.with_distributed_user_codec(leaves::Codec(Arc::clone(&known)));
+            builder.config().get_or_insert_default().set_extension(done);
             let mut state = builder.with_distributed_channel_resolver(Channels::default()).build();
             state.register_udaf(Arc::new(AggregateUDF::from(MergeFactor::default())))?;
             for own in crate::functions::all(&known, &stores) {

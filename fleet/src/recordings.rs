@@ -3,8 +3,10 @@
 //! The planner cuts files of rows into pieces and mixes them; a low-pass that runs forward and
 //! backward would see pieces. So the leaf of the plan deals out files, and a batch is a recording.
 
+use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use async_trait::async_trait;
 use datafusion::arrow::datatypes::SchemaRef;
@@ -22,6 +24,7 @@ use datafusion::physical_plan::{
 };
 use denavit::identify::RecordingReader;
 use denavit::identify::recording::plain_preparation;
+use denavit::report::visible;
 use serde::{Deserialize, Serialize};
 
 use crate::open::row;
@@ -133,6 +136,19 @@ pub(crate) struct Parts {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct OfEachWorker(pub usize);
 
+/// What this process has done for others, which its log says; in the sessions of a worker.
+#[derive(Debug, Default)]
+pub(crate) struct DoneForOthers(AtomicUsize);
+
+impl DoneForOthers {
+    /// So many recordings or robots more.
+    pub fn say(&self, count: usize, what: &str) {
+        let all = self.0.fetch_add(count, Ordering::Relaxed) + count;
+        // Nobody may read the log.
+        let _ = writeln!(std::io::stderr(), "{}", visible(&format!("{count} {what}, {all} since the start")));
+    }
+}
+
 impl RecordingsExec {
     pub(crate) fn new(robot: Arc<KnownRobot>, parts: Parts) -> Result<Self> {
         let schema = match &parts.projection {
@@ -199,9 +215,11 @@ impl ExecutionPlan for RecordingsExec {
         let mut stream = RecordBatchReceiverStreamBuilder::new(Arc::clone(schema), 1);
         let (send, robot, parts) = (stream.tx(), Arc::clone(&self.robot), Arc::clone(&self.parts));
         let runtime = tokio::runtime::Handle::current();
+        let others = context.session_config().get_extension::<DoneForOthers>();
         stream.spawn_blocking(move || {
+            let mut count = 0;
             let prepare = plain_preparation(&robot.robot);
-            RecordingReader::with(&robot.robot, robot.digest, prepare, |reader| {
+            let read = RecordingReader::with(&robot.robot, robot.digest, prepare, |reader| {
                 for file in parts.files.iter().skip(partition).step_by(parts.partitions) {
                     let mut row = match file {
                         RecordingFile::Local(path) => {
@@ -213,6 +231,7 @@ impl ExecutionPlan for RecordingsExec {
                         }
                     };
                     row.day = row.day.or(parts.day);
+                    count += 1;
                     let rows = batch(&[row])?;
                     let rows = match &parts.projection {
                         Some(columns) => rows.project(columns)?,
@@ -223,7 +242,11 @@ impl ExecutionPlan for RecordingsExec {
                     }
                 }
                 Ok(())
-            })
+            });
+            if let Some(others) = others {
+                others.say(count, &format!("recordings of {} read", parts.name));
+            }
+            read
         });
         Ok(stream.build())
     }

@@ -102,6 +102,7 @@ fn a_killed_worker_loses_nothing_and_repeats_only_what_is_missing() {
 struct Listening {
     process: Child,
     address: String,
+    log: tempfile::NamedTempFile,
 }
 
 #[cfg(feature = "cluster")]
@@ -110,11 +111,20 @@ impl Listening {
         let mut command = Command::new(env!("CARGO_BIN_EXE_denavit-fleet"));
         // Elsewhere than the asker: what is sent must be enough.
         command.args(["worker", "--threads", "1", "--listen", listen]).current_dir(std::env::temp_dir());
-        let mut process = command.stdout(Stdio::piped()).spawn().unwrap();
+        let log = tempfile::NamedTempFile::new().unwrap();
+        command.stdout(Stdio::piped()).stderr(log.reopen().unwrap());
+        let mut process = command.spawn().unwrap();
         let mut line = String::new();
         BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
         let address = line.trim().strip_prefix("listening on ").expect("the address").to_string();
-        Self { process, address }
+        Self { process, address, log }
+    }
+
+    /// What it has done so far, by its log: recordings or robots.
+    fn done(&self) -> usize {
+        let log = std::fs::read_to_string(self.log.path()).unwrap();
+        let counts = log.lines().filter_map(|line| line.strip_suffix(" since the start")?.rsplit(' ').next());
+        counts.map(|count| count.parse::<usize>().unwrap()).max().unwrap_or(0)
     }
 
     fn kill(&mut self) {
@@ -145,13 +155,20 @@ fn workers_on_other_machines_give_the_same_bits_and_the_rest_of_one_that_dies_is
     let (first, mut second) = (Listening::start("127.0.0.1:0"), Listening::start("127.0.0.1:0"));
     let both = format!("{},{}", first.address, second.address);
     // Undisturbed; and one worker alone.
+    let mut read = Vec::new();
     for workers in [&both, &first.address] {
         let done = factor(folder.path(), shared.path(), workers).output().unwrap();
         assert!(done.status.success(), "{}", said(&done));
         assert!(said(&done).contains("11 of 11 recordings were missing"), "{}", said(&done));
         assert_eq!(contents(shared.path()), contents(alone.path()));
         std::fs::remove_dir_all(shared.path()).unwrap();
+        read.push([first.done(), second.done()]);
     }
+    println!("recordings that each worker has read, after a run by both and one by the first: {read:?}");
+    // Shares of 6 and 5; then all eleven by one.
+    let (first_share, second_share) = (read[0][0], read[0][1]);
+    assert!(matches!((first_share, second_share), (5, 6) | (6, 5)), "{read:?}");
+    assert_eq!(read[1], [first_share + RECORDINGS + 1, second_share]);
     // One dies while it works.
     let process = factor(folder.path(), killed.path(), &both).spawn().unwrap();
     while rows(killed.path()) == 0 {
@@ -161,6 +178,7 @@ fn workers_on_other_machines_give_the_same_bits_and_the_rest_of_one_that_dies_is
     let done = process.wait_with_output().unwrap();
     println!("{}", said(&done));
     assert!(done.status.success(), "{}", said(&done));
+    assert!(said(&done).contains(&format!("{} does not answer", second.address)), "{}", said(&done));
     assert!(said(&done).contains("once more, for "), "{}", said(&done));
     assert_eq!(contents(killed.path()), contents(alone.path()));
     assert_eq!(contents(killed.path()).0, RECORDINGS as i64 + 1);
@@ -218,9 +236,7 @@ fn sql_is_shared_by_workers_and_has_the_same_bits() {
     };
     let both = format!("{},{}", first.address, second.address);
     assert_eq!(asked(&["--workers", &both]), asked(&[]));
-    let done = Command::new(env!("CARGO_BIN_EXE_denavit-fleet"))
-        .args(["sql", &format!("EXPLAIN {query}"), "--workers", &both])
-        .output()
-        .unwrap();
-    assert!(said(&done).contains("NetworkShuffleExec"), "{}", said(&done));
+    let read = [first.done(), second.done()];
+    println!("recordings that each worker has read: {read:?}");
+    assert!(matches!(read, [5, 6] | [6, 5]), "{read:?}");
 }

@@ -18,11 +18,13 @@ use datafusion::physical_plan::stream::RecordBatchReceiverStreamBuilder;
 use datafusion::physical_plan::{
     DisplayAs, DisplayFormatType, ExecutionPlan, Partitioning, PlanProperties, ReplaceChildrenOptions,
 };
+use denavit::report::visible;
 use serde::{Deserialize, Serialize};
 
-use super::{Workers, first_line};
+use super::Workers;
 use crate::Fleet;
 use crate::error::FleetError;
+use crate::recordings::DoneForOthers;
 use crate::remote::is_url;
 use crate::robots::RobotFile;
 use crate::sequential::Sequential;
@@ -128,16 +130,20 @@ impl ExecutionPlan for WatchExec {
         Ok(self)
     }
 
-    fn execute(&self, partition: usize, _: Arc<TaskContext>) -> Result<SendableRecordBatchStream> {
+    fn execute(&self, partition: usize, context: Arc<TaskContext>) -> Result<SendableRecordBatchStream> {
         let schema = Arc::clone(self.properties.equivalence_properties().schema());
         let mut stream = RecordBatchReceiverStreamBuilder::new(Arc::clone(&schema), 1);
         let (send, parts) = (stream.tx(), Arc::clone(&self.parts));
         let runtime = tokio::runtime::Handle::current();
+        let others = context.session_config().get_extension::<DoneForOthers>();
         stream.spawn_blocking(move || {
             if parts.robots.is_empty() || partition > 0 {
                 return Ok(());
             }
             let watched = runtime.block_on(parts.watched())?;
+            if let Some(others) = others {
+                others.say(parts.robots.len(), "robots watched");
+            }
             let bytes = postcard::to_stdvec(&watched).map_err(|e| exec_datafusion_err!("can't be sent: {e}"))?;
             let row = BinaryArray::from_iter_values([bytes]);
             // Nobody waits for the row of a query that has ended.
@@ -197,7 +203,7 @@ impl Fleet {
         let mut asked = workers.clone();
         loop {
             let (present, absent) = asked.present().await?;
-            absent.iter().for_each(|why| eprintln!("{why}"));
+            absent.iter().for_each(|why| eprintln!("{}", visible(why)));
             let fleet = Self::on(&present, 1);
             let rows = fleet.context.read_table(Arc::new(WatchTable(parts.clone())))?.collect().await;
             match rows {
@@ -213,11 +219,11 @@ impl Fleet {
                     return Ok(all);
                 }
                 Err(why) => {
-                    let (left, _) = present.present().await?;
+                    let (left, gone) = present.present().await?;
                     if left == present {
                         return Err(why.into());
                     }
-                    eprintln!("{}; once more without it", first_line(&why.to_string()));
+                    eprintln!("{}", visible(&format!("{}; once more without", gone.join("; "))));
                     asked = left;
                 }
             }
