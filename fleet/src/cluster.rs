@@ -94,7 +94,7 @@ impl Workers {
                 Ok(Ok(info)) => {
                     Err(format!("{} is of version {}, this program of {VERSION}", place(url), info.version))
                 }
-                Ok(Err(why)) => Err(format!("{} does not answer: {}", place(url), first_line(&why.to_string()))),
+                Ok(Err(why)) => Err(format!("{} does not answer: {}", place(url), root(&why))),
                 Err(_) => Err(format!("{} does not answer within {} s", place(url), ANSWER.as_secs())),
             }
         });
@@ -114,6 +114,15 @@ impl Workers {
 
 fn place(url: &Url) -> &str {
     url.as_str().trim_start_matches("http://").trim_end_matches('/')
+}
+
+/// The innermost of an error's layers.
+fn root(why: &dyn std::error::Error) -> String {
+    let mut last = why;
+    while let Some(inner) = last.source() {
+        last = inner;
+    }
+    first_line(&last.to_string()).into()
 }
 
 /// Of an error that repeats itself in layers.

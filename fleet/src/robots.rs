@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use denavit::identify::{Factors, Identification, IdentifySettings, RecordingFactor, solve};
-use denavit::model::Arm;
 use denavit::model::coupled::Coupled;
 use denavit::model::interpreted::Interpreted;
 use denavit::model::robot_edit;
+use denavit::model::{Arm, DriveTerm, StandardParameter};
 use denavit::robot::{Files, Problems, Robot};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
@@ -87,6 +87,24 @@ impl KnownRobot {
         Self { robot, digest, file, arm, channels }
     }
 
+    /// The robot with the friction and the offsets of a model, base parameters. Bodies stay those
+    /// of the file: base parameters are sums over them.
+    pub fn with_friction(&self, model: &[f64]) -> Robot {
+        let (mut robot, standard) = (self.robot.clone(), self.arm.standard_parameters());
+        for (base, &value) in self.arm.base_parameters().iter().zip(model) {
+            let [(one, factor)] = base.coefficients[..] else { continue };
+            let StandardParameter::Drive(row, term) = standard[one] else { continue };
+            let drive = &mut robot.joints[row].drive;
+            match term {
+                DriveTerm::FV => drive.viscous_friction = Some((value / factor).max(0.0)),
+                DriveTerm::FC => drive.coulomb_friction = Some((value / factor).max(0.0)),
+                DriveTerm::FO => drive.offset = Some(value / factor),
+                DriveTerm::IA => {}
+            }
+        }
+        robot
+    }
+
     /// Base parameters from factors.
     ///
     /// # Errors
@@ -158,4 +176,25 @@ impl Robots {
 /// Bytes in hexadecimal digits.
 pub fn hexadecimal(bytes: &[u8]) -> String {
     bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn friction_of_a_model_is_the_robots() {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../robots/kinova-gen3.yaml");
+        let known = KnownRobot::open(&path).unwrap();
+        let number = |name: &str| known.arm.base_parameters().iter().position(|base| base.name == name).unwrap();
+        let mut model = vec![0.0; known.arm.base_parameters().len()];
+        (model[number("FC4")], model[number("FV4")], model[number("FO4")]) = (2.5, -0.1, -0.3);
+        let robot = known.with_friction(&model);
+        let drive = &robot.joints[3].drive;
+        assert_eq!(drive.coulomb_friction, Some(2.5));
+        // A level, which no file has below 0.
+        assert_eq!(drive.viscous_friction, Some(0.0));
+        assert_eq!(drive.offset, Some(-0.3));
+        assert_eq!(robot.links, known.robot.links);
+    }
 }

@@ -62,6 +62,8 @@ pub struct Change {
     pub plotted: String,
     /// Its unit.
     pub plotted_unit: Cow<'static, str>,
+    /// Base parameters of its reference days.
+    pub reference: Vec<f64>,
     /// Recordings of the day on which it was found.
     pub files: Vec<String>,
     /// What the diagnosis of the raw log says, where it was asked for.
@@ -193,14 +195,15 @@ impl Fleet {
         Ok(names)
     }
 
-    /// Diagnoses the raw log of each flagged robot-day. Relative paths start from `base`.
+    /// Diagnoses the raw log of each flagged robot-day, against the robot file with the friction and
+    /// offsets of the reference days. Relative paths start from `base`.
     ///
     /// # Errors
     /// Where a robot file can't be read. A log that can't be used is no error.
     pub fn diagnose(&self, watched: &mut Watched, base: &Path) -> Result<(), FleetError> {
         let stores = self.context.runtime_env();
         for change in &mut watched.changes {
-            let robot = self.robots.open(&change.robot_file)?;
+            let robot = self.robots.open(&change.robot_file)?.with_friction(&change.reference);
             let said = change.files.iter().map(|file| {
                 let place = if is_url(file) { file.clone() } else { base.join(file).display().to_string() };
                 format!("{file}: {}", verdict(&place, &robot, &stores))
@@ -403,6 +406,7 @@ impl Fleet {
             history: estimates.into_iter().map(point).collect(),
             plotted: channels.list[shown].parameter.clone(),
             plotted_unit: channels.list[shown].unit.into(),
+            reference: robot.reference.beta.clone(),
             files,
             diagnosis: None,
         })
