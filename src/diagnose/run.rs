@@ -1,6 +1,6 @@
 //! The diagnosis from end to end: recordings in, [`Diagnosis`] out.
 
-use super::findings::attribution::{curve, in_order, unknown};
+use super::findings::attribution::{curve, in_order, unknown, with_formulas};
 use super::findings::calibration;
 use super::findings::deflection::deflections;
 use super::findings::impacts::impacts;
@@ -249,7 +249,8 @@ fn once(
     let Selected { tested, fitted, after, after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);
     let verdict = verdict(&causes, &left);
-    let extended = Errors { fit: after_fit.rms, validate: after.rms.clone(), moving: after.steady.clone() };
+    let extended = Errors { fit: after_fit.rms.clone(), validate: after.rms.clone(), moving: after.steady.clone() };
+    let left = with_formulas(&mut causes, left, [&after_fit, &after], noise, own_validation);
     unknown(&mut causes, &left, [&baseline, &extended], noise, scale);
     let next_experiment =
         causes.iter().find(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown").map(|c| NextExperiment {

@@ -4,6 +4,7 @@
 use super::calibration::{self, Change, Features};
 use super::evidence;
 use super::evidence::Shown;
+use super::formula::{self, Formula, formula};
 use super::reported_cause::{Item, friction_values, place_of};
 use super::result::{Cause, Curve, Errors, measured_on};
 use super::structure::Structure;
@@ -15,6 +16,7 @@ use crate::diagnose::search::baseline_friction::BaselineFriction;
 use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::Accepted;
 use crate::diagnose::select::beside::Shares;
+use crate::diagnose::select::excess::EXCESS;
 use crate::diagnose::select::measure::{Measured, share, taken_of};
 use dh_codegen::robot::{EffectKind, effects};
 
@@ -70,7 +72,7 @@ impl Attribution<'_> {
         Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
-            probability: self.probability(item, &features),
+            probability: self.probability(item, &features, shares.repeats),
             support,
             margin,
             share: part,
@@ -84,6 +86,7 @@ impl Attribution<'_> {
                 noise,
                 on: measured_on(on, own_validation),
                 confirmed: accepted.map(|a| a.confirmed),
+                repeats: shares.repeats,
             }) + &elsewhere.collect::<String>(),
             in_extended: true,
             curve: item.accepted.and_then(|index| evidence::curve(tested, fitted, index, &all[index].chosen)),
@@ -95,6 +98,7 @@ impl Attribution<'_> {
             on,
             not_distinguished_from: confusable(tested, item, accepted, plain_rivals),
             shown_by: item.hypothesis.shown_by(),
+            law: None,
         }
     }
 }
@@ -117,14 +121,15 @@ impl Attribution<'_> {
     /// Probability of an item with these features; of one that the search from the unchanged file
     /// found, by how it was found there. Of several terms of friction in one item the least sure
     /// one counts.
-    fn probability(&self, item: &Item, features: &Features) -> f64 {
+    fn probability(&self, item: &Item, features: &Features, repeats: Option<f64>) -> f64 {
         let of = |effect: EffectKind| {
             let found = self.evidence.iter().find(|e| e.effect == effect && e.place == item.place)?;
             if item.hypothesis.local() {
                 return Some(calibration::local(features.support));
             }
-            let (validated, confirmed) = (features.share, features.confirmed);
-            Some(calibration::change(&Change { share: found.share, left_out: found.left_out, validated, confirmed }))
+            let Features { share: validated, confirmed, .. } = *features;
+            let (share, left_out) = (found.share, found.left_out);
+            Some(calibration::change(&Change { share, left_out, validated, confirmed, repeats }))
         };
         let plain = |k: &usize| of([&VISCOUS, &COULOMB, &OFFSET][k % 3].effect());
         let terms = || item.friction.iter().map(plain).collect::<Option<Vec<f64>>>();
@@ -271,6 +276,7 @@ pub(in crate::diagnose) fn unknown(
         on: "fit",
         not_distinguished_from: Vec::new(),
         shown_by: "a longer recording with slow and fast motion of the named joints",
+        law: None,
         in_extended: true,
         curve: None,
     };
@@ -281,6 +287,51 @@ pub(in crate::diagnose) fn unknown(
     } else {
         causes.push(entry);
     }
+}
+
+/// Laws of the errors that have no name, as causes before that remainder; a joint whose error a law
+/// leaves below `1.5` times its noise has none. `floor`: noise of each joint's torque, N m.
+pub(in crate::diagnose) fn with_formulas(
+    causes: &mut Vec<Cause>,
+    left: Vec<Structure>,
+    [after_fit, after]: [&Measured; 2],
+    floor: &[f64],
+    own_validation: bool,
+) -> Vec<Structure> {
+    let (there, elsewhere) = (after_fit.view.motion(), after.view.motion());
+    let law = |s: &Structure| {
+        let fit = formula::Errors { motion: &there, error: &after_fit.error[s.joint] };
+        formula(s.joint, fit, formula::Errors { motion: &elsewhere, error: &after.error[s.joint] })
+    };
+    let found: Vec<Formula> = left.iter().filter_map(law).collect();
+    for law in &found {
+        let mut rms_after = after.rms.clone();
+        rms_after[law.joint] = law.validate[1];
+        let size = (law.validate[0].powi(2) - law.validate[1].powi(2)).max(0.0).sqrt();
+        causes.push(Cause {
+            cause: "unknown",
+            support: MOST_MARGIN,
+            margin: MOST_MARGIN,
+            share: share(&after.rms, &rms_after, floor, &[law.joint]),
+            recurrence: law.stability,
+            joints: vec![law.joint + 1],
+            probability: calibration::structure(size, floor[law.joint]),
+            parameters: Vec::new(),
+            keys: Vec::new(),
+            evidence: law.sentence(measured_on("validate", own_validation)),
+            rms_before: after.rms.clone(),
+            rms_after,
+            interval: [f64::NAN; 2],
+            on: "validate",
+            not_distinguished_from: Vec::new(),
+            shown_by: "a longer recording with slow and fast motion of the named joints",
+            law: Some(law.text.clone()),
+            in_extended: false,
+            curve: None,
+        });
+    }
+    let explained = |s: &Structure| found.iter().any(|f| f.joint == s.joint && f.validate[1] < EXCESS * floor[s.joint]);
+    left.into_iter().filter(|s| !explained(s)).collect()
 }
 
 /// Torque and errors over time, at most 2,000 points.
