@@ -31,15 +31,16 @@ impl FileTorqueModel {
     /// Of this robot.
     pub fn new(robot: &Robot) -> Result<Self, NoLinks> {
         let standard = param::standard_values(&robot.effective()).ok_or(NoLinks)?;
+        let laws = robot.laws();
         Ok(Self {
-            arm: Interpreted::with_effects(robot, &[Function::DriveTorques, Function::RigidDynamics]),
+            arm: Interpreted::with_effects(robot, &[along(&laws), Function::RigidDynamics]),
             bodies: param::standard(&robot.effective())
                 .iter()
                 .zip(&standard)
                 .map(|(p, &v)| if matches!(p, Parameter::Link(..)) { v } else { 0.0 })
                 .collect(),
             standard,
-            laws: robot.laws(),
+            laws,
         })
     }
 
@@ -57,9 +58,10 @@ impl FileTorqueModel {
     fn remembered(&self, time: &[f64], late: f64, states: &States, temperature: &[f64], out: &mut [f64]) {
         let (n, len, p) = (self.dof(), states.len, self.standard.len());
         let memory: Vec<Memory> = self.laws.iter().map(Laws::memory).collect();
-        // Parameters, then bristles, then warmth: see `Function::DriveTorques`.
+        // Parameters, then bristles, then warmth, then the clock: see `Function::DriveTorques`.
         let mut parameters = self.standard.clone();
-        parameters.resize(p + 2 * n, 0.0);
+        parameters.resize(p + 3 * n + 1, 0.0);
+        let function = along(&self.laws);
         let (mut q, mut dq, mut ddq, mut tau) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; n]);
         let (mut scratch, mut start) = (Scratch::default(), 0);
         let springs: Vec<Spring> = self.laws.iter().map(Laws::gear).collect();
@@ -79,10 +81,11 @@ impl FileTorqueModel {
                 let since = (time[s] - time[start] - late).max(0.0);
                 let degrees = temperature.get(at).copied().unwrap_or(memory[k].reference);
                 parameters[p + n + k] = memory[k].warmth(since, degrees);
+                (parameters[p + 2 * n], parameters[p + 2 * n + 1 + k]) = (since, degrees);
                 (q[k], dq[k], ddq[k]) = (states.q[at], states.dq[at], states.ddq[at]);
             }
             let state = State { q: &q, dq: &dq, ddq: &ddq, tau: &[], parameters: &parameters };
-            self.arm.run_one(Function::DriveTorques, &state, &mut scratch, &mut tau);
+            self.arm.run_one(function, &state, &mut scratch, &mut tau);
             if swings && !fresh {
                 let mut bodies = |deflection: &[Deflection<f64>], out: &mut [f64]| {
                     let less = |x: &[f64], which: usize| -> Vec<f64> {
@@ -104,6 +107,14 @@ impl FileTorqueModel {
             }
             (0..n).for_each(|k| out[k * len + s] = tau[k]);
         }
+    }
+}
+
+/// Function that gives the torques along a motion.
+fn along(laws: &[Laws]) -> Function {
+    match laws.iter().any(Laws::reads_clock) {
+        true => Function::ClockedDriveTorques,
+        false => Function::DriveTorques,
     }
 }
 

@@ -54,7 +54,10 @@ fn laws(file: &Robot, real: &Robot) -> Option<(FileTorqueModel, FileTorqueModel)
     let late = |e: &Effect| e.kind() == EffectKind::TimeDelay;
     let mut plain = real.clone();
     plain.effects.retain(late);
-    plain.joints.iter_mut().for_each(|joint| joint.drive.effects.retain(late));
+    for joint in &mut plain.joints {
+        joint.drive.effects.retain(late);
+        joint.drive.law = None;
+    }
     let mut file = file.clone();
     if real.links.is_empty() {
         // Without links the laws act on drives that carry nothing.

@@ -10,9 +10,9 @@ use dh_codegen::robot::{Effect, Effects, NoLink, RATED, Robot};
 use super::SimulateError;
 use super::drive::Drive;
 use super::effects::{
-    AsymmetricFriction, Backlash, ExternalContact, FrictionDrift, GearCoupling, JointElasticity, JointSpring,
-    LoadDependentFriction, NonlinearViscousFriction, PositionDependentFriction, PreslidingHysteresis, StribeckFriction,
-    TorqueRipple,
+    AsymmetricFriction, Backlash, ClosedForm, ExternalContact, FrictionDrift, GearCoupling, JointElasticity,
+    JointSpring, LoadDependentFriction, NonlinearViscousFriction, PositionDependentFriction, PreslidingHysteresis,
+    StribeckFriction, TorqueRipple,
 };
 use crate::model::interpreted::Interpreted;
 use crate::model::{Arm, Dynamics};
@@ -95,10 +95,27 @@ impl SimulatedRobot {
                 }
             }
         }
+        for (row, law) in own.laws.iter().chain(&more.laws) {
+            let Some(dof) = dof_of(*row) else { continue };
+            built.drives[dof].law = Some(ClosedForm::new(law, moving.len()).map_err(|number| SimulateError::Law {
+                joint: row + 1,
+                number,
+                last: moving.len(),
+            })?);
+        }
         for drive in built.drives.iter_mut().filter(|d| d.is_soft() && d.rotor == 0.0) {
             drive.rotor = RotorInertia::default().inertia(drive.rated);
         }
         Ok(built)
+    }
+
+    /// Whether an integrator can play its laws: accelerations follow from torques.
+    pub fn is_free_of_accelerations(&self) -> Result<(), SimulateError> {
+        let accelerates = |drive: &Drive| drive.law.as_ref().is_some_and(ClosedForm::reads_acceleration);
+        match self.drives.iter().position(accelerates) {
+            Some(joint) => Err(SimulateError::LawOfAcceleration(joint + 1)),
+            None => Ok(()),
+        }
     }
 
     /// The true arm.

@@ -51,6 +51,7 @@ pub(super) fn parts(robot: &Robot, source: &str, further: &[Function], runtime: 
     let mut functions: Vec<Function> = Function::ALL.to_vec();
     if robot.has_effects() {
         functions.extend(Function::WITH_EFFECTS);
+        functions.extend(model.reads_clock().then_some(Function::ClockedDriveTorques));
     }
     functions.extend(further);
     let kernels: Vec<Kernel> = functions.iter().map(|&f| model.kernel(f)).collect();
