@@ -106,6 +106,19 @@ enum Estimator {
     Kalman,
 }
 
+/// Used samples over all logs, at most: the estimate keeps the wrench and its band of each, some 170
+/// bytes.
+const MOST_SAMPLES: usize = 750_000;
+
+fn within_memory(log: &str, samples: usize) -> Result<(), Failure> {
+    if samples <= MOST_SAMPLES {
+        return Ok(());
+    }
+    Err(Failure::input(format!(
+        "{log}: with this log there are more than {MOST_SAMPLES} samples, of each of which the wrench is kept; take every k-th with --stride K, or give fewer or shorter logs"
+    )))
+}
+
 fn numbers(text: &str, between: char) -> Option<[f64; 2]> {
     let (a, b) = text.split_once(between)?;
     let number = |text: &str| text.trim().parse::<f64>().ok().filter(|x| x.is_finite());
@@ -170,24 +183,19 @@ impl Force {
             let shown = path.display().to_string();
             let mut run = Run::new(&shown, known, &mut tool, settings.clone()).map_err(Failure::input)?;
             let mut columns = check.columns();
+            let before: usize = found.iter().map(|series: &Series| series.time.len()).sum();
             let sink = |motion: &Motion| {
                 check.absorb(&mut columns, motion);
-                run.absorb(motion);
+                if before + run.samples() <= MOST_SAMPLES {
+                    run.absorb(motion);
+                }
             };
             let mut log = warned(path, logbook.pass(Purpose::Estimate, path, arm.dof(), &prepare, sink)?);
+            within_memory(&shown, before + run.samples())?;
             against_limits(std::slice::from_mut(&mut log), &file.robot, prepare.keep)?;
             check.finish(&columns, &mut log)?;
             prepared.push(log);
-            let mut series = run.finish();
-            if self.against == Some(Against::Measured) && series.measured.is_empty() {
-                return Err(Failure::input(format!(
-                    "{shown}: --against measured needs the columns fx fy fz mx my mz with a number in every row; leave it out, or use --against nothing where nothing touches"
-                )));
-            }
-            if self.against == Some(Against::Nothing) {
-                series.measured.clear();
-            }
-            found.push(series);
+            found.push(self.compared(run.finish())?);
         }
         let outcome =
             report::Forces { robot: arm.name(), found: &found, uncertainty: &uncertainty, known_from: &known_from };
@@ -197,6 +205,20 @@ impl Force {
             .with("low-pass", Preparation::low_pass(&prepare))
             .with("errors of the model", &known_from);
         self.deliver(&outcome, &prepared, &provenance)
+    }
+
+    /// With the reference that the options say.
+    fn compared(&self, mut series: Series) -> Result<Series, Failure> {
+        if self.against == Some(Against::Measured) && series.measured.is_empty() {
+            return Err(Failure::input(format!(
+                "{}: --against measured needs the columns fx fy fz mx my mz with a number in every row; leave it out, or use --against nothing where nothing touches",
+                series.name
+            )));
+        }
+        if self.against == Some(Against::Nothing) {
+            series.measured.clear();
+        }
+        Ok(series)
     }
 
     /// How to estimate, as the options say.

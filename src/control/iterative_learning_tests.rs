@@ -3,7 +3,7 @@
 
 use std::f64::consts::TAU;
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{Complex, DMatrix, DVector};
 
 use super::gains::ForcePlant;
 use crate::control::iterative_learning::{Learned, learned};
@@ -121,4 +121,41 @@ fn what_is_learned_is_bounded_and_ends() {
     assert!(slow.displacement.iter().all(|x| *x == 0.0));
     assert_eq!(Learned::default().at(0.0), 0.0);
     assert!(learned(&[], [FKP, FKI], &wild, &[1.0; 4000], PERIOD, None).is_none());
+}
+
+/// Errors of one frequency: what is added is `L` of the model there, with the two neighbours that
+/// the end of the kernel blurs it with. Slow errors, which the loop mends by itself, ask for no
+/// more than the floor lets them.
+#[test]
+fn each_frequency_is_learned_by_its_own_answer() {
+    const FAST: f64 = 4e-3;
+    const APART: f64 = 0.125;
+    let count = 47;
+    let frequencies: Vec<f64> = (1..=count).map(|k| TAU * APART * f64::from(k)).collect();
+    let answers = plant(MASS).response_to_displacement(FKP, FAST, &frequencies).unwrap();
+    let most = answers.iter().map(|t| t.norm()).fold(0.0, f64::max);
+    // All of it up to 3 Hz, nothing from 6 Hz on.
+    let asked = |k: usize| match k {
+        0 => Complex::from(0.0),
+        _ => answers[k - 1].conj() * (0.6 / (answers[k - 1].norm_sqr() + (0.05 * most).powi(2))),
+    };
+    assert!(answers[0].norm() < 0.05 * most, "{} {most}", answers[0].norm());
+    for k in [1, 2, 8, 20] {
+        let wave = |t: f64| (TAU * APART * k as f64 * t).cos();
+        let error: Vec<f64> = (0..40_000).map(|i| wave(1e-3 * f64::from(i))).collect();
+        let plants = [plant(MASS), plant(MASS)];
+        let found = learned(&plants, [FKP, FAST], &error, &vec![1.0; error.len()], PERIOD, None).unwrap();
+        // Eight seconds in the middle hold whole periods.
+        let (first, last) = (1600, 2400);
+        let sum: Complex<f64> = (first..last)
+            .map(|i| {
+                let angle = TAU * APART * k as f64 * found.period * i as f64;
+                Complex::from_polar(found.displacement[i], -angle)
+            })
+            .sum();
+        let amplitude = sum * 2.0 / (last - first) as f64;
+        let expected = asked(k) * 0.5 + (asked(k - 1) + asked(k + 1)) * 0.25;
+        let off = (amplitude - expected).norm() / expected.norm();
+        assert!(off < 0.02, "{k}: {amplitude} {expected}");
+    }
 }

@@ -3,5 +3,6 @@
 mod battery;
 mod columns;
 mod mechanisms;
+mod sums;
 mod world;
 mod written;

@@ -349,3 +349,62 @@ fn a_few_steps_reach_what_a_general_solver_does() {
         assert!(found.feasible && found.value < reached, "{} {}", found.criterion, found.value);
     }
 }
+
+/// The torque that holds a posture, against limits just above and just below it, as constraint and
+/// as the checker sees it.
+#[test]
+fn a_torque_is_within_its_limit_or_not() {
+    use crate::model::rigid_body::Numeric;
+    use dh_codegen::arm::param;
+    let mut robot = robot("kuka-lwr4");
+    let standard = param::standard_values(&robot).unwrap();
+    let q = [0.3, 0.9, -0.2, 1.1, 0.1, -0.6, 0.2];
+    let still = [0.0; 7];
+    let torque = Numeric::new(&robot).inverse_dynamics(&q, &still, &still, &standard)[1];
+    for (share, within) in [(1.02, true), (0.98, false), (0.9, false)] {
+        robot.joints[1].limits.torque = Some(share * torque.abs());
+        let arm = Differentiated::new(&robot);
+        let task = Task::new(&arm, &robot, 3.0, 0.5).unwrap();
+        let bodies = super::bodies::Bodies::new(&robot);
+        let constraints = super::constraints::Constraints {
+            arm: &arm,
+            limits: &task.limits,
+            standard: Some(&standard),
+            bodies: &bodies,
+            torque_margin: 0.0,
+            distance_margin: 0.0,
+        };
+        let states = States { len: 1, q: q.to_vec(), dq: still.to_vec(), ddq: still.to_vec() };
+        let value = constraints.values(&[super::constraints::Constraint::Torque(1)], &states)[0];
+        assert!((value - (1.0 / share - 1.0)).abs() < 1e-9, "{share}: {value}");
+        let rows = |x: &[f64]| vec![x.to_vec(); 3];
+        let motion = Written { t: vec![0.0, 0.1, 0.2], q: rows(&q), dq: rows(&still), ddq: rows(&still) };
+        let verdict = check(&robot, &motion, Some(0.5)).unwrap();
+        let broken = verdict.findings.iter().any(|f| f.kind == "torque" && f.limit == share * torque.abs() && f.broken);
+        assert_eq!(broken, !within, "{share}");
+    }
+}
+
+/// Positions, speeds and accelerations of a sine that is sampled eight times a turn belong together:
+/// the trapezium alone would miss the positions by a twentieth.
+#[test]
+fn coarse_rows_of_a_sine_are_consistent() {
+    let robot = robot("kuka-lwr4");
+    let (w, h) = (7.0, 0.11);
+    let rows = |of: &dyn Fn(f64) -> f64| (0..60).map(|k| vec![of(h * f64::from(k)); 7]).collect::<Vec<_>>();
+    let sine = |lead: f64, size: f64| move |t: f64| size * (w * t + lead * std::f64::consts::FRAC_PI_2).sin();
+    let motion = Written {
+        t: (0..60).map(|k| h * f64::from(k)).collect(),
+        q: rows(&sine(0.0, 0.1)),
+        dq: rows(&sine(1.0, 0.1 * w)),
+        ddq: rows(&sine(2.0, 0.1 * w * w)),
+    };
+    let inconsistent = |motion: &Written| {
+        let verdict = check(&robot, motion, Some(0.5)).unwrap();
+        verdict.findings.iter().filter(|f| f.kind == "consistency" && f.broken).count()
+    };
+    assert_eq!(inconsistent(&motion), 0);
+    let mut wrong = motion.clone();
+    wrong.q.iter_mut().for_each(|row| row[2] *= 1.1);
+    assert_eq!(inconsistent(&wrong), 1);
+}

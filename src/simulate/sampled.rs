@@ -193,3 +193,25 @@ impl Simulator {
         Ok(())
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Ramps show by how much they are seen late: positions by the latency, torques by that of
+    /// their drive, too.
+    #[test]
+    fn torques_are_late_by_latency_and_delay() {
+        let sensors = Sensors { latency: 2.5e-3, ..Sensors::perfect(1e3) };
+        let drives = [Drive { delay: 4.25e-3, ..Drive::ideal(10.0) }];
+        let mut gauges = Gauges::new(&sensors, &drives, 1);
+        for k in 0..60 {
+            let t = 1e-3 * f64::from(k);
+            let seen = gauges.see(t, &[3.0 * t], &[7.0 * t]);
+            if k > 20 {
+                assert!((seen.q[0] - 3.0 * (t - 2.5e-3)).abs() < 1e-12, "{k}");
+                assert!((seen.tau[0] - 7.0 * (t - 6.75e-3)).abs() < 1e-12, "{k}");
+            }
+        }
+    }
+}

@@ -1,6 +1,7 @@
 //! Laws of mechanics, and the signature of each effect.
 
 mod effects;
+mod formulas;
 mod integrators;
 mod laws;
 mod sliding;

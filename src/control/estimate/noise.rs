@@ -90,3 +90,41 @@ impl<'a> NoisePass<'a> {
         self.squares.iter().map(|s| self.gain * (s / n).sqrt().max(1e-9)).collect()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::identify::planar::{Normal, Planar, motion};
+    use crate::model::States;
+
+    /// A model that says nothing.
+    struct Nothing;
+
+    impl Torques for Nothing {
+        fn along(&self, _: &[f64], _: &States, _: &[f64], _: &[f64], out: &mut [f64]) {
+            out.fill(0.0);
+        }
+    }
+
+    /// Of a residual with a bias the deviation about its mean is the noise, the root mean square
+    /// that of both.
+    #[test]
+    fn a_bias_is_no_noise_where_it_is_taken_off() {
+        let arm = Planar::new();
+        let mut motion = motion(&arm, 40.0, 200.0, 0.0);
+        let (len, mut normal) = (motion.states.len, Normal::new(3));
+        for (j, [bias, noise]) in [[4.0, 0.5], [-1.0, 2.0]].into_iter().enumerate() {
+            motion.tau[j * len..(j + 1) * len].iter_mut().for_each(|t| *t = bias + noise * normal.next());
+        }
+        let mut pass = NoisePass::new(&arm, &Nothing, None, &[], true);
+        pass.absorb(&motion);
+        let [about, all] = [true, false].map(|about_mean| pass.left(about_mean).unwrap());
+        for (j, [bias, noise]) in [[4.0_f64, 0.5], [-1.0, 2.0]].into_iter().enumerate() {
+            assert!((about[j] / noise - 1.0).abs() < 0.05, "{about:?}");
+            assert!((all[j] / bias.hypot(noise) - 1.0).abs() < 0.05, "{all:?}");
+            assert!((pass.white()[j] / noise - 1.0).abs() < 0.05, "{:?}", pass.white());
+        }
+        let nowhere = NoisePass::new(&arm, &Nothing, None, &[], false);
+        assert!(nowhere.left(true).is_none());
+    }
+}

@@ -163,6 +163,11 @@ impl<'a> Run<'a> {
         })
     }
 
+    /// Samples that were estimated so far.
+    pub fn samples(&self) -> usize {
+        self.series.time.len()
+    }
+
     /// Takes in a stretch of motion.
     pub fn absorb(&mut self, motion: &Motion) {
         let (n, len) = (self.known.arm.dof(), motion.states.len);

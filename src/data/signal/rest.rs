@@ -146,4 +146,26 @@ mod tests {
         assert!((white_noise([&x[..]].into_iter()) - 0.1).abs() < 0.01);
         assert_eq!(white_noise([&x[..3]].into_iter()), 0.0);
     }
+
+    /// A speed that is given is the limit, in both directions.
+    #[test]
+    fn a_fixed_zone_ends_where_it_says() {
+        let rest = rests(&[0.0, 0.09, -0.09, 0.11, -0.11, 0.19], Noise::default(), PERIOD, DeadZone::Fixed(0.1));
+        assert_eq!(rest, [true, true, true, false, false, false]);
+    }
+
+    /// What the low-pass took out counts as noise up to a fiftieth of the largest speed, and beyond
+    /// it no more than what neighbouring samples show.
+    #[test]
+    fn motion_beyond_the_cutoff_is_not_all_noise() {
+        let dq = [1.0, 0.015, 0.025, 0.05, 0.07];
+        let of = |white: f64| {
+            let noise = Noise { speed: 0.5, white, position: 0.0 };
+            rests(&dq, noise, PERIOD, DeadZone::FromNoise)
+        };
+        assert_eq!(of(0.0), [false, true, false, false, false]);
+        assert_eq!(of(0.02), [false, true, true, true, false]);
+        let quiet = Noise { speed: 0.004, white: 0.02, position: 0.0 };
+        assert_eq!(rests(&dq, quiet, PERIOD, DeadZone::FromNoise), [false; 5]);
+    }
 }

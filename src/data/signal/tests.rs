@@ -143,3 +143,20 @@ fn rows_are_moved_to_the_times_at_which_they_were_sampled() {
         assert!(found[0].clock_error > 0.0 && found[0].clock_error < 0.004, "{}", found[0].clock_error);
     }
 }
+
+/// The announced noise of a velocity is that of white noise behind the low-pass and the difference.
+#[test]
+fn velocity_noise_is_that_of_the_filter() {
+    let mut random = Random::new(31);
+    for (cutoff, rate) in [(10.0, 200.0), (10.0, 1000.0), (25.0, 1000.0)] {
+        let filter = Filter { order: 5, cutoff };
+        let mut q: Vec<f64> = (0..100_000).map(|_| 1e-4 * random.even(3.0_f64.sqrt())).collect();
+        low_pass(5, cutoff, rate).unwrap().forward_backward(&mut q, 1000);
+        let v = central(&q, 1.0 / rate);
+        let inner = &v[2000..98_000];
+        let std = (inner.iter().map(|v| v * v).sum::<f64>() / inner.len() as f64).sqrt();
+        let ratio = filter.velocity_noise(1e-4, rate) / std;
+        // The low-pass has no sharp edge.
+        assert!((0.85..1.2).contains(&ratio), "{cutoff} Hz of {rate} Hz: {ratio}");
+    }
+}

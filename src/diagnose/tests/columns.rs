@@ -9,7 +9,7 @@ use crate::model::States;
 use crate::model::perturbable_robot::PerturbableRobot;
 use dh_codegen::robot::EffectKind;
 
-const PERIOD: f64 = 0.005;
+pub(super) const PERIOD: f64 = 0.005;
 const LEN: usize = 1200;
 
 /// Position, velocity and acceleration of joint 1; joint 2 follows at half the size.
@@ -18,7 +18,7 @@ fn at(k: usize) -> [f64; 3] {
     [0.8 * (w * t).sin(), 0.8 * w * (w * t).cos(), -0.8 * w * w * (w * t).sin()]
 }
 
-fn recording() -> Recording {
+pub(super) fn recording() -> Recording {
     let series = |which: usize| -> Vec<f64> {
         [1.0, 0.5].into_iter().flat_map(|size| (0..LEN).map(move |k| size * at(k)[which])).collect()
     };

@@ -187,6 +187,43 @@ fn random_arms_get_possible_bodies_and_the_plain_ones_where_these_are_possible()
     assert!(inside >= 8 && outside >= 4, "{inside} inside, {outside} outside");
 }
 
+/// Whether possibility costs more than noise is an F test with as many degrees of freedom as
+/// independent samples are left by the parameters: short logs, in which that tells.
+#[test]
+fn the_cost_of_possibility_is_judged_by_what_is_left() {
+    use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+    let settings = ConsistentSettings { most_cost_percent: 1e9, ..ConsistentSettings::default() };
+    let (mut judged, mut matters) = (0, 0);
+    for seed in 0..16 {
+        let (robot, arm, truth) = robot(305, [3, 3]);
+        let b = arm.base_parameters().len() as f64;
+        // Torques of no bodies, the less the more noise.
+        let mut motion = motion(&arm, &truth, 0.15, 0.0, seed);
+        let scale = motion.tau.iter().fold(0.0_f64, |m, t| m.max(t.abs()));
+        let mut random = Random::new(50 + seed);
+        motion.tau.iter_mut().for_each(|t| *t = -*t + 0.02 * scale * f64::from(seed as u32 + 1) * random.even(1.0));
+        let logs = [factors(&arm, &motion)];
+        let Ok(found) = solve(&arm, &logs, &[], &IdentifySettings::default()) else { continue };
+        let freedom = found.independent - b;
+        if freedom < 2.0 {
+            continue;
+        }
+        let prior = prior_bodies(&bodies(&truth, robot.joints.len()), &geometric_bodies(&arm.ends()));
+        let Ok(result) = consistent(&arm, &logs, &[], &found, &prior, &vec![0.0; truth.len()], &settings) else {
+            continue;
+        };
+        let grown = (1.0 + 0.01 * result.possible.growth_percent).powi(2) - 1.0;
+        let limit = |freedom: f64| FisherSnedecor::new(b, freedom).unwrap().inverse_cdf(0.999);
+        let f = grown * freedom / b;
+        assert_eq!(result.significant, f > limit(freedom), "seed {seed}: {f} {}", limit(freedom));
+        judged += 1;
+        // With the parameters counted on the other side the answer would be another one.
+        let other = freedom + 2.0 * b;
+        matters += usize::from((f > limit(freedom)) != (grown * other / b > limit(other)));
+    }
+    assert!(judged >= 8 && matters >= 2, "{judged} {matters}");
+}
+
 #[test]
 fn torques_of_no_body_are_refused() {
     let (robot, arm, truth) = robot(305, [3, 3]);
@@ -373,6 +410,49 @@ fn the_announced_uncertainty_elsewhere_is_honest() {
         let ratio = (squares[j] / announced[j]).sqrt();
         println!("joint {}: {ratio:.2}", j + 1);
         assert!((0.6..1.5).contains(&ratio), "joint {}: {ratio}", j + 1);
+    }
+}
+
+/// Errors that go together: of a covariance `s s'` the announced uncertainty is the torque of `s`
+/// itself, root mean square over the range.
+#[test]
+fn the_uncertainty_of_errors_that_go_together() {
+    let (robot, arm) = file("planar2r");
+    let truth = param::standard_values(&robot).unwrap();
+    let n = arm.dof();
+    let logs = [factors(&arm, &motion(&arm, &truth, 6.0, 0.3, 911))];
+    let mut found = solve(&arm, &logs, &[], &IdentifySettings::default()).unwrap();
+    let b = found.parameters.len();
+    let mut random = Random::new(12);
+    let error: Vec<f64> = random.vector(b, 0.1);
+    for (parameter, error) in found.parameters.iter_mut().zip(&error) {
+        parameter.std = error.abs();
+    }
+    found.correlation = (0..b * b).map(|e| (error[e / b] * error[e % b]).signum()).collect();
+    let announced = crate::identify::extrapolation(&arm, &arm, &found).torque_std;
+    const LEN: usize = 40_000;
+    let mut states = States { len: LEN, ..States::default() };
+    let ranges: Vec<[f64; 3]> = arm.ranges();
+    for [low, high, _] in &ranges {
+        states.q.extend((0..LEN).map(|_| 0.5 * (low + high) + 0.5 * random.even(high - low)));
+    }
+    for [_, _, speed] in &ranges {
+        states.dq.extend((0..LEN).map(|_| random.even(0.5 * speed)));
+    }
+    for [_, _, speed] in &ranges {
+        states.ddq.extend((0..LEN).map(|_| random.even(2.0 * speed)));
+    }
+    let mut entries = vec![0.0; arm.base_pattern().len() * LEN];
+    arm.base_regressor(&states, &mut entries);
+    let mut torque = vec![0.0; n * LEN];
+    for (k, &(row, column)) in arm.base_pattern().iter().enumerate() {
+        for s in 0..LEN {
+            torque[row * LEN + s] += entries[k * LEN + s] * error[column];
+        }
+    }
+    for j in 0..n {
+        let rms = (torque[j * LEN..(j + 1) * LEN].iter().map(|t| t * t).sum::<f64>() / LEN as f64).sqrt();
+        assert!((announced[j] / rms - 1.0).abs() < 0.05, "joint {}: {} {rms}", j + 1, announced[j]);
     }
 }
 

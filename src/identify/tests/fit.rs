@@ -314,3 +314,29 @@ fn errors_of_the_motion_go_into_the_torque_as_they_are() {
         assert!(*one > 0.0 && (two - 2.0 * one).abs() < 1e-9 * two, "{one} {two}");
     }
 }
+
+/// The F test has as many degrees of freedom as independent numbers are left by the parameters: a
+/// short log, in which that tells.
+#[test]
+fn few_samples_leave_few_degrees_of_freedom() {
+    use statrs::distribution::{ContinuousCDF, FisherSnedecor};
+    let mut standard = STANDARD;
+    (standard[2], standard[6], standard[15]) = (0.0, 0.0, 0.0);
+    let arm = Planar::new();
+    let mut m = motion(&arm, 4.0, 10.0, 0.0);
+    let beta = crate::identify::regression::recover::base_of(&arm, &standard);
+    let (states, tau) = (m.states.clone(), &mut m.tau);
+    torque(&arm, &states, &beta, tau);
+    add_noise(&mut m, [0.1, 0.05], false, 8);
+    let log = [factors(&arm, &[m])];
+    let full = solve(&arm, &log, &[], &IdentifySettings::default()).unwrap();
+    let settings = IdentifySettings { essential: Some(Essential::default()), ..Default::default() };
+    let found = solve(&arm, &log, &[], &settings).unwrap();
+    assert!(!found.dropped.is_empty());
+    let freedom = full.noise.effective_samples.iter().sum::<f64>() - beta.len() as f64;
+    assert!(freedom < 100.0, "{freedom}");
+    for (k, dropped) in found.dropped.iter().enumerate() {
+        let limit = FisherSnedecor::new((k + 1) as f64, freedom).unwrap().inverse_cdf(0.95);
+        assert!((dropped.limit / limit - 1.0).abs() < 1e-3, "{}: {} {limit}", dropped.name, dropped.limit);
+    }
+}

@@ -259,3 +259,75 @@ fn a_tool_beside_the_empty_hand() {
     println!("{} runs: {within} within three deviations, spread {spread}", runs(15));
     assert!(within >= 0.985 && (0.7..1.2).contains(&spread), "{within} {spread}");
 }
+
+/// A scale with a standard deviation is one more measurement of the mass: precisions add, and what
+/// is correlated with the mass goes along with it.
+#[test]
+fn a_scale_is_a_measurement() {
+    use crate::identify::tool::{ToolSettings, identify_tool};
+    let hand = Hand::new();
+    let mut normal = Normal::new(77);
+    let logs = [false, true].map(|loaded| [hand.recorded(loaded, &mut normal)]);
+    let identified = |settings: &ToolSettings| identify_tool(&hand.arm, &logs[0], &logs[1], settings).unwrap();
+    let free = identified(&ToolSettings::default());
+    let (mass, std) = (free.values[0] + 3.0 * free.std[0], 0.5 * free.std[0]);
+    let both = identified(&ToolSettings { known_mass: Some(mass), mass_std: std, ..ToolSettings::default() });
+    let precision = free.std[0].powi(-2) + std.powi(-2);
+    assert!((both.std[0] / precision.powf(-0.5) - 1.0).abs() < 1e-6);
+    let shift = (mass - free.values[0]) * std.powi(-2) / precision;
+    assert!((both.values[0] - free.values[0] - shift).abs() < 1e-6 * free.std[0]);
+    let mut along = 0;
+    for k in (1..10).filter(|&k| free.determined()[k]) {
+        let by = free.covariance[10 * k] / free.covariance[0] * shift;
+        assert!((both.values[k] - free.values[k] - by).abs() < 1e-6 * free.std[k], "{k}");
+        along += usize::from(by.abs() > 1e-3 * free.std[k]);
+    }
+    assert!(along > 0, "nothing is correlated with the mass");
+}
+
+/// Tools that are known to so much: probabilities are those of normal densities, of which the widest
+/// is the lowest.
+#[test]
+fn tools_are_as_likely_as_their_densities() {
+    use crate::identify::tool::{Entry, RecogniseSettings, ToolSettings, identify_tool, recognise};
+    use nalgebra::{DMatrix, DVector, SMatrix};
+    let hand = Hand::new();
+    let mut normal = Normal::new(78);
+    let logs = [false, true].map(|loaded| [hand.recorded(loaded, &mut normal)]);
+    let found = identify_tool(&hand.arm, &logs[0], &logs[1], &ToolSettings::default()).unwrap();
+    let which: Vec<usize> = (0..10).filter(|&k| found.determined()[k]).collect();
+    let entry = |name: &str, off: f64, wide: f64| Entry {
+        name: name.into(),
+        values: std::array::from_fn(|k| found.values[k] + off * found.std[k]),
+        covariance: SMatrix::from_fn(|i, k| if i == k { (wide * found.std[i]).powi(2) } else { 0.0 }),
+        geometry: None,
+        pose: ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0; 3]),
+    };
+    let table = [entry("narrow", 0.4, 0.5), entry("wide", 0.2, 1.0)];
+    let answer = recognise(&found, &table, &RecogniseSettings::default()).unwrap();
+    // In units of the standard deviations.
+    let density = |entry: &Entry| {
+        let unit = |i: usize, k: usize| found.std[which[i]] * found.std[which[k]];
+        let n = which.len();
+        let covariance = DMatrix::from_fn(n, n, |i, k| {
+            (found.covariance[10 * which[i] + which[k]] + entry.covariance[(which[i], which[k])]) / unit(i, k)
+        });
+        let d = DVector::from_fn(n, |i, _| (found.values[which[i]] - entry.values[which[i]]) / found.std[which[i]]);
+        let exponent = -0.5
+            * d.dot(
+                &covariance
+                    .clone()
+                    .try_inverse()
+                    .unwrap()
+                    .column_iter()
+                    .zip(d.iter())
+                    .fold(DVector::zeros(n), |sum, (column, x)| sum + column * *x),
+            );
+        exponent.exp() / covariance.determinant().sqrt()
+    };
+    let [narrow, wide] = [density(&table[0]), density(&table[1])];
+    let expected = narrow / (narrow + wide);
+    let said = answer.candidates.iter().find(|c| c.name == "narrow").unwrap().probability;
+    assert!((said - expected).abs() < 1e-6, "{said} {expected}");
+    assert!((0.02..0.98).contains(&expected), "{expected}");
+}

@@ -210,3 +210,35 @@ fn a_budget_keeps_as_much_of_a_thousand_stretches_as_of_some() {
     let [some, many] = [10, 1000].map(budget);
     some.iter().zip(&many).for_each(|(a, b)| assert!((a / b - 1.0).abs() < 0.1, "{a} {b}"));
 }
+
+/// Torques that are moved back by more than the low-pass settles in: no boundary of chunks shows.
+#[test]
+fn a_long_delay_crosses_the_chunks() {
+    let arm = Planar::new();
+    let mut m = motion(&arm, 10.0, 200.0, 0.0);
+    add_noise(&mut m, [0.3, 0.1], false, 6);
+    let csv = bytes(&m);
+    for delay in [0.6, -0.6] {
+        let all = |chunk: usize| {
+            let (mut tau, mut times) = (Vec::new(), Vec::new());
+            let prepare = Prepare { chunk, torque_delay: delay, ..Prepare::default() };
+            each_motion(open("x", &csv[..]).unwrap().as_mut(), 2, &prepare, |m| {
+                let mut block = crate::data::signal::MotionBlock::default();
+                let n = m.gather(0, usize::MAX, &mut block);
+                tau.extend_from_slice(&block.tau[..n]);
+                times.extend(m.picks().map(|s| m.time(s)));
+            })
+            .unwrap();
+            [tau, times]
+        };
+        let whole = all(1 << 20);
+        assert!(whole[0].len() > 1500, "{}", whole[0].len());
+        for chunk in [60, 300] {
+            let pieces = all(chunk);
+            assert_eq!(whole[0].len(), pieces[0].len());
+            for (a, b) in whole.iter().flatten().zip(pieces.iter().flatten()) {
+                assert!((a - b).abs() < 1e-8, "{delay} {chunk}: {a} {b}");
+            }
+        }
+    }
+}

@@ -140,4 +140,31 @@ mod tests {
         assert!((d[0][1] - 0.5).abs() < 1e-9 && (d[1][4] + 0.02).abs() < 1e-9 && (d[3][2] + 0.1).abs() < 1e-9);
         assert!(d.iter().all(|way| way[0].abs() < 1e-12));
     }
+
+    /// Errors of mass and first moments that go together leave the centre where it is; those that go
+    /// against each other move it by both.
+    #[test]
+    fn errors_of_the_centre_are_those_of_a_quotient() {
+        let values = [2.0, 0.6, -0.4, 0.2, 0.3, 0.3, 0.3, 0.0, 0.0, 0.0];
+        let center = [0.3, -0.2, 0.1];
+        for (sense, expected) in [(1.0, 0.0), (-1.0, 2.0)] {
+            let direction: Vec<f64> = (0..10)
+                .map(|k| {
+                    if k == 0 {
+                        1e-3
+                    } else if k < 4 {
+                        sense * 1e-3 * center[k - 1]
+                    } else {
+                        0.0
+                    }
+                })
+                .collect();
+            let covariance: Vec<f64> = (0..100).map(|e| direction[e / 10] * direction[e % 10]).collect();
+            let body = Body::new(&values, &covariance).unwrap();
+            for k in 0..3 {
+                let std = expected * 1e-3 * center[k].abs() / 2.0;
+                assert!((body.center_std[k] - std).abs() < 1e-9, "{sense} {k}: {:?}", body.center_std);
+            }
+        }
+    }
 }

@@ -223,3 +223,43 @@ fn relative(carried: &Carried, family: &Family, kept: &[usize], tolerance: &Tole
 fn cost(root: &nalgebra::Cholesky<f64, nalgebra::Dyn>, difference: &DVector<f64>) -> f64 {
     difference.dot(&root.solve(difference))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numerics::prng::Random;
+    use dh_codegen::robot::ToolGeometry;
+
+    /// The error of the polynomial is that of each tool where it is left out of the fit.
+    #[test]
+    fn the_misfit_is_that_of_leaving_one_out() {
+        let mut random = Random::new(4);
+        let entries: Vec<Entry> = (0..9)
+            .map(|k| {
+                let (length, width) = (0.2 + 0.03 * f64::from(k), 0.1 + 0.05 * f64::from(k * 2 % 5));
+                let values = std::array::from_fn(|i| length * (1.0 + i as f64) + width * width + random.even(0.02));
+                Entry {
+                    name: format!("roller-{k}"),
+                    values,
+                    covariance: SMatrix::zeros(),
+                    geometry: Some(ToolGeometry { length, width }),
+                    pose: ([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0; 3]),
+                }
+            })
+            .collect();
+        let members: Vec<&Entry> = entries.iter().collect();
+        let family = Family::new("roller", &members).unwrap();
+        let design =
+            DMatrix::from_fn(9, family.terms.len(), |i, k| term(family.terms[k], &family.range, &family.sizes[i]));
+        let mut expected = SMatrix::<f64, 10, 10>::zeros();
+        for out in 0..9 {
+            let others = design.clone().remove_row(out);
+            let values = DMatrix::from_fn(8, 10, |i, k| entries[i + usize::from(i >= out)].values[k]);
+            let fitted = others.svd(true, true).solve(&values, 1e-12).unwrap();
+            let row = design.row(out) * fitted;
+            let missed = SVector::<f64, 10>::from_fn(|k, _| entries[out].values[k] - row[k]);
+            expected += missed * missed.transpose() / 9.0;
+        }
+        assert!((family.misfit - expected).norm() < 1e-8 * expected.norm(), "{} {expected}", family.misfit);
+    }
+}

@@ -1,5 +1,6 @@
 //! `force --json`, and the uncertainty out of `identify --json`.
 
+use nalgebra::DMatrix;
 use serde_json::{Value, json};
 
 use crate::control::estimate::{COMPONENTS, Comparison, Consistency, NoiseSource, Uncertainty, Verdict, covariance};
@@ -108,6 +109,12 @@ fn meaning() -> Value {
     })
 }
 
+/// Standard deviations below this have squares that are numbers, and no body or drive has larger
+/// ones.
+const MOST: f64 = 1e12;
+/// Rounding of a correlation.
+const ROUNDING: f64 = 1e-6;
+
 /// Reads standard deviations, correlations and noise of `identify --json` for an arm with these
 /// base parameters. Parameters that the identification does not have (a robot file that was
 /// extended since has more friction) are taken to be exact, and named as such.
@@ -119,6 +126,9 @@ pub fn uncertainty_of_json(json: &Value, base: &[BaseParameter], dof: usize) -> 
     let names: Vec<&str> = parameters.iter().filter_map(|p| p["name"].as_str()).collect();
     if names.len() != parameters.len() {
         return Err(FieldError::Absent("parameters[].name"));
+    }
+    if let Some(k) = (1..names.len()).find(|&k| names[..k].contains(&names[k])) {
+        return Err(rule("parameters[].name", format!("must be there once: {}", names[k])));
     }
     if let Some(unknown) = names.iter().find(|name| !base.iter().any(|b| b.name == **name)) {
         return Err(FieldError::Parameter((*unknown).into()));
@@ -132,9 +142,13 @@ pub fn uncertainty_of_json(json: &Value, base: &[BaseParameter], dof: usize) -> 
         return Err(FieldError::Absent("correlation"));
     }
     let noise = numbers(&json["noise"]["sigma"]);
-    if noise.len() != dof || !noise.iter().all(|s| s.is_finite() && *s >= 0.0) {
-        return Err(rule("noise.sigma", format!("must have a number for each of the {dof} joints")));
+    if noise.len() != dof || !noise.iter().all(|s| (0.0..MOST).contains(s)) {
+        return Err(rule(
+            "noise.sigma",
+            format!("must have a number for each of the {dof} joints, from 0 to {MOST:e}"),
+        ));
     }
+    deviations_and_correlations(parameters, &names, &correlation)?;
     let place: Vec<Option<usize>> = base.iter().map(|b| names.iter().position(|n| *n == b.name)).collect();
     let told = |k: usize| parameters[k]["std"].as_f64().filter(|s| s.is_finite());
     let std: Vec<f64> = place.iter().map(|at| at.and_then(told).unwrap_or(0.0)).collect();
@@ -154,4 +168,105 @@ pub fn uncertainty_of_json(json: &Value, base: &[BaseParameter], dof: usize) -> 
         source: NoiseSource::Identification,
         open: open.collect(),
     })
+}
+
+/// Refuses what is no covariance: deviations from 0, correlations from -1 to 1, symmetric, and no
+/// sum of parameters with a negative variance. `null` stands for a deviation of a parameter that the
+/// data don't determine; it goes with no other.
+fn deviations_and_correlations(
+    parameters: &[Value],
+    names: &[&str],
+    correlation: &[Vec<f64>],
+) -> Result<(), FieldError> {
+    let std = |k: usize| &parameters[k]["std"];
+    let good = |k: usize| std(k).is_null() || std(k).as_f64().is_some_and(|s| (0.0..MOST).contains(&s));
+    if let Some(k) = (0..names.len()).find(|k| !good(*k)) {
+        let said = format!("must be from 0 to {MOST:e}, or null: {} is {}", names[k], std(k));
+        return Err(rule("parameters[].std", said));
+    }
+    let told: Vec<usize> = (0..names.len()).filter(|k| std(*k).as_f64().is_some_and(|s| s > 0.0)).collect();
+    for &i in &told {
+        for &k in &told {
+            let (here, there) = (correlation[i][k], correlation[k][i]);
+            // A NaN is in no range.
+            let what = if !(-1.0 - ROUNDING..=1.0 + ROUNDING).contains(&here) {
+                "from -1 to 1"
+            } else if i == k && here < 1.0 - ROUNDING {
+                "1 of a parameter with itself"
+            } else if !(-ROUNDING..=ROUNDING).contains(&(here - there)) {
+                "the same both ways"
+            } else {
+                continue;
+            };
+            return Err(rule("correlation", format!("must be {what}: that of {} and {} is not", names[i], names[k])));
+        }
+    }
+    let size = told.len();
+    if size == 0 {
+        return Ok(());
+    }
+    let matrix = DMatrix::from_fn(size, size, |i, k| correlation[told[i]][told[k]]);
+    let least = matrix.symmetric_eigenvalues().min();
+    if least < -ROUNDING * size as f64 {
+        let said = format!("must be positive semidefinite: its least eigenvalue is {least:.2e}");
+        return Err(rule("correlation", said));
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::identify::planar::Planar;
+    use crate::model::Arm;
+
+    fn base(names: [&str; 3]) -> Vec<BaseParameter> {
+        let mut base = Planar::new().base_parameters()[..3].to_vec();
+        base.iter_mut().zip(names).for_each(|(parameter, name)| parameter.name = name.into());
+        base
+    }
+
+    fn said(change: impl Fn(&mut Value)) -> Result<Uncertainty, FieldError> {
+        let parameter = |name: &str, std: f64| json!({ "name": name, "std": std });
+        let mut json = json!({
+            "parameters": [parameter("a", 0.1), parameter("b", 0.2), parameter("c", 0.3)],
+            "correlation": [[1.0, 0.9, 0.8], [0.9, 1.0, 0.7], [0.8, 0.7, 1.0]],
+            "noise": { "sigma": [0.1, 0.2] },
+        });
+        change(&mut json);
+        uncertainty_of_json(&json, &base(["a", "b", "c"]), 2)
+    }
+
+    #[test]
+    fn an_uncertainty_must_be_one() {
+        let known = said(|_| {}).unwrap();
+        assert!((known.covariance[1] - 0.9 * 0.1 * 0.2).abs() < 1e-15 && known.open.is_empty());
+        let both = |json: &mut Value, i: usize, k: usize, r: Value| {
+            (json["correlation"][i][k], json["correlation"][k][i]) = (r.clone(), r);
+        };
+        // Not determined by the data: it goes with no other.
+        let open = said(|json| {
+            json["parameters"][1]["std"] = Value::Null;
+            both(json, 0, 1, Value::Null);
+        });
+        assert!(open.is_ok_and(|known| known.open == ["b"] && known.covariance[1] == 0.0));
+        let refused = |change: &dyn Fn(&mut Value), what: &str| {
+            let error = said(change).unwrap_err().to_string();
+            assert!(error.contains(what), "{error}");
+        };
+        for std in [json!(-0.1), json!(1e300), json!("0.1"), json!(true)] {
+            refused(&|json| json["parameters"][0]["std"] = std.clone(), "`parameters[].std` must be from 0 to 1e12");
+        }
+        refused(&|json| both(json, 0, 1, json!(1.1)), "from -1 to 1: that of a and b");
+        refused(&|json| both(json, 0, 2, json!(-1e9)), "from -1 to 1: that of a and c");
+        refused(&|json| both(json, 0, 1, Value::Null), "from -1 to 1: that of a and b");
+        refused(&|json| json["correlation"][0][1] = json!(0.5), "the same both ways");
+        refused(&|json| json["correlation"][2][2] = json!(0.5), "1 of a parameter with itself");
+        // Each pair is possible, all three together are not.
+        refused(&|json| both(json, 1, 2, json!(-0.9)), "positive semidefinite: its least eigenvalue is -");
+        refused(&|json| json["correlation"][1] = json!([1.0]), "`correlation`");
+        refused(&|json| json["noise"]["sigma"] = json!([0.1]), "noise.sigma");
+        refused(&|json| json["noise"]["sigma"] = json!([0.1, -0.2]), "noise.sigma");
+        refused(&|json| json["parameters"][2]["name"] = json!("a"), "must be there once: a");
+    }
 }

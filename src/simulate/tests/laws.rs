@@ -204,3 +204,33 @@ fn sensors_have_the_noise_that_is_asked_for() {
     assert!((rms(4) / (0.2f64 * 0.2 + 0.1 * 0.1).sqrt() - 1.0).abs() < 0.05, "{}", rms(4));
     assert!(noisy.columns[1].iter().all(|q| ((q / 1e-4).round() * 1e-4 - q).abs() < 1e-15));
 }
+
+/// A drive whose motor gives what gravity and the offset of its friction take stands still; one that
+/// gives gravity alone is accelerated by the offset.
+#[test]
+fn an_offset_of_the_friction_holds_back() {
+    let mut robot = frictionless("planar2r");
+    robot.joints[1].drive.offset = Some(0.3);
+    let (q, still) = ([0.3, 0.4], [0.0; 2]);
+    let bodies = frictionless("planar2r");
+    let free = Numeric::new(&bodies).inverse_dynamics(&q, &still, &still, &param::standard_values(&bodies).unwrap());
+    let sampled =
+        Sampled { start: q.to_vec(), seconds: 0.2, sensors: Sensors::perfect(1e3), solver: Solver::default(), seed: 1 };
+    for with in [true, false] {
+        let mut gravity: [f64; 2] = std::array::from_fn(|j| free[j]);
+        if with {
+            gravity[1] += 0.3;
+        }
+        let mut end = q.to_vec();
+        Simulator::new(&robot, &Effects::default())
+            .unwrap()
+            .run_sampled(&sampled, &[], &mut |_, is, torque| {
+                torque.copy_from_slice(&gravity);
+                end.copy_from_slice(&is.q);
+                true
+            })
+            .unwrap();
+        let moved = end[1] - q[1];
+        assert!(if with { moved.abs() < 1e-9 } else { moved < -1e-4 }, "{with}: {moved}");
+    }
+}
