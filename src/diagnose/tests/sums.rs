@@ -6,7 +6,7 @@ use std::ops::Range;
 use nalgebra::{DMatrix, DVector};
 
 use super::columns::{PERIOD, recording};
-use super::mechanisms::planar;
+use super::mechanisms::{bare, planar};
 use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::regulariser::{Regulariser, prior};
@@ -113,10 +113,12 @@ fn memory_of_a_residual_with_gaps() {
     }
 }
 
-/// A clock that errs by so much errs in the torque by that times the torque's rate.
+/// A clock that errs by so much errs in the torque by that times the torque's rate. Without
+/// friction, whose jumps are what the order of a difference makes of them: at each the rate of
+/// order six has 1.6 times the sum of squares of the one here.
 #[test]
 fn errors_of_the_clock_go_with_the_rate() {
-    let robot = planar();
+    let robot = bare(&planar());
     let plant = PerturbableRobot::new(&robot);
     let of = |error: f64| {
         let mut recordings = [recording()];
@@ -136,7 +138,7 @@ fn errors_of_the_clock_go_with_the_rate() {
     let (twice, _) = of(4e-3);
     for j in 0..2 {
         // Ends of a run have one-sided quotients, and are not in `rates`.
-        assert!((once[j] / (2e-3 * rates[j]) - 1.0).abs() < 0.1, "{once:?} {rates:?}");
+        assert!((once[j] / (2e-3 * rates[j]) - 1.0).abs() < 2e-3, "{once:?} {rates:?}");
         assert!((twice[j] / once[j] - 2.0).abs() < 1e-9, "{once:?} {twice:?}");
     }
 }
@@ -205,7 +207,7 @@ fn friction_is_as_uncertain_as_the_torque_is_large() {
 }
 
 /// Rows of a joint in the terms of a hypothesis, where its windows count.
-fn rows<'t>(terms: &'t [Term], term: usize, joint: usize) -> &'t [f64] {
+fn rows(terms: &[Term], term: usize, joint: usize) -> &[f64] {
     let found = terms[term].column.rows.iter().find(|(j, _)| *j == joint);
     found.map_or(&[], |(_, series)| series)
 }
