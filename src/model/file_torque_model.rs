@@ -54,8 +54,9 @@ impl FileTorqueModel {
         &self.laws
     }
 
-    /// Along recorded motion without any delay; `late` moves the clock of the drives.
-    fn remembered(&self, time: &[f64], late: f64, states: &States, temperature: &[f64], out: &mut [f64]) {
+    /// Along recorded motion without any delay; the clock of the drives began at `begun` and is
+    /// `late`.
+    fn remembered(&self, [begun, late]: [f64; 2], time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) {
         let (n, len, p) = (self.dof(), states.len, self.standard.len());
         let memory: Vec<Memory> = self.laws.iter().map(Laws::memory).collect();
         // Parameters, then bristles, then warmth, then the clock: see `Function::DriveTorques`.
@@ -78,7 +79,8 @@ impl FileTorqueModel {
                 let at = k * len + s;
                 let z = &mut parameters[p + k];
                 *z = if fresh { states.dq[at].sign() } else { memory[k].bent(*z, states.q[at] - q[k]) };
-                let since = (time[s] - time[start] - late).max(0.0);
+                let begun = if start == 0 { begun } else { time[start] };
+                let since = (time[s] - begun - late).max(0.0);
                 let degrees = temperature.get(at).copied().unwrap_or(memory[k].reference);
                 parameters[p + n + k] = memory[k].warmth(since, degrees);
                 (parameters[p + 2 * n], parameters[p + 2 * n + 1 + k]) = (since, degrees);
@@ -128,6 +130,10 @@ impl TorqueModel for FileTorqueModel {
     }
 
     fn torques_along(&self, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) {
+        self.torques_since(time.first().copied().unwrap_or(0.0), time, states, temperature, out);
+    }
+
+    fn torques_since(&self, begun: f64, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) {
         let (n, len) = (self.dof(), states.len);
         let delays = self.delays();
         let mut distinct: Vec<f64> = delays.clone();
@@ -136,9 +142,9 @@ impl TorqueModel for FileTorqueModel {
         let mut all = vec![0.0; n * len];
         for late in distinct {
             if late == 0.0 {
-                self.remembered(time, late, states, temperature, &mut all);
+                self.remembered([begun, late], time, states, temperature, &mut all);
             } else {
-                self.remembered(time, late, &earlier(time, states, late, n), temperature, &mut all);
+                self.remembered([begun, late], time, &earlier(time, states, late, n), temperature, &mut all);
             }
             for (k, _) in delays.iter().enumerate().filter(|(_, d)| **d == late) {
                 out[k * len..(k + 1) * len].copy_from_slice(&all[k * len..(k + 1) * len]);

@@ -105,7 +105,7 @@ impl Random {
             // A number that carries the unit, so that anything can be added to anything.
             return Term::Product(vec![Term::Number(self.within(0.1, 0.9)), Term::Variable(variable)]);
         }
-        let mut of = |random: &mut Self| random.term(joints, depth - 1);
+        let of = |random: &mut Self| random.term(joints, depth - 1);
         match self.below(12) {
             0 => Term::Sum(vec![of(self), number, of(self)]),
             1 => Term::Sum(vec![of(self), Term::Negative(Box::new(of(self)))]),
