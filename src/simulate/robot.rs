@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::effects::{self, RotorInertia, Scope};
-use dh_codegen::robot::{Effect, Effects, NoLink, RATED, Robot};
+use dh_codegen::robot::{Effect, Effects, NoLink, RATED, Robot, TorqueLaw};
 
 use super::SimulateError;
 use super::drive::Drive;
@@ -95,18 +95,21 @@ impl SimulatedRobot {
                 }
             }
         }
-        for (row, law) in own.laws.iter().chain(&more.laws) {
-            let Some(dof) = dof_of(*row) else { continue };
-            built.drives[dof].law = Some(ClosedForm::new(law, moving.len()).map_err(|number| SimulateError::Law {
-                joint: row + 1,
-                number,
-                last: moving.len(),
-            })?);
-        }
+        own.laws.iter().chain(&more.laws).try_for_each(|(row, law)| built.formula(*row, dof_of(*row), law))?;
         for drive in built.drives.iter_mut().filter(|d| d.is_soft() && d.rotor == 0.0) {
             drive.rotor = RotorInertia::default().inertia(drive.rated);
         }
         Ok(built)
+    }
+
+    /// A law in closed form.
+    fn formula(&mut self, row: usize, dof: Option<usize>, law: &TorqueLaw) -> Result<(), SimulateError> {
+        let (last, joint) = (self.drives.len(), row + 1);
+        if let Some(drive) = dof.and_then(|dof| self.drives.get_mut(dof)) {
+            let made = ClosedForm::new(law, last);
+            drive.law = Some(made.map_err(|number| SimulateError::Law { joint, number, last })?);
+        }
+        Ok(())
     }
 
     /// Whether an integrator can play its laws: accelerations follow from torques.

@@ -77,8 +77,7 @@ pub(super) fn torques<'g>(
         let warm = if law.drift.is_some() { drive.warmth * friction } else { friction };
         tau[k] = tau[k] + term(DriveTerm::IA) * ddq + warm + term(DriveTerm::FO) + ripple(law, drive.q);
     }
-    let clock = (memory == Memory::Clocked).then_some(after + 2 * links.inputs.dof);
-    add_formulas(&mut tau, &links, &drives, laws, clock);
+    add_formulas(&mut tau, &links, &drives, laws, (memory == Memory::Clocked).then_some(after + 2 * drives.len()));
     for (m, law) in laws.iter().enumerate() {
         for c in &law.couplings {
             let k = c.other;
