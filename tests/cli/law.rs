@@ -137,8 +137,7 @@ fn simulate_plays_it() {
         let run = denavit(&["simulate", robot, "--trajectory", &motion, "--effects", &effects, "--out", &log]);
         assert_eq!(run.status, Some(0), "{}", run.err);
         let of = columns(&log);
-        let [t, q1, q2, dq1, dq2, tau1, tau2, temp] =
-            ["t", "q1", "q2", "dq1", "dq2", "tau1", "tau2", "temp1"].map(|name| of(name));
+        let [t, q1, q2, dq1, dq2, tau1, tau2, temp] = ["t", "q1", "q2", "dq1", "dq2", "tau1", "tau2", "temp1"].map(of);
         let mut errors: Vec<f64> = (2..t.len() - 2)
             .map(|k| {
                 let slope = |v: &[f64]| (v[k - 2] - 8.0 * v[k - 1] + 8.0 * v[k + 1] - v[k + 2]) / 12e-3;

@@ -280,7 +280,7 @@ mod tests {
     use super::*;
 
     /// Motions of four joints along sums of sines, and their derivatives, by seed.
-    fn motion(seed: u64) -> Vec<[Vec<f64>; 3]> {
+    fn motion(seed: u64) -> Vec<Joint> {
         let mut random = Random::new(seed);
         let joint = |_| {
             let waves: Vec<[f64; 3]> =
@@ -297,7 +297,10 @@ mod tests {
         (0..4).map(joint).collect()
     }
 
-    fn found(law: &dyn Fn(&[[Vec<f64>; 3]], usize) -> f64, noise: f64, memory: f64, seed: u64) -> Option<Formula> {
+    /// Position, velocity and acceleration of a joint.
+    type Joint = [Vec<f64>; 3];
+
+    fn found(law: &dyn Fn(&[Joint], usize) -> f64, noise: f64, memory: f64, seed: u64) -> Option<Formula> {
         let motions = [motion(seed), motion(seed + 1000)];
         let mut random = Random::new(seed + 7);
         let errors = motions.each_ref().map(|m| {
@@ -315,7 +318,7 @@ mod tests {
 
     #[test]
     fn a_law_of_two_joints_is_found_with_its_size() {
-        let law = |m: &[[Vec<f64>; 3]], k: usize| 0.8 * (3.0 * m[1][0][k]).sin() * m[3][1][k].signum();
+        let law = |m: &[Joint], k: usize| 0.8 * (3.0 * m[1][0][k]).sin() * m[3][1][k].signum();
         for seed in 1..6 {
             let found = found(&law, 0.4, 0.9, seed).expect("a law");
             assert!(found.text.contains("*sin(3*q2)*sign(dq4)"), "{}", found.text);
@@ -327,7 +330,7 @@ mod tests {
 
     #[test]
     fn a_sum_of_two_laws_is_found() {
-        let law = |m: &[[Vec<f64>; 3]], k: usize| 2.0 * m[1][1][k] * m[1][1][k].abs() + 0.5 * (m[2][0][k] - 0.4).cos();
+        let law = |m: &[Joint], k: usize| 2.0 * m[1][1][k] * m[1][1][k].abs() + 0.5 * (m[2][0][k] - 0.4).cos();
         let found = found(&law, 0.15, 0.8, 3).expect("a law");
         assert!(found.text.contains("*dq2*abs(dq2)") && found.text.contains("*cos(q3)"), "{}", found.text);
     }
