@@ -11,7 +11,7 @@ use super::structure::Structure;
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
-use crate::diagnose::hypotheses::{COULOMB, Hypothesis as _, Kind, Named, OFFSET, Quantity, VISCOUS};
+use crate::diagnose::hypotheses::{COULOMB, Hypothesis as _, Named, OFFSET, Quantity, VISCOUS};
 use crate::diagnose::search::baseline_friction::BaselineFriction;
 use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::Accepted;
@@ -72,7 +72,7 @@ impl Attribution<'_> {
         Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
-            probability: self.probability(item, &features, shares.repeats),
+            probability: self.probability(item, &features),
             support,
             margin,
             share: part,
@@ -121,17 +121,15 @@ impl Attribution<'_> {
     /// Probability of an item with these features; of one that the search from the unchanged file
     /// found, by how it was found there. Of several terms of friction in one item the least sure
     /// one counts.
-    fn probability(&self, item: &Item, features: &Features, repeats: Option<f64>) -> f64 {
+    fn probability(&self, item: &Item, features: &Features) -> f64 {
         let of = |effect: EffectKind| {
             let found = self.evidence.iter().find(|e| e.effect == effect && e.place == item.place)?;
             if item.hypothesis.local() {
                 return Some(calibration::local(features.support));
             }
             let Features { share: validated, confirmed, .. } = *features;
-            // What a law of friction leaves recurs as surely as a cause of its own.
-            let repeats = if self.beside_larger_friction(item) { Some(0.0) } else { repeats };
             let (share, left_out) = (found.share, found.left_out);
-            Some(calibration::change(&Change { share, left_out, validated, confirmed, repeats }))
+            Some(calibration::change(&Change { share, left_out, validated, confirmed }))
         };
         let plain = |k: &usize| of([&VISCOUS, &COULOMB, &OFFSET][k % 3].effect());
         let terms = || item.friction.iter().map(plain).collect::<Option<Vec<f64>>>();
@@ -139,13 +137,6 @@ impl Attribution<'_> {
         of(item.hypothesis.effect())
             .or_else(several)
             .unwrap_or_else(|| calibration::probability(item.accepted.is_none(), features))
-    }
-
-    /// Whether an accepted law of friction stands beside a larger one on its joint.
-    fn beside_larger_friction(&self, item: &Item) -> bool {
-        let Some(own) = item.accepted.map(|index| &self.accepted[index]) else { return false };
-        let friction = |a: &Accepted| a.chosen.cause.kind() == Kind::Friction && a.chosen.place == own.chosen.place;
-        friction(own) && self.accepted.iter().any(|a| friction(a) && a.variance > own.variance)
     }
 
     /// How an item recurs in stretches of the fitted logs. It is 1 for a cause that acts in a part

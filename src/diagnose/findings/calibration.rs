@@ -47,29 +47,19 @@ pub struct Change {
     pub validated: f64,
     /// Whether those data can confirm it.
     pub confirmed: bool,
-    /// Its size on those data by the fitted one; `None` where they can't show it.
-    pub repeats: Option<f64>,
 }
 
-/// A constant, weights of `share`, `left_out` and `validated`, what is taken off where the validating
-/// data can't confirm a cause, and the weight of [`agreement`]. Fitted to causes added to recordings
-/// of five arms.
-const CHANGE: [f64; 6] = [-2.8, 1.6, 2.3, 1.1, 1.9, 1.6];
-
-/// Agreement of two sizes: the smaller by the larger, 0 where their signs differ; one half where
-/// there is no second one.
-fn agreement(repeats: Option<f64>) -> f64 {
-    repeats.map_or(0.5, |size| if size > 0.0 { size.min(size.recip()) } else { 0.0 })
-}
+/// A constant, weights of `share`, `left_out` and `validated`, and what is taken off where the
+/// validating data can't confirm a cause. Fitted to causes added to recordings of five arms.
+const CHANGE: [f64; 5] = [-3.0, 3.3, 2.3, 0.6, 1.3];
 
 /// Of a cause that changed the file.
 pub fn change(found: &Change) -> f64 {
-    let [a, b, c, d, e, f] = CHANGE;
+    let [a, b, c, d, e] = CHANGE;
     let sum = a
         + b * found.share.clamp(0.0, 1.0)
         + c * found.left_out.clamp(-1.0, 1.0)
         + d * found.validated.clamp(-1.0, 1.0)
-        + f * agreement(found.repeats)
         - if found.confirmed { 0.0 } else { e };
     (1.0 / (1.0 + (-sum).exp())).min(0.995)
 }
@@ -135,21 +125,15 @@ mod tests {
     /// The odds of a change by its shares; nothing that is taken is next to nothing.
     #[test]
     fn a_change_is_as_likely_as_what_it_takes() {
-        let half = Change { share: 0.5, left_out: 0.5, validated: 0.5, confirmed: true, repeats: Some(1.0) };
+        let half = Change { share: 0.5, left_out: 0.5, validated: 0.5, confirmed: true };
         let odds = |found: &Change| change(found) / (1.0 - change(found));
-        assert!((odds(&half) - (-2.8 + 0.5 * (1.6 + 2.3 + 1.1_f64) + 1.6).exp()).abs() < 1e-9);
-        assert!((odds(&Change { confirmed: false, ..half }) / odds(&half) - (-1.9_f64).exp()).abs() < 1e-9);
+        assert!((odds(&half) - (-3.0 + 0.5 * (3.3 + 2.3 + 0.6_f64)).exp()).abs() < 1e-9);
+        assert!((odds(&Change { confirmed: false, ..half }) / odds(&half) - (-1.3_f64).exp()).abs() < 1e-9);
         for more in [Change { share: 0.9, ..half }, Change { left_out: 0.9, ..half }, Change { validated: 0.9, ..half }]
         {
             assert!(change(&more) > change(&half));
         }
-        // Another size on other data speaks against it, whichever of the two is larger.
-        for (size, weight) in [(Some(0.5), 0.5), (Some(2.0), 0.5), (Some(-1.0), 0.0), (None, 0.5)] {
-            let ratio = odds(&Change { repeats: size, ..half }) / odds(&half);
-            assert!((ratio - (1.6 * (weight - 1.0_f64)).exp()).abs() < 1e-9, "{size:?}");
-        }
-        let nothing = Change { share: 0.0, left_out: 0.0, validated: 0.0, confirmed: true, repeats: Some(0.0) };
-        assert!(change(&nothing) < 0.06);
+        assert!(change(&Change { share: 0.0, left_out: 0.0, validated: 0.0, confirmed: true }) < 0.05);
         assert!(local(0.0) == 0.0 && local(-3.0) == 0.0 && (local(50.0) - 0.5).abs() < 1e-12 && local(1e9) < 1.0);
     }
 
