@@ -258,7 +258,6 @@ fn once(
             joints: c.joints.clone(),
             motion: c.shown_by.to_string(),
         });
-    let curves = (0..dof).map(|j| curve(j, &after, &before)).collect();
     let maps = (0..dof).map(|j| after.view.maps(j, &before[j], &after.error[j])).collect();
     Ok(Diagnosis {
         robot: plant.name().to_string(),
@@ -282,7 +281,7 @@ fn once(
         next_experiment,
         own_validation,
         seconds: [seconds, validate.iter().map(Recording::seconds).sum()],
-        curves,
+        curves: (0..dof).map(|j| curve(j, &after, &before)).collect(),
         maps,
     })
 }
