@@ -34,6 +34,14 @@ pub(in crate::robot) struct Law<'a> {
     pub(in crate::robot) scope: &'a Scope,
 }
 
+/// A word that is a variable's.
+enum Word<'n> {
+    /// One of this arm.
+    Variable(Variable),
+    /// A quantity with the number of a joint that the arm does not have.
+    OfNoJoint(&'n str),
+}
+
 /// A part that was read, with what is known about it.
 struct Known {
     term: Term,
@@ -74,10 +82,10 @@ impl Law<'_> {
         }
     }
 
-    /// The variable of this name, or the number of a joint that is not there.
-    fn variable(&self, name: &str) -> Option<core::result::Result<Variable, String>> {
+    /// The variable of this name; `None` where no variable is called like this.
+    fn variable<'n>(&self, name: &'n str) -> Option<Word<'n>> {
         if name == TIME {
-            return Some(Ok(Variable::Time));
+            return Some(Word::Variable(Variable::Time));
         }
         let stem = name.trim_end_matches(|c: char| c.is_ascii_digit());
         let digits = &name[stem.len()..];
@@ -86,8 +94,8 @@ impl Law<'_> {
         }
         let number = digits.parse::<usize>().ok().filter(|_| !digits.starts_with('0'));
         let joint = number.and_then(|n| n.checked_sub(1)).filter(|&k| k < self.joints.len());
-        let Some(joint) = joint else { return Some(Err(stem.to_string())) };
-        Some(Ok(match stem {
+        let Some(joint) = joint else { return Some(Word::OfNoJoint(stem)) };
+        Some(Word::Variable(match stem {
             "ddq" => Variable::Acceleration(joint),
             "dq" => Variable::Velocity(joint),
             "q" => Variable::Position(joint),
@@ -102,8 +110,8 @@ impl Law<'_> {
                 let what = format!("`{}` is a constant of this file and a variable of laws", shortened(name));
                 Err(error(at, what, "give the constant another name"))
             }
-            Some(Ok(variable)) => Ok(self.of(variable)),
-            Some(Err(stem)) => {
+            Some(Word::Variable(variable)) => Ok(self.of(variable)),
+            Some(Word::OfNoJoint(stem)) => {
                 let what = format!("there is no joint of `{}`", shortened(name));
                 let last = self.joints.len();
                 let range = if last == 1 { format!("{stem}1") } else { format!("{stem}1 to {stem}{last}") };
