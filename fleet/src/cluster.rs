@@ -178,7 +178,7 @@ impl Fleet {
     }
 }
 
-/// Works for others until the process ends. `ready` is told the address, which matters for port 0.
+/// Works for others until the process ends. `ready` gets the address, which matters for port 0.
 ///
 /// # Errors
 /// Where the address can't be listened on, or a robot file has mistakes.

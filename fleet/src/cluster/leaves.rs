@@ -16,7 +16,7 @@ use super::watch::{WatchExec, WatchParts};
 use crate::recordings::{OfEachWorker, Parts, RecordingsExec};
 use crate::robots::{RobotFile, Robots};
 
-/// A leaf as it is sent.
+/// A leaf in the form in which it is sent.
 #[derive(Serialize, Deserialize)]
 enum Sent {
     Recordings(RobotFile, Parts),

@@ -127,9 +127,8 @@ impl Attribution<'_> {
             if item.hypothesis.local() {
                 return Some(calibration::local(features.support));
             }
-            let Features { share: validated, confirmed, .. } = *features;
-            let (share, left_out) = (found.share, found.left_out);
-            Some(calibration::change(&Change { share, left_out, validated, confirmed }))
+            let (validated, confirmed) = (features.share, features.confirmed);
+            Some(calibration::change(&Change { share: found.share, left_out: found.left_out, validated, confirmed }))
         };
         let plain = |k: &usize| of([&VISCOUS, &COULOMB, &OFFSET][k % 3].effect());
         let terms = || item.friction.iter().map(plain).collect::<Option<Vec<f64>>>();
@@ -289,8 +288,9 @@ pub(in crate::diagnose) fn unknown(
     }
 }
 
-/// Laws of the errors that have no name, as causes before that remainder; a joint whose error a law
-/// leaves below `1.5` times its noise has none. `floor`: noise of each joint's torque, N m.
+/// Adds the laws of errors that have no name as causes, and returns the structure that they leave:
+/// that of joints whose error is still above [`EXCESS`] times the noise. `floor`: noise of each
+/// joint's torque, N m.
 pub(in crate::diagnose) fn with_formulas(
     causes: &mut Vec<Cause>,
     left: Vec<Structure>,

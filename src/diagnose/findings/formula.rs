@@ -122,10 +122,10 @@ fn dictionary(j: usize, dof: usize) -> Vec<Group> {
             groups.extend((1..=3).map(|m| vec![vec![Sine(m, k), before], vec![Cosine(m, k), before]]));
         }
         let alone = [vec![Velocity(k)], vec![Sign(k)], vec![Acceleration(k)], vec![Velocity(k), Speed(k)]];
-        let with_own = [vec![Velocity(j), Velocity(k)], vec![Sign(j), Speed(k)], vec![Sign(k), Speed(j)]];
         groups.extend(alone.map(|term| vec![term]));
-        groups.extend(with_own.map(|term| vec![term]));
+        groups.push(vec![vec![Velocity(j), Velocity(k)]]);
         if k != j {
+            groups.extend([vec![Sign(j), Speed(k)], vec![Sign(k), Speed(j)]].map(|term| vec![term]));
             groups.push(vec![vec![Sign(j), Sign(k)]]);
             groups.push(vec![vec![Velocity(k), Velocity(k)]]);
             groups.extend((1..=3).map(|m| vec![vec![Sine(m, j), Sign(k)], vec![Cosine(m, j), Sign(k)]]));
@@ -264,7 +264,7 @@ impl Formula {
     /// A sentence with figures; `on` names the data that were not fitted.
     pub(in crate::diagnose) fn sentence(&self, on: &str) -> String {
         format!(
-            "joint {}: the model lacks {}, in N m; the error falls from {} to {} N m on {on}, and {:.0} % of halves of \
+            "joint {}: the model lacks {}; the error falls from {} to {} N m on {on}, and {:.0} % of halves of \
              the fitted logs choose these terms",
             self.joint + 1,
             self.text,

@@ -112,7 +112,7 @@ pub(super) fn independent_share(counts: &[f64], memory: &[f64]) -> f64 {
 }
 
 /// Unknowns of bodies that are not possible in a least-squares solution, and the values that are,
-/// everything else refitted; `None` where all bodies are possible.
+/// everything else refitted; `None` where all bodies are possible, or the solver finds none.
 pub(super) fn possible_values(
     bodies: &[(Body, usize)],
     x: &DVector<f64>,
@@ -144,7 +144,8 @@ impl ModelUnderTest<'_> {
             .collect()
     }
 
-    /// A fit with the bodies that are not possible moved to where they are, all else refitted.
+    /// A fit with the bodies that are not possible moved to where they are, all else refitted;
+    /// unchanged where the solver finds none.
     pub(super) fn with_possible_bodies(&self, chosen: &[Chosen], fitted: Fitted) -> Fitted {
         let bodies = self.changed_bodies(chosen, &fitted);
         let Fitted { solution, moments, .. } = &fitted;
@@ -157,7 +158,8 @@ impl ModelUnderTest<'_> {
         Fitted { solution, memory: self.memory(&residual), residual, ..fitted }
     }
 
-    /// What a cause's columns gain beside a fit; a body that a cause changes stays possible.
+    /// What a cause's columns gain beside a fit; a body that a cause changes stays possible. `None`
+    /// where the fit explains the same, or no possible body was found.
     pub(in crate::diagnose) fn limited_gain(
         &self,
         fitted: &Fitted,
@@ -166,16 +168,19 @@ impl ModelUnderTest<'_> {
         terms: &[Term],
         trial: &Trial,
     ) -> Option<Gain> {
-        let gain = fitted.moments.gain(&fitted.solution, trial)?;
-        if self.mode == Mode::Refitted || !changes_a_body(cause) {
-            return Some(gain);
-        }
-        let body = Body::of(self.plant, cause.effect(), place, terms).filter(|body| !body.holds(&gain.x));
-        let Some(body) = body else { return Some(gain) };
-        let reduced = fitted.moments.reduced(&fitted.solution, trial)?;
-        let share = independent_share(&fitted.solution.counts, &fitted.memory);
-        let x = possible_changes(&[body], &(&reduced.normal * share), &(&reduced.rhs * share))?;
-        Some(fitted.moments.gain_at(&fitted.solution, trial, &reduced, x))
+        let Fitted { moments, solution, memory, .. } = fitted;
+        let reduced = moments.reduced(solution, trial)?;
+        let free = reduced.solution();
+        let limited = self.mode == Mode::Trusted && changes_a_body(cause);
+        let body = limited.then(|| Body::of(self.plant, cause.effect(), place, terms)).flatten();
+        let x = match body.filter(|body| !body.holds(free.as_slice())) {
+            Some(body) => {
+                let share = independent_share(&solution.counts, memory);
+                possible_changes(&[body], &(&reduced.normal * share), &(&reduced.rhs * share))?
+            }
+            None => free,
+        };
+        Some(moments.gain_at(solution, trial, &reduced, x))
     }
 }
 

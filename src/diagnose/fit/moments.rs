@@ -99,6 +99,13 @@ pub struct Gain {
     pub rss: Vec<f64>,
 }
 
+impl Reduced {
+    /// Coefficients of the least squares without limits.
+    pub fn solution(&self) -> DVector<f64> {
+        pseudo_inverse(&self.normal) * &self.rhs
+    }
+}
+
 impl Moments {
     /// Of these columns and the torque `y` (per joint, masked), in the parts `block` (one number
     /// below [`BLOCKS`] a window).
@@ -435,14 +442,6 @@ impl Moments {
             })
             .collect();
         Trial { terms: terms.len(), joints }
-    }
-
-    /// Gain of the trial's columns beside the others, which are refitted; `None` where the others
-    /// already explain the same.
-    pub fn gain(&self, at: &Solution, trial: &Trial) -> Option<Gain> {
-        let reduced = self.reduced(at, trial)?;
-        let x = pseudo_inverse(&reduced.normal) * &reduced.rhs;
-        Some(self.gain_at(at, trial, &reduced, x))
     }
 
     /// Normal equations of the trial's columns, the others refitted beside them; `None` where those
