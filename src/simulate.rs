@@ -129,6 +129,21 @@ pub enum SimulateError {
         /// Number of links.
         last: usize,
     },
+    /// A law in closed form that was made for another arm.
+    #[error("the law of joint {joint} asks for joint {number}, and there are {last}; make it for this robot")]
+    Law {
+        /// Number of the joint that has it.
+        joint: usize,
+        /// Number of the joint that is not there, of those that move.
+        number: usize,
+        /// How many move.
+        last: usize,
+    },
+    /// A law of accelerations where they are not known beforehand.
+    #[error(
+        "the law of joint {0} asks for accelerations, which follow from the torques where a controller moves the arm; only `--control exact` plays it"
+    )]
+    LawOfAcceleration(usize),
     /// A setting that makes no sense.
     #[error("{what} is {value}; it must {must}")]
     Setting {
@@ -304,6 +319,9 @@ impl Simulator {
         }
         if request.control.mode == Mode::Torque && !trajectory.has_torques() {
             return Err(SimulateError::NoTorques(n));
+        }
+        if request.control.mode != Mode::Exact {
+            self.built.is_free_of_accelerations()?;
         }
         let setting = |what, value: f64, good: bool, must| {
             if good { Ok(()) } else { Err(SimulateError::Setting { what, value, must }) }

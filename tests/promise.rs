@@ -215,7 +215,8 @@ fn a_poor_log_ruins_nothing() {
         drive.coulomb_friction = drive.coulomb_friction.map(|f| by * f);
     }
     let plant = PerturbableRobot::new(&file);
-    let simulator = Simulator::new(&robot(), &Effects { joints: Vec::new(), robot: Vec::new() }).unwrap();
+    let simulator =
+        Simulator::new(&robot(), &Effects { joints: Vec::new(), robot: Vec::new(), ..Effects::default() }).unwrap();
     let validate = record(&simulator, "validate", 6.0, 2);
     for moving in [1, 3] {
         let motion = alone(7, 10.0, 1.0, moving);
@@ -236,7 +237,11 @@ fn a_poor_log_ruins_nothing() {
 }
 
 fn on(joint: usize, effects: &[Effect]) -> Effects {
-    Effects { joints: effects.iter().map(|e| (joint - 1, e.clone())).collect(), robot: Vec::new() }
+    Effects {
+        joints: effects.iter().map(|e| (joint - 1, e.clone())).collect(),
+        robot: Vec::new(),
+        ..Effects::default()
+    }
 }
 
 macro_rules! promises {
@@ -260,7 +265,7 @@ fn both(mut one: Effects, other: Effects) -> Effects {
 }
 
 fn whole(name: &str, keys: &[(&str, f64)]) -> Effects {
-    Effects { joints: Vec::new(), robot: vec![effect(name, keys)] }
+    Effects { joints: Vec::new(), robot: vec![effect(name, keys)], ..Effects::default() }
 }
 
 promises! {

@@ -12,7 +12,10 @@
 //! the sequential test assumes, and one unknown factor on all variances, because those come from
 //! some days. A change that no cause explains well thus leaves several probable.
 
+use std::borrow::Cow;
+
 use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use serde::{Deserialize, Serialize};
 
 use crate::channel::{Channel, Kind};
 
@@ -51,7 +54,7 @@ pub(crate) struct JointEvidence {
 pub struct DayEvidence(pub(crate) Vec<JointEvidence>);
 
 /// By how much a cause changes a parameter.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct ParameterChange {
     /// `FC3`, `gain3`, `MSX7`.
     pub parameter: String,
@@ -60,11 +63,11 @@ pub struct ParameterChange {
     /// Standard deviation, with the scatter from day to day in it.
     pub std: f64,
     /// Unit of both; empty for a gain.
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
 }
 
 /// A cause that may explain a change: channels of one kind and place together.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Explanation {
     /// Kind.
     pub kind: Kind,
@@ -131,7 +134,7 @@ pub fn explanations(
             parameter: channels[k].parameter.clone(),
             value: fit.values[at],
             std: fit.stds[at],
-            unit: channels[k].unit,
+            unit: channels[k].unit.into(),
         };
         let changes = own.iter().enumerate().map(change).collect();
         Explanation { kind, joint, probability: log, share, changes }

@@ -10,12 +10,13 @@
 use denavit::identify::{Factors, JointFactor};
 use denavit::model::{Arm, DriveTerm, Inertial, StandardParameter};
 use nalgebra::{DMatrix, DVector};
+use serde::{Deserialize, Serialize};
 
 use crate::attribution::{DayEvidence, JointEvidence};
 use crate::reference::Reference;
 
 /// Kind of a change.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum Kind {
     /// Friction of a joint.
     Friction,

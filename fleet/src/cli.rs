@@ -1,7 +1,9 @@
-//! The commands: `factor`, `watch`, `report`, `sql`.
+//! The commands: `factor`, `watch`, `report`, `sql`, `worker`.
 
 use std::path::{Path, PathBuf};
 use std::process::Command as Process;
+#[cfg(feature = "cluster")]
+use std::sync::Arc;
 
 use clap::{Args, Parser, Subcommand};
 use datafusion::arrow::util::pretty::pretty_format_batches;
@@ -9,13 +11,14 @@ use denavit::report::visible;
 
 use crate::Fleet;
 use crate::calendar::{date, day};
+#[cfg(feature = "cluster")]
+use crate::cluster::{self, Workers};
 use crate::error::FleetError;
-use crate::functions::diagnose::verdict;
 use crate::recordings::RecordingsTable;
 use crate::remote::{Place, RecordingFile, is_url};
 use crate::report;
 use crate::sequential::Sequential;
-use crate::store::{Store, Written};
+use crate::store::{By, Store, Written};
 use crate::watch::Watched;
 
 /// Models of a fleet of robots from its recordings: factors, tests of drift, SQL.
@@ -38,6 +41,10 @@ enum Command {
     /// Ask a question in SQL. The table is `factors`; functions are `recordings`, `merge_factor`,
     /// `solve`, `drift`, `predict_error` and `diagnose`.
     Sql(Sql),
+    /// Work for `factor`, `watch`, `report` and `sql` on other machines. Who reaches the address
+    /// can have any file read that this process may read: for a network of one's own.
+    #[cfg(feature = "cluster")]
+    Worker(Worker),
 }
 
 /// Threads of the engine.
@@ -73,13 +80,59 @@ struct Factor {
     /// Folder of the tables; it is made.
     #[arg(long, value_name = "FOLDER")]
     out: PathBuf,
-    /// Processes that share the recordings. If one dies, the same command does what is missing.
-    #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=256))]
-    workers: u16,
+    /// Who shares the recordings: a number of processes of this machine, or addresses of workers
+    /// (`10.0.0.7:7070,10.0.0.8:7070`) that find the recordings by the same paths or URLs. If one
+    /// dies, the other workers do the rest, or the same command does what is missing.
+    #[arg(long, default_value = "1", value_name = "N|ADDRESSES", value_parser = Sharing::parse)]
+    workers: Sharing,
     /// Only every n-th recording from the k-th on, as `k/n`; the rows are committed, and no table
     /// is made of them. For runners of one's own.
     #[arg(long, value_name = "K/N", conflicts_with = "workers")]
     share: Option<String>,
+    #[command(flatten)]
+    threads: Threads,
+}
+
+/// Who does the work.
+#[derive(Debug, Clone)]
+enum Sharing {
+    /// So many processes of this machine.
+    Processes(usize),
+    /// Workers on other machines.
+    #[cfg(feature = "cluster")]
+    Workers(Workers),
+}
+
+impl Sharing {
+    fn parse(text: &str) -> Result<Self, FleetError> {
+        match text.parse::<usize>() {
+            Ok(count @ 1..=256) => Ok(Self::Processes(count)),
+            Ok(_) => Err(FleetError::Option(format!("--workers {text}: 1 to 256 processes"))),
+            Err(_) => Self::addresses(text),
+        }
+    }
+
+    #[cfg(feature = "cluster")]
+    fn addresses(text: &str) -> Result<Self, FleetError> {
+        Workers::parse(text).map(Self::Workers)
+    }
+
+    #[cfg(not(feature = "cluster"))]
+    fn addresses(text: &str) -> Result<Self, FleetError> {
+        let built = "for addresses this program needs the feature `cluster`, without which it was built";
+        Err(FleetError::Option(format!("--workers {text}: no number; {built}")))
+    }
+}
+
+#[cfg(feature = "cluster")]
+#[derive(Args)]
+struct Worker {
+    /// Address and port to listen on. `0.0.0.0:7070` is every network of the machine.
+    #[arg(long, default_value = "127.0.0.1:7070", value_name = "ADDRESS:PORT")]
+    listen: std::net::SocketAddr,
+    /// Robot files of factors, for `solve` and `drift` in SQL. `factor` and `watch` send theirs.
+    #[arg(long, num_args = 1.., value_name = "ROBOT")]
+    robot: Vec<PathBuf>,
     #[command(flatten)]
     threads: Threads,
 }
@@ -98,12 +151,20 @@ struct Watch {
     /// False alarms per robot and year, at most.
     #[arg(long, default_value_t = 1.0, value_name = "RATE")]
     false_alarms: f64,
+    /// Leave days before this one out; the reference is then of the first days from it on.
+    #[arg(long, value_name = "YYYY-MM-DD", value_parser = date_of)]
+    from: Option<i32>,
     /// Diagnose the raw log of each flagged robot-day; its files must still be there.
     #[arg(long)]
     diagnose: bool,
     /// Write the result as JSON.
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
+    /// Addresses of workers that share the robots, and find the table (and, for `--diagnose`, the
+    /// recordings) by the same paths or URLs.
+    #[cfg(feature = "cluster")]
+    #[arg(long, value_name = "ADDRESSES", value_parser = Workers::parse)]
+    workers: Option<Workers>,
     #[command(flatten)]
     threads: Threads,
 }
@@ -128,6 +189,11 @@ struct Sql {
     /// Robot files of the factors.
     #[arg(long, num_args = 1.., value_name = "ROBOT")]
     robot: Vec<PathBuf>,
+    /// Addresses of workers that share the query, and find what it reads by the same absolute
+    /// paths or URLs.
+    #[cfg(feature = "cluster")]
+    #[arg(long, value_name = "ADDRESSES", value_parser = Workers::parse)]
+    workers: Option<Workers>,
     #[command(flatten)]
     threads: Threads,
 }
@@ -140,6 +206,9 @@ impl Cli {
             Command::Watch(watch) => watch.threads.count(),
             Command::Report(report) => report.watch.threads.count(),
             Command::Sql(sql) => sql.threads.count(),
+            // One more answers while the others work.
+            #[cfg(feature = "cluster")]
+            Command::Worker(worker) => worker.threads.count() + 1,
         }
     }
 
@@ -161,6 +230,10 @@ impl Cli {
                 write(&report.out, &report::page(&watched))
             }
             Command::Sql(sql) => sql.run().await,
+            #[cfg(feature = "cluster")]
+            Command::Worker(worker) => {
+                cluster::serve(worker.listen, &worker.robot, |address| println!("listening on {address}")).await
+            }
         }
     }
 }
@@ -171,18 +244,27 @@ impl Factor {
         let robot = fleet.robots.open(&self.robot)?;
         let name = self.name.clone().unwrap_or_else(|| robot.robot.name.clone());
         let all = self.files(&fleet).await?;
-        let count = all.len();
-        let missing = store.missing(self.shared(all)?, &name).await?;
-        let (todo, workers) = (missing.len(), usize::from(self.workers));
-        if workers > 1 {
-            self.spread(workers)?;
-            let left = store.missing(missing, &name).await?.len();
-            println!("{} of {count} recordings were missing, {left} still are", todo);
-        } else {
-            let said = |file: &str, why: &str| eprintln!("{}", visible(&format!("{file}: no factor: {why}")));
-            let table = RecordingsTable { robot, name, place: Place::Files(missing), day: self.day };
-            let Written { recordings, without } = store.factor(&fleet, table, said).await?;
-            println!("{recordings} of {count} recordings were missing and are read, {without} without a factor");
+        let (count, known) = (all.len(), store.known(&name).await?);
+        match &self.workers {
+            Sharing::Processes(1) => {
+                let files = known.missing(self.shared(all)?, By::Content);
+                let table = RecordingsTable { robot, name, place: Place::Files(files), day: self.day };
+                let written = store.factor(&fleet, table, &known, Self::say).await?;
+                println!("{}", done(count, written));
+            }
+            Sharing::Processes(workers) => {
+                let missing = known.missing(all, By::Content);
+                let todo = missing.len();
+                self.spread(*workers)?;
+                let left = store.known(&name).await?.missing(missing, By::Content).len();
+                println!("{todo} of {count} recordings were missing, {left} still are");
+            }
+            #[cfg(feature = "cluster")]
+            Sharing::Workers(workers) => {
+                let files = known.missing(all, By::Name);
+                let table = RecordingsTable { robot, name, place: Place::Files(files), day: self.day };
+                println!("{}", done(count, self.by(workers, &store, table).await?));
+            }
         }
         if self.share.is_none()
             && let Some(table) = store.finish(&fleet).await?
@@ -190,6 +272,50 @@ impl Factor {
             println!("wrote {}", visible(&table.display().to_string()));
         }
         Ok(())
+    }
+
+    fn say(file: &str, why: &str) {
+        eprintln!("{}", visible(&format!("{file}: no factor: {why}")));
+    }
+
+    /// The table by these workers, and what one leaves undone by the others.
+    #[cfg(feature = "cluster")]
+    async fn by(&self, workers: &Workers, store: &Store, mut table: RecordingsTable) -> Result<Written, FleetError> {
+        let (mut asked, mut all) = (workers.clone(), Written::default());
+        loop {
+            let known = store.known(&table.name).await?;
+            let Place::Files(files) = table.place else { return Ok(all) };
+            let files = known.missing(files, By::Name);
+            let todo = files.len();
+            table.place = Place::Files(files.clone());
+            let (present, absent) = asked.present().await?;
+            absent.iter().for_each(|why| eprintln!("{}", visible(why)));
+            if todo == 0 {
+                return Ok(all);
+            }
+            let fleet = Fleet::on(&present, self.threads.count());
+            let (robot, name, day) = (Arc::clone(&table.robot), table.name.clone(), table.day);
+            match store.factor(&fleet, table, &known, Self::say).await {
+                Ok(written) => return Ok(all.and(written)),
+                Err(FleetError::Engine(why)) => {
+                    let left = store.known(&name).await?.missing(files, By::Name);
+                    let (still, gone) = present.present().await?;
+                    // Neither has anything come, nor is a worker gone: it would end the same way.
+                    if left.len() == todo && still == present {
+                        return Err(FleetError::Engine(why));
+                    }
+                    let said = match gone.is_empty() {
+                        true => cluster::first_line(&why.to_string()).to_string(),
+                        false => gone.join("; "),
+                    };
+                    eprintln!("{}", visible(&format!("{said}; once more, for {} recordings", left.len())));
+                    all.recordings += todo - left.len();
+                    table = RecordingsTable { robot, name, place: Place::Files(left), day };
+                    asked = still;
+                }
+                Err(other) => return Err(other),
+            }
+        }
     }
 
     async fn files(&self, fleet: &Fleet) -> Result<Vec<RecordingFile>, FleetError> {
@@ -251,23 +377,31 @@ impl Watch {
             let text = format!("--false-alarms {}: a rate above 0 per robot and year", self.false_alarms);
             return Err(FleetError::Option(text));
         }
-        let fleet = opened(Some(&self.factors), &self.robot, self.threads.count()).await?;
+        let fleet = opened(Some(&self.factors), &self.robot, Fleet::new(self.threads.count())).await?;
         let settings = Sequential {
             reference_days: usize::from(self.reference),
             days_between: 365.25 / self.false_alarms,
             ..Sequential::default()
         };
-        let mut watched = fleet.watch(&settings).await?;
-        if self.diagnose {
-            let stores = fleet.context.runtime_env();
-            for change in &mut watched.changes {
-                let robot = fleet.robots.open(&change.robot_file)?;
-                let said = change.files.iter().map(|file| format!("{file}: {}", verdict(file, &robot, &stores)));
-                change.diagnosis = Some(said.collect::<Vec<_>>().join("\n"));
-            }
+        if let Some(day) = self.from {
+            fleet.from(day).await?;
         }
+        let watched = self.found(&fleet, &settings).await?;
         if let Some(path) = &self.json {
             write(path, &format!("{:#}\n", report::json(&watched)))?;
+        }
+        Ok(watched)
+    }
+
+    async fn found(&self, fleet: &Fleet, settings: &Sequential) -> Result<Watched, FleetError> {
+        #[cfg(feature = "cluster")]
+        if let Some(workers) = &self.workers {
+            let table = self.factors.display().to_string();
+            return fleet.watch_by(workers, &table, self.from, settings, self.diagnose).await;
+        }
+        let mut watched = fleet.watch(settings).await?;
+        if self.diagnose {
+            fleet.diagnose(&mut watched, Path::new(""))?;
         }
         Ok(watched)
     }
@@ -275,12 +409,28 @@ impl Watch {
 
 impl Sql {
     async fn run(&self) -> Result<(), FleetError> {
-        let fleet = opened(self.factors.as_deref(), &self.robot, self.threads.count()).await?;
+        let fleet = opened(self.factors.as_deref(), &self.robot, self.session().await?).await?;
         let batches = fleet.context.sql(&self.query).await?.collect().await?;
         let table = pretty_format_batches(&batches).map_err(|e| FleetError::Engine(e.into()))?;
         println!("{table}");
         Ok(())
     }
+
+    async fn session(&self) -> Result<Fleet, FleetError> {
+        #[cfg(feature = "cluster")]
+        if let Some(workers) = &self.workers {
+            let (present, absent) = workers.present().await?;
+            absent.iter().for_each(|why| eprintln!("{}", visible(why)));
+            return Ok(Fleet::on(&present, self.threads.count()));
+        }
+        Ok(Fleet::new(self.threads.count()))
+    }
+}
+
+/// What a run did.
+fn done(count: usize, written: Written) -> String {
+    let Written { recordings, without } = written;
+    format!("{recordings} of {count} recordings were missing and are read, {without} without a factor")
 }
 
 /// A day on the command line.
@@ -289,8 +439,7 @@ fn date_of(text: &str) -> Result<i32, FleetError> {
 }
 
 /// A session with a table of factors and robots.
-async fn opened(factors: Option<&Path>, robots: &[PathBuf], threads: usize) -> Result<Fleet, FleetError> {
-    let fleet = Fleet::new(threads);
+async fn opened(factors: Option<&Path>, robots: &[PathBuf], fleet: Fleet) -> Result<Fleet, FleetError> {
     for path in robots {
         fleet.robots.open(path)?;
     }

@@ -69,6 +69,12 @@ pub enum FleetError {
         /// From 1.
         number: usize,
     },
+    /// Workers on other machines.
+    #[error("no worker answers ({why}); start some with `denavit-fleet worker --listen ADDRESS:PORT`")]
+    NoWorker {
+        /// Why not, for each.
+        why: String,
+    },
     /// The engine.
     #[error("{0}")]
     Engine(#[source] DataFusionError),
@@ -78,7 +84,9 @@ impl FleetError {
     /// Exit status: 2 for wrong use or bad input, 1 otherwise.
     pub fn status(&self) -> u8 {
         match self {
-            Self::Worker { .. } | Self::File { verb: "written" | "started", .. } => 1,
+            Self::Worker { .. }
+            | Self::NoWorker { .. }
+            | Self::File { verb: "written" | "started" | "listened on", .. } => 1,
             _ => 2,
         }
     }

@@ -8,6 +8,8 @@ pub mod attribution;
 pub mod calendar;
 pub mod channel;
 pub mod cli;
+#[cfg(feature = "cluster")]
+pub mod cluster;
 pub mod error;
 pub mod functions;
 pub mod merge;
@@ -42,14 +44,22 @@ pub struct Fleet {
 impl Fleet {
     /// With so many partitions at once.
     pub fn new(partitions: usize) -> Self {
-        let config = SessionConfig::new()
+        let context = SessionContext::new_with_config(Self::config(partitions));
+        Self::with(context, Arc::default(), partitions)
+    }
+
+    fn config(partitions: usize) -> SessionConfig {
+        SessionConfig::new()
             .with_target_partitions(partitions.max(1))
             // A factor has 30 kB: a batch is some MB.
             .with_batch_size(64)
-            .set_bool("datafusion.execution.parquet.schema_force_view_types", false);
+            .set_bool("datafusion.execution.parquet.schema_force_view_types", false)
+    }
+
+    /// The functions and robots in a session.
+    fn with(context: SessionContext, robots: Arc<Robots>, partitions: usize) -> Self {
         // Files of samples can be named in a query, too.
-        let context = SessionContext::new_with_config(config).enable_url_table();
-        let robots = Arc::new(Robots::default());
+        let context = context.enable_url_table();
         context.register_udtf("recordings", Arc::new(recordings::Recordings(Arc::clone(&robots))));
         context.register_udaf(AggregateUDF::from(merge::MergeFactor::default()));
         functions::all(&robots, &context.runtime_env()).into_iter().for_each(|own| context.register_udf(own));

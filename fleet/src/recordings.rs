@@ -3,8 +3,10 @@
 //! The planner cuts files of rows into pieces and mixes them; a low-pass that runs forward and
 //! backward would see pieces. So the leaf of the plan deals out files, and a batch is a recording.
 
+use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use async_trait::async_trait;
 use datafusion::arrow::datatypes::SchemaRef;
@@ -22,6 +24,8 @@ use datafusion::physical_plan::{
 };
 use denavit::identify::RecordingReader;
 use denavit::identify::recording::plain_preparation;
+use denavit::report::visible;
+use serde::{Deserialize, Serialize};
 
 use crate::open::row;
 use crate::remote::{Place, RecordingFile, fetched};
@@ -91,49 +95,86 @@ impl TableProvider for RecordingsTable {
         _limit: Option<usize>,
     ) -> Result<Arc<dyn ExecutionPlan>> {
         let files = self.place.recordings(state.runtime_env()).await?;
-        let partitions = state.config_options().execution.target_partitions.clamp(1, files.len().max(1));
-        let plan = RecordingsExec::new(self, files, partitions, projection.cloned())?;
-        Ok(Arc::new(plan))
+        let wanted = state.config_options().execution.target_partitions;
+        let partitions = match state.config().get_extension::<OfEachWorker>() {
+            // A plan of one partition would be kept at home; the shares have their own number.
+            Some(_) => wanted.max(2),
+            None => wanted.clamp(1, files.len().max(1)),
+        };
+        let (name, base, projection) = (self.name.clone(), std::env::current_dir()?, projection.cloned());
+        let parts = Parts { name, base, files, partitions, projection, day: self.day };
+        Ok(Arc::new(RecordingsExec::new(Arc::clone(&self.robot), parts)?))
     }
 }
 
 /// The leaf: partition `k` reads every `partitions`-th file from the `k`-th on.
 #[derive(Debug)]
-struct RecordingsExec {
+pub(crate) struct RecordingsExec {
     robot: Arc<KnownRobot>,
-    name: String,
-    files: Arc<[RecordingFile]>,
-    partitions: usize,
-    projection: Option<Vec<usize>>,
-    day: Option<i32>,
+    parts: Arc<Parts>,
     properties: Arc<PlanProperties>,
 }
 
+/// What a leaf reads, beside the robot.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Parts {
+    /// The arm's name in the table.
+    pub name: String,
+    /// The folder that relative paths start from; rows have the paths without it.
+    pub base: PathBuf,
+    /// The recordings.
+    pub files: Vec<RecordingFile>,
+    /// Recordings at once.
+    pub partitions: usize,
+    /// Columns.
+    pub projection: Option<Vec<usize>>,
+    /// Day of recordings without one.
+    pub day: Option<i32>,
+}
+
+/// Recordings at once on each worker, in a session that has workers.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct OfEachWorker(pub usize);
+
+/// What this process has done for others, which its log says; in the sessions of a worker.
+#[derive(Debug, Default)]
+pub(crate) struct DoneForOthers(AtomicUsize);
+
+impl DoneForOthers {
+    /// So many recordings or robots more.
+    pub fn say(&self, count: usize, what: &str) {
+        let all = self.0.fetch_add(count, Ordering::Relaxed) + count;
+        // Nobody may read the log.
+        let _ = writeln!(std::io::stderr(), "{}", visible(&format!("{count} {what}, {all} since the start")));
+    }
+}
+
 impl RecordingsExec {
-    fn new(
-        table: &RecordingsTable,
-        files: Vec<RecordingFile>,
-        partitions: usize,
-        projection: Option<Vec<usize>>,
-    ) -> Result<Self> {
-        let schema = match &projection {
+    pub(crate) fn new(robot: Arc<KnownRobot>, parts: Parts) -> Result<Self> {
+        let schema = match &parts.projection {
             Some(columns) => Arc::new(SCHEMA.project(columns)?),
             None => Arc::clone(&SCHEMA),
         };
         let properties = PlanProperties::new(
             EquivalenceProperties::new(schema),
-            Partitioning::UnknownPartitioning(partitions),
+            Partitioning::UnknownPartitioning(parts.partitions),
             EmissionType::Incremental,
             Boundedness::Bounded,
         );
-        let (robot, name, day) = (Arc::clone(&table.robot), table.name.clone(), table.day);
-        Ok(Self { robot, name, files: files.into(), partitions, projection, day, properties: Arc::new(properties) })
+        Ok(Self { robot, parts: Arc::new(parts), properties: Arc::new(properties) })
+    }
+
+    /// The robot and what is read.
+    #[cfg(feature = "cluster")]
+    pub(crate) fn contents(&self) -> (&Arc<KnownRobot>, &Parts) {
+        (&self.robot, &self.parts)
     }
 }
 
 impl DisplayAs for RecordingsExec {
     fn fmt_as(&self, _: DisplayFormatType, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "RecordingsExec: {} files in {} partitions, {:?}", self.files.len(), self.partitions, self.robot)
+        let Parts { files, partitions, .. } = &*self.parts;
+        write!(f, "RecordingsExec: {} files in {partitions} partitions, {:?}", files.len(), self.robot)
     }
 }
 
@@ -172,24 +213,27 @@ impl ExecutionPlan for RecordingsExec {
     fn execute(&self, partition: usize, context: Arc<TaskContext>) -> Result<SendableRecordBatchStream> {
         let schema = self.properties.equivalence_properties().schema();
         let mut stream = RecordBatchReceiverStreamBuilder::new(Arc::clone(schema), 1);
-        let (send, robot, files) = (stream.tx(), Arc::clone(&self.robot), Arc::clone(&self.files));
-        let (every, projection, robot_name) = (self.partitions, self.projection.clone(), self.name.clone());
-        let day = self.day;
+        let (send, robot, parts) = (stream.tx(), Arc::clone(&self.robot), Arc::clone(&self.parts));
         let runtime = tokio::runtime::Handle::current();
+        let others = context.session_config().get_extension::<DoneForOthers>();
         stream.spawn_blocking(move || {
+            let mut count = 0;
             let prepare = plain_preparation(&robot.robot);
-            RecordingReader::with(&robot.robot, robot.digest, prepare, |reader| {
-                for file in files.iter().skip(partition).step_by(every) {
+            let read = RecordingReader::with(&robot.robot, robot.digest, prepare, |reader| {
+                for file in parts.files.iter().skip(partition).step_by(parts.partitions) {
                     let mut row = match file {
-                        RecordingFile::Local(path) => row(&path.display().to_string(), path, &robot_name, reader),
+                        RecordingFile::Local(path) => {
+                            row(&path.display().to_string(), &parts.base.join(path), &parts.name, reader)
+                        }
                         RecordingFile::Remote(remote) => {
                             let local = runtime.block_on(fetched(&context.runtime_env(), remote))?;
-                            row(&remote.name, local.path(), &robot_name, reader)
+                            row(&remote.name, local.path(), &parts.name, reader)
                         }
                     };
-                    row.day = row.day.or(day);
+                    row.day = row.day.or(parts.day);
+                    count += 1;
                     let rows = batch(&[row])?;
-                    let rows = match &projection {
+                    let rows = match &parts.projection {
                         Some(columns) => rows.project(columns)?,
                         None => rows,
                     };
@@ -198,7 +242,11 @@ impl ExecutionPlan for RecordingsExec {
                     }
                 }
                 Ok(())
-            })
+            });
+            if let Some(others) = others {
+                others.say(count, &format!("recordings of {} read", parts.name));
+            }
+            read
         });
         Ok(stream.build())
     }

@@ -12,6 +12,7 @@ use datafusion::execution::runtime_env::RuntimeEnv;
 use futures::StreamExt;
 use object_store::path::Path;
 use object_store::{ObjectStore, ObjectStoreExt};
+use serde::{Deserialize, Serialize};
 use tempfile::NamedTempFile;
 
 use crate::error::FleetError;
@@ -29,7 +30,7 @@ pub enum Place {
 }
 
 /// Where one recording is.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub enum RecordingFile {
     /// In a file.
     Local(PathBuf),
@@ -38,9 +39,10 @@ pub enum RecordingFile {
 }
 
 /// One object.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct RemoteFile {
-    location: Path,
+    /// Place in the store.
+    location: String,
     /// Its URL.
     pub name: String,
 }
@@ -123,7 +125,7 @@ pub(crate) fn local(runtime: &RuntimeEnv, name: &str) -> Result<LocalFile> {
 
 /// The object that a URL names.
 fn object(url: &ListingTableUrl) -> RemoteFile {
-    RemoteFile { location: url.prefix().clone(), name: url.as_str().into() }
+    RemoteFile { location: url.prefix().to_string(), name: url.as_str().into() }
 }
 
 /// The recordings of a prefix, sorted; or the one object that a URL names, which needs no listing.
@@ -138,7 +140,7 @@ async fn listed(runtime: &RuntimeEnv, url: &ListingTableUrl) -> Result<Vec<Remot
         let location = object.map_err(external)?.location;
         let name = format!("{}{location}", url.object_store().as_str());
         if is_recording(&name) {
-            found.push(RemoteFile { location, name });
+            found.push(RemoteFile { location: location.into(), name });
         }
     }
     found.sort_by(|a, b| a.name.cmp(&b.name));
@@ -148,8 +150,9 @@ async fn listed(runtime: &RuntimeEnv, url: &ListingTableUrl) -> Result<Vec<Remot
 /// A copy of an object, until it is dropped. Memory holds a chunk of it.
 pub(crate) async fn fetched(runtime: &RuntimeEnv, file: &RemoteFile) -> Result<NamedTempFile> {
     let store = store(runtime, &ListingTableUrl::parse(&file.name)?)?;
+    let location = Path::parse(&file.location).map_err(|e| external(e.into()))?;
     let mut local = NamedTempFile::new()?;
-    let mut chunks = store.get(&file.location).await.map_err(external)?.into_stream();
+    let mut chunks = store.get(&location).await.map_err(external)?.into_stream();
     while let Some(chunk) = chunks.next().await {
         local.write_all(&chunk.map_err(external)?)?;
     }

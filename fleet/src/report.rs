@@ -7,7 +7,7 @@ use std::fmt::Write;
 use denavit::report::visible;
 use serde_json::{Value, json};
 
-use crate::attribution::{CERTAIN, Explanation};
+use crate::attribution::{CERTAIN, Explanation, clearest};
 use crate::calendar::date;
 use crate::watch::{Change, Watched};
 
@@ -52,24 +52,31 @@ pub fn verdict(watched: &Watched) -> String {
     let years = watched.robot_days as f64 / 365.25;
     let expected = watched.robot_days as f64 / watched.days_between;
     format!(
-        "{} robots, {} robot-days ({years:.1} robot-years): {} changes; on average at most {} alarms would be false",
-        watched.robots,
-        watched.robot_days,
-        watched.changes.len(),
+        "{}, {} ({years:.1} robot-years): {}; had nothing changed, at most {} false alarms on average",
+        number(watched.robots, "robot"),
+        number(watched.robot_days, "robot-day"),
+        number(watched.changes.len(), "change"),
         figure(expected),
     )
 }
 
+/// So many of something.
+fn number(count: usize, what: &str) -> String {
+    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
+}
+
 /// One change.
 fn line(change: &Change) -> String {
+    let (parameter, by) = match change.causes.first().and_then(clearest) {
+        Some(by) => (&by.parameter, between([by.value, by.std], &by.unit)),
+        None => (&change.parameter, between(change.size, &change.unit)),
+    };
     format!(
-        "{}: changed after {}, found on {}: {}; {} by {}",
+        "{}: changed after {}, found on {}: {}; {parameter} by {by}",
         change.robot,
         date(change.before),
         date(change.found),
         causes(change),
-        change.parameter,
-        between(change.size, change.unit),
     )
 }
 

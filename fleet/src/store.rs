@@ -23,7 +23,7 @@ use crate::Fleet;
 use crate::error::FleetError;
 use crate::open::digest;
 use crate::recordings::RecordingsTable;
-use crate::remote::{RecordingFile, is_url};
+use crate::remote::RecordingFile;
 use crate::robots::hexadecimal;
 
 /// Rows of recordings that are not in a table yet, below the folder.
@@ -45,6 +45,14 @@ pub struct Written {
     pub without: usize,
 }
 
+impl Written {
+    /// With what another run did.
+    #[cfg(feature = "cluster")]
+    pub(crate) fn and(self, other: Self) -> Self {
+        Self { recordings: self.recordings + other.recordings, without: self.without + other.without }
+    }
+}
+
 impl Store {
     /// A folder, which is made.
     ///
@@ -57,32 +65,28 @@ impl Store {
         Ok(store)
     }
 
-    /// The recordings that have no row yet. A file is known by its digest; an object of a store,
-    /// which would have to be fetched for that, by its URL.
+    /// What has a row of this robot.
     ///
     /// # Errors
     /// Where the folder or its tables can't be read.
-    pub async fn missing(&self, files: Vec<RecordingFile>, name: &str) -> Result<Vec<RecordingFile>, FleetError> {
-        let mut known = BTreeSet::new();
+    pub async fn known(&self, name: &str) -> Result<Known, FleetError> {
+        let mut known = Known { robot: name.into(), ..Known::default() };
         if !self.tables()?.is_empty() {
-            rows(&self.0, ".parquet", name, &mut known).await?;
+            known.add(&self.0, ".parquet").await?;
         }
-        let (folder, mut unfinished) = (self.0.join(UNFINISHED), 0);
-        for entry in fs::read_dir(&folder).map_err(unreadable(&self.0))? {
-            let name = entry.map_err(unreadable(&self.0))?.file_name();
-            let row = name.to_string_lossy().strip_suffix(".row").map(String::from);
-            unfinished += usize::from(row.is_some());
-            known.extend(row);
+        let folder = self.0.join(UNFINISHED);
+        if self.unfinished()?.is_empty() { Ok(known) } else { known.add(&folder, ".row").await.map(|()| known) }
+    }
+
+    /// Rows that are not in a table yet, sorted.
+    fn unfinished(&self) -> Result<Vec<PathBuf>, FleetError> {
+        let (folder, mut rows) = (self.0.join(UNFINISHED), Vec::new());
+        for entry in fs::read_dir(&folder).map_err(unreadable(&folder))? {
+            let path = entry.map_err(unreadable(&folder))?.path();
+            rows.extend(path.extension().is_some_and(|e| e == "row").then_some(path));
         }
-        if unfinished > 0 && files.iter().any(|file| matches!(file, RecordingFile::Remote(_))) {
-            rows(&folder, ".row", name, &mut known).await?;
-        }
-        let new = |file: &RecordingFile| match file {
-            // Two copies of one recording are one recording.
-            RecordingFile::Local(path) => known.insert(key(name, digest(path).as_deref(), &file.name())),
-            RecordingFile::Remote(remote) => known.insert(key(name, None, &remote.name)),
-        };
-        Ok(files.into_iter().filter(new).collect())
+        rows.sort();
+        Ok(rows)
     }
 
     /// The tables of the folder.
@@ -99,7 +103,7 @@ impl Store {
         Ok(tables)
     }
 
-    /// Factors recordings, and commits each row by itself.
+    /// Factors recordings, and commits each row by itself, but for those that are known.
     ///
     /// # Errors
     /// Where a row can't be written. A recording that can't be used is a row.
@@ -107,6 +111,7 @@ impl Store {
         &self,
         fleet: &Fleet,
         table: RecordingsTable,
+        known: &Known,
         mut said: impl FnMut(&str, &str),
     ) -> Result<Written, FleetError> {
         let name = &table.name.clone();
@@ -124,7 +129,11 @@ impl Store {
                     written.without += 1;
                     said(file, why);
                 }
-                self.commit(&key(name, text("sha256"), file), &batch.slice(row, 1))?;
+                let key = key(name, text("sha256"), file);
+                // A second copy of a recording, under another name.
+                if !known.rows.contains(&key) {
+                    self.commit(&key, &batch.slice(row, 1))?;
+                }
             }
         }
         Ok(written)
@@ -147,15 +156,10 @@ impl Store {
     /// Where it can't be written; the rows are then still there.
     pub async fn finish(&self, fleet: &Fleet) -> Result<Option<PathBuf>, FleetError> {
         let folder = self.0.join(UNFINISHED);
-        let mut rows = Vec::new();
-        for entry in fs::read_dir(&folder).map_err(unreadable(&folder))? {
-            let path = entry.map_err(unreadable(&folder))?.path();
-            rows.extend(path.extension().is_some_and(|e| e == "row").then_some(path));
-        }
+        let rows = self.unfinished()?;
         if rows.is_empty() {
             return Ok(None);
         }
-        rows.sort();
         let names: Vec<u8> = rows.iter().flat_map(|path| path.to_string_lossy().into_owned().into_bytes()).collect();
         let name = &hexadecimal(&Sha256::digest(names))[..16];
         // A run that was killed below has written this table already.
@@ -187,24 +191,58 @@ impl Store {
     }
 }
 
-/// Adds the keys of the robot's rows in a folder of Parquet files.
-async fn rows(folder: &Path, ending: &str, robot: &str, known: &mut BTreeSet<String>) -> Result<(), FleetError> {
-    let context = Fleet::new(1).context;
-    let options = ParquetReadOptions::default().file_extension(ending);
-    let rows = context.read_parquet(folder.display().to_string(), options).await?;
-    let mut stream = rows.select(vec![col("robot"), col("sha256"), col("file")])?.execute_stream().await?;
-    while let Some(batch) = stream.next().await {
-        let batch = batch?;
-        let column = |k: usize| batch.column(k).as_string::<i32>();
-        for row in (0..batch.num_rows()).filter(|&row| column(0).value(row) == robot) {
-            let (digest, file) = (column(1), column(2).value(row));
-            known.insert(key(robot, (!digest.is_null(row)).then(|| digest.value(row)), file));
-            if is_url(file) {
-                known.insert(key(robot, None, file));
+/// The recordings of a robot that have a row.
+#[derive(Debug, Clone, Default)]
+pub struct Known {
+    robot: String,
+    /// Keys of the rows.
+    rows: BTreeSet<String>,
+    /// Paths and URLs of the rows.
+    files: BTreeSet<String>,
+}
+
+/// How a recording is known.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum By {
+    /// By the digest of the file, which is read for that. An object of a store would have to be
+    /// fetched, so it is known by its URL.
+    Content,
+    /// By its path or URL.
+    Name,
+}
+
+impl Known {
+    /// The recordings that have no row. Two copies of one recording are one recording, where their
+    /// contents are read.
+    pub fn missing(&self, files: Vec<RecordingFile>, by: By) -> Vec<RecordingFile> {
+        let mut met = BTreeSet::new();
+        let mut new = |file: &RecordingFile| match file {
+            RecordingFile::Local(path) if by == By::Content => {
+                let key = key(&self.robot, digest(path).as_deref(), &file.name());
+                !self.rows.contains(&key) && met.insert(key)
+            }
+            RecordingFile::Local(_) | RecordingFile::Remote(_) => !self.files.contains(&file.name()),
+        };
+        files.into_iter().filter(|file| new(file)).collect()
+    }
+
+    /// Adds the robot's rows in a folder of Parquet files.
+    async fn add(&mut self, folder: &Path, ending: &str) -> Result<(), FleetError> {
+        let context = Fleet::new(1).context;
+        let options = ParquetReadOptions::default().file_extension(ending);
+        let rows = context.read_parquet(folder.display().to_string(), options).await?;
+        let mut stream = rows.select(vec![col("robot"), col("sha256"), col("file")])?.execute_stream().await?;
+        while let Some(batch) = stream.next().await {
+            let batch = batch?;
+            let column = |k: usize| batch.column(k).as_string::<i32>();
+            for row in (0..batch.num_rows()).filter(|&row| column(0).value(row) == self.robot) {
+                let (digest, file) = (column(1), column(2).value(row));
+                self.rows.insert(key(&self.robot, (!digest.is_null(row)).then(|| digest.value(row)), file));
+                self.files.insert(file.into());
             }
         }
+        Ok(())
     }
-    Ok(())
 }
 
 /// A Parquet file that has no name yet, for rows like these.

@@ -4,8 +4,9 @@
 //! them, the second tests. What is kept per robot is its model and its detector, whatever the
 //! number of days. A robot with a change is read a third time, for the cause and its history.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
 use datafusion::arrow::array::{Array, AsArray, RecordBatch};
@@ -17,11 +18,13 @@ use datafusion::prelude::{Expr, ParquetReadOptions, col, lit};
 use datafusion::scalar::ScalarValue;
 use denavit::identify::{JointFactor, KeyedFactors, RecordingFactor};
 use futures::StreamExt;
+use serde::{Deserialize, Serialize};
 
 use crate::Fleet;
 use crate::attribution::{Assumptions, DayEvidence, Explanation, clearest, explanations};
 use crate::channel::ChannelEstimate;
 use crate::error::FleetError;
+use crate::functions::diagnose::verdict;
 use crate::reference::Reference;
 use crate::remote::{is_url, store};
 use crate::robots::KnownRobot;
@@ -31,7 +34,7 @@ use crate::sequential::{Detection, Detector, Observed, Sequential};
 pub const TABLE: &str = "factors";
 
 /// A robot that changed.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Change {
     /// The robot.
     pub robot: String,
@@ -50,7 +53,7 @@ pub struct Change {
     /// Its change and standard deviation.
     pub size: [f64; 2],
     /// Unit of both.
-    pub unit: &'static str,
+    pub unit: Cow<'static, str>,
     /// Causes that may explain it, best first.
     pub causes: Vec<Explanation>,
     /// Days and estimates of the best cause's clearest parameter, alone.
@@ -58,7 +61,9 @@ pub struct Change {
     /// The parameter of the history.
     pub plotted: String,
     /// Its unit.
-    pub plotted_unit: &'static str,
+    pub plotted_unit: Cow<'static, str>,
+    /// Base parameters of its reference days.
+    pub reference: Vec<f64>,
     /// Recordings of the day on which it was found.
     pub files: Vec<String>,
     /// What the diagnosis of the raw log says, where it was asked for.
@@ -66,7 +71,7 @@ pub struct Change {
 }
 
 /// What a watch found.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Watched {
     /// In the order of robots and days.
     pub changes: Vec<Change>,
@@ -82,6 +87,28 @@ pub struct Watched {
     pub untested: Vec<(String, String)>,
     /// Mean number of days of one robot between false alarms, at least.
     pub days_between: f64,
+}
+
+impl Watched {
+    /// By robots and days, whatever the order in which they were found.
+    fn sort(&mut self) {
+        self.changes.sort_by(|a, b| (&a.robot, a.found).cmp(&(&b.robot, b.found)));
+        self.unusable.sort();
+        self.unusable.truncate(MOST_LISTED);
+        self.untested.sort();
+    }
+
+    /// What was found of other robots.
+    #[cfg(feature = "cluster")]
+    pub(crate) fn add(&mut self, other: Self) {
+        self.changes.extend(other.changes);
+        self.unusable.extend(other.unusable);
+        self.untested.extend(other.untested);
+        self.robots += other.robots;
+        self.robot_days += other.robot_days;
+        self.undated += other.undated;
+        self.sort();
+    }
 }
 
 /// Most recordings without a factor that are listed.
@@ -131,6 +158,61 @@ impl Fleet {
         Ok(self.context.register_parquet(TABLE, path, ParquetReadOptions::default()).await?)
     }
 
+    /// Narrows the table to rows of which this is true.
+    async fn narrow(&self, rows: Expr) -> Result<(), FleetError> {
+        let some = self.table().await?.filter(rows)?;
+        self.context.deregister_table(TABLE)?;
+        self.context.register_table(TABLE, some.into_view())?;
+        Ok(())
+    }
+
+    /// Leaves days before this one out of the table; recordings without a day stay.
+    ///
+    /// # Errors
+    /// What the engine says.
+    pub async fn from(&self, day: i32) -> Result<(), FleetError> {
+        self.narrow(col("day").is_null().or(col("day").gt_eq(lit(ScalarValue::Date32(Some(day)))))).await
+    }
+
+    /// Narrows the table to the robots from the first of these names to the last.
+    ///
+    /// # Errors
+    /// What the engine says.
+    #[cfg(feature = "cluster")]
+    pub(crate) async fn only(&self, sorted: &[String]) -> Result<(), FleetError> {
+        let (Some(first), Some(last)) = (sorted.first(), sorted.last()) else { return Ok(()) };
+        self.narrow(col("robot").between(lit(first), lit(last))).await
+    }
+
+    /// Names of the robots, sorted.
+    #[cfg(feature = "cluster")]
+    pub(crate) async fn names(&self) -> Result<Vec<String>, FleetError> {
+        let rows = self.table().await?.select(vec![col("robot")])?.distinct()?.sort_by(vec![col("robot")])?;
+        let mut names = Vec::new();
+        for batch in rows.collect().await? {
+            names.extend(batch.column(0).as_string::<i32>().iter().flatten().map(String::from));
+        }
+        Ok(names)
+    }
+
+    /// Diagnoses the raw log of each flagged robot-day, against the robot file with the friction and
+    /// offsets of the reference days. Relative paths start from `base`.
+    ///
+    /// # Errors
+    /// Where a robot file can't be read. A log that can't be used is no error.
+    pub fn diagnose(&self, watched: &mut Watched, base: &Path) -> Result<(), FleetError> {
+        let stores = self.context.runtime_env();
+        for change in &mut watched.changes {
+            let robot = self.robots.open(&change.robot_file)?.with_friction(&change.reference);
+            let said = change.files.iter().map(|file| {
+                let place = if is_url(file) { file.clone() } else { base.join(file).display().to_string() };
+                format!("{file}: {}", verdict(&place, &robot, &stores))
+            });
+            change.diagnosis = Some(said.collect::<Vec<_>>().join("\n"));
+        }
+        Ok(())
+    }
+
     /// Tests every robot of the table.
     ///
     /// # Errors
@@ -161,7 +243,7 @@ impl Fleet {
                 watched.changes.push(self.change(robot, alarm, settings).await?);
             }
         }
-        watched.changes.sort_by(|a, b| (&a.robot, a.found).cmp(&(&b.robot, b.found)));
+        watched.sort();
         Ok(watched)
     }
 
@@ -312,18 +394,19 @@ impl Fleet {
         let best = &channels.list[detection.channel];
         Ok(Change {
             robot: name,
-            robot_file: robot.known.path.clone(),
+            robot_file: robot.known.file.path.clone(),
             since,
             before: detection.before,
             found: day,
             evidence: detection.evidence,
             parameter: best.parameter.clone(),
             size: detection.size,
-            unit: best.unit,
+            unit: best.unit.into(),
             causes,
             history: estimates.into_iter().map(point).collect(),
             plotted: channels.list[shown].parameter.clone(),
-            plotted_unit: channels.list[shown].unit,
+            plotted_unit: channels.list[shown].unit.into(),
+            reference: robot.reference.beta.clone(),
             files,
             diagnosis: None,
         })

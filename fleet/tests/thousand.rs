@@ -203,7 +203,7 @@ fn write(model: &Model, folder: &Path, seed: u64, robots: usize, days: i32) {
 }
 
 /// Runs the watch: its JSON, seconds and most memory, MB.
-fn watched(folder: &Path, rate: f64) -> (serde_json::Value, f64, f64) {
+fn watched(folder: &Path, rate: f64, words: &[&str]) -> (serde_json::Value, f64, f64) {
     let json = folder.join("watch.json");
     let start = Instant::now();
     let mut process = Command::new(env!("CARGO_BIN_EXE_denavit-fleet"))
@@ -213,6 +213,7 @@ fn watched(folder: &Path, rate: f64) -> (serde_json::Value, f64, f64) {
         .arg(robot_file())
         .args(["--threads", "2", "--false-alarms", &rate.to_string(), "--json"])
         .arg(&json)
+        .args(words)
         .stdout(Stdio::inherit())
         .spawn()
         .unwrap();
@@ -282,7 +283,7 @@ fn measure(seed: u64, robots: usize, days: i32, rate: f64) -> Judged {
     let model = Model::new();
     let folder = tempfile::tempdir().unwrap();
     write(&model, folder.path(), seed, robots, days);
-    let (found, seconds, megabytes) = watched(folder.path(), rate);
+    let (found, seconds, megabytes) = watched(folder.path(), rate, &[]);
     let judged = Judged { seconds, megabytes, ..judge(&found, &drifts(&model)) };
     println!(
         "seed {seed}, {robots} robots x {days} days: {} of {} right, {} misled, {} false alarms, {seconds:.1} s, \
@@ -296,6 +297,33 @@ fn measure(seed: u64, robots: usize, days: i32, rate: f64) -> Judged {
 fn every_drift_of_a_small_fleet_is_found_with_its_cause() {
     let judged = measure(11, 24, DAYS, 0.05);
     assert_eq!((judged.right, judged.falsely), (judged.all, 0));
+}
+
+#[cfg(feature = "cluster")]
+#[test]
+fn workers_find_the_same() {
+    use std::io::{BufRead, BufReader};
+    let folder = tempfile::tempdir().unwrap();
+    write(&Model::new(), folder.path(), 11, 24, DAYS);
+    let start = || {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_denavit-fleet"));
+        command.args(["worker", "--listen", "127.0.0.1:0"]).current_dir(std::env::temp_dir());
+        let mut process = command.stdout(Stdio::piped()).spawn().unwrap();
+        let mut line = String::new();
+        BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        (process, line.trim().trim_start_matches("listening on ").to_string())
+    };
+    let (mut workers, addresses): (Vec<_>, Vec<_>) = [start(), start()].into_iter().unzip();
+    let (alone, ..) = watched(folder.path(), 0.05, &[]);
+    let by = || watched(folder.path(), 0.05, &["--workers", &addresses.join(",")]).0;
+    assert_eq!(by(), alone);
+    assert_eq!(alone["changes"].as_array().unwrap().len(), drifts(&Model::new()).len());
+    // Without the first.
+    workers[0].kill().unwrap();
+    workers[0].wait().unwrap();
+    assert_eq!(by(), alone);
+    workers[1].kill().unwrap();
+    workers[1].wait().unwrap();
 }
 
 /// A minute: `cargo test --release --test thousand -- --ignored --nocapture a_thousand`.

@@ -1,7 +1,11 @@
 //! Runs that are killed and repeated: nothing is lost, nothing is there twice.
 
+#[cfg(feature = "cluster")]
+use std::io::{BufRead, BufReader};
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
+#[cfg(feature = "cluster")]
+use std::process::{Child, Output};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
@@ -91,4 +95,148 @@ fn a_killed_worker_loses_nothing_and_repeats_only_what_is_missing() {
     let done = factor(folder.path(), killed.path(), "1").output().unwrap();
     assert!(String::from_utf8_lossy(&done.stdout).starts_with("0 of 11 recordings"));
     assert_eq!(contents(killed.path()).0, RECORDINGS as i64 + 1);
+}
+
+/// A worker that others reach by its address; it ends with the test.
+#[cfg(feature = "cluster")]
+struct Listening {
+    process: Child,
+    address: String,
+    log: tempfile::NamedTempFile,
+}
+
+#[cfg(feature = "cluster")]
+impl Listening {
+    fn start(listen: &str) -> Self {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_denavit-fleet"));
+        // Elsewhere than the asker: what is sent must be enough.
+        command.args(["worker", "--threads", "1", "--listen", listen]).current_dir(std::env::temp_dir());
+        let log = tempfile::NamedTempFile::new().unwrap();
+        command.stdout(Stdio::piped()).stderr(log.reopen().unwrap());
+        let mut process = command.spawn().unwrap();
+        let mut line = String::new();
+        BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
+        let address = line.trim().strip_prefix("listening on ").expect("the address").to_string();
+        Self { process, address, log }
+    }
+
+    /// What it has done so far, by its log: recordings or robots.
+    fn done(&self) -> usize {
+        let log = std::fs::read_to_string(self.log.path()).unwrap();
+        let counts = log.lines().filter_map(|line| line.strip_suffix(" since the start")?.rsplit(' ').next());
+        counts.map(|count| count.parse::<usize>().unwrap()).max().unwrap_or(0)
+    }
+
+    fn kill(&mut self) {
+        assert!(Command::new("kill").args(["-9", &self.process.id().to_string()]).status().unwrap().success());
+        self.process.wait().unwrap();
+    }
+}
+
+#[cfg(feature = "cluster")]
+impl Drop for Listening {
+    fn drop(&mut self) {
+        let _ = self.process.kill();
+        let _ = self.process.wait();
+    }
+}
+
+#[cfg(feature = "cluster")]
+fn said(done: &Output) -> String {
+    String::from_utf8_lossy(&done.stderr).into_owned() + &String::from_utf8_lossy(&done.stdout)
+}
+
+#[cfg(feature = "cluster")]
+#[test]
+fn workers_on_other_machines_give_the_same_bits_and_the_rest_of_one_that_dies_is_done_by_the_others() {
+    let [folder, alone, shared, killed] = [(); 4].map(|()| tempfile::tempdir().unwrap());
+    logs(folder.path());
+    assert!(factor(folder.path(), alone.path(), "1").output().unwrap().status.success());
+    let (first, mut second) = (Listening::start("127.0.0.1:0"), Listening::start("127.0.0.1:0"));
+    let both = format!("{},{}", first.address, second.address);
+    // Undisturbed; and one worker alone.
+    let mut read = Vec::new();
+    for workers in [&both, &first.address] {
+        let done = factor(folder.path(), shared.path(), workers).output().unwrap();
+        assert!(done.status.success(), "{}", said(&done));
+        assert!(said(&done).contains("11 of 11 recordings were missing"), "{}", said(&done));
+        assert_eq!(contents(shared.path()), contents(alone.path()));
+        std::fs::remove_dir_all(shared.path()).unwrap();
+        read.push([first.done(), second.done()]);
+    }
+    println!("recordings that each worker has read, after a run by both and one by the first: {read:?}");
+    // Shares of 6 and 5; then all eleven by one.
+    let (first_share, second_share) = (read[0][0], read[0][1]);
+    assert!(matches!((first_share, second_share), (5, 6) | (6, 5)), "{read:?}");
+    assert_eq!(read[1], [first_share + RECORDINGS + 1, second_share]);
+    // One dies while it works.
+    let process = factor(folder.path(), killed.path(), &both).spawn().unwrap();
+    while rows(killed.path()) == 0 {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    second.kill();
+    let done = process.wait_with_output().unwrap();
+    println!("{}", said(&done));
+    assert!(done.status.success(), "{}", said(&done));
+    assert!(said(&done).contains(&format!("{} does not answer", second.address)), "{}", said(&done));
+    assert!(said(&done).contains("once more, for "), "{}", said(&done));
+    assert_eq!(contents(killed.path()), contents(alone.path()));
+    assert_eq!(contents(killed.path()).0, RECORDINGS as i64 + 1);
+    // The dead one is named; there is nothing left to do.
+    let done = factor(folder.path(), killed.path(), &both).output().unwrap();
+    assert!(said(&done).contains(&format!("{} does not answer", second.address)), "{}", said(&done));
+    assert!(said(&done).contains("0 of 11 recordings"), "{}", said(&done));
+}
+
+#[cfg(feature = "cluster")]
+#[test]
+fn without_any_worker_a_run_ends_and_is_repeated_for_what_is_missing() {
+    let [folder, alone, killed] = [(); 3].map(|()| tempfile::tempdir().unwrap());
+    logs(folder.path());
+    assert!(factor(folder.path(), alone.path(), "1").output().unwrap().status.success());
+    let mut only = Listening::start("127.0.0.1:0");
+    let process = factor(folder.path(), killed.path(), &only.address).spawn().unwrap();
+    while rows(killed.path()) == 0 {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    only.kill();
+    let done = process.wait_with_output().unwrap();
+    assert_eq!(done.status.code(), Some(1), "{}", said(&done));
+    assert!(said(&done).contains("no worker answers"), "{}", said(&done));
+    let before = rows(killed.path());
+    assert!((1..=RECORDINGS).contains(&before), "{before} rows are there");
+    // At the same address, as a machine that comes back.
+    let again = Listening::start(&only.address);
+    let done = factor(folder.path(), killed.path(), &again.address).output().unwrap();
+    println!("{before} rows were there; {}", said(&done));
+    assert!(done.status.success(), "{}", said(&done));
+    let missing = format!("{} of 11 recordings were missing", RECORDINGS + 1 - before);
+    assert!(said(&done).contains(&missing), "{}", said(&done));
+    assert_eq!(contents(killed.path()), contents(alone.path()));
+}
+
+#[cfg(feature = "cluster")]
+#[test]
+fn sql_is_shared_by_workers_and_has_the_same_bits() {
+    let [folder, table] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    logs(folder.path());
+    assert!(factor(folder.path(), table.path(), "1").output().unwrap().status.success());
+    let (first, second) = (Listening::start("127.0.0.1:0"), Listening::start("127.0.0.1:0"));
+    let robot = root().join("robots/kuka-iiwa14.yaml").display().to_string();
+    let query = format!(
+        "SELECT verdict, count(*) AS n, encode(merge_factor(sha256, factor), 'hex') AS f \
+         FROM recordings('{}', '{robot}') GROUP BY verdict ORDER BY verdict",
+        folder.path().display()
+    );
+    let asked = |words: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_denavit-fleet"));
+        let done = command.args(["sql", &query, "--threads", "2"]).args(words).output().unwrap();
+        assert!(done.status.success(), "{}", said(&done));
+        said(&done)
+    };
+    let both = format!("{},{}", first.address, second.address);
+    assert_eq!(asked(&["--workers", &both]), asked(&[]));
+    let read = [first.done(), second.done()];
+    println!("recordings that each worker has read: {read:?}");
+    assert!(matches!(read, [5, 6] | [6, 5]), "{read:?}");
 }

@@ -30,6 +30,7 @@ impl FileEffects {
             .map(|(row, effect)| {
                 row.map_or(effect.name().to_string(), |row| format!("{} of joint {row}", effect.name()))
             })
+            .chain(robot.all_effects().laws.iter().map(|(row, law)| format!("law {} of joint {}", law.text(), row + 1)))
             .collect();
         let scaled = robot.joints.iter().any(|joint| joint.drive.effects.iter().any(|e| e.kind() == GAIN));
         (!names.is_empty()).then(|| Self { names, scaled, model: FileTorqueModel::new(robot).ok() })

@@ -5,6 +5,7 @@ pub(super) mod attribution;
 pub(super) mod calibration;
 pub(super) mod deflection;
 pub(super) mod evidence;
+pub(super) mod formula;
 pub(super) mod impacts;
 pub(super) mod links;
 pub(super) mod maps;

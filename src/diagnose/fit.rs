@@ -1,6 +1,7 @@
 //! Least squares of a model under test: moments, regulariser, physical limits, uncertainty and
 //! likelihood.
 
+pub(super) mod body_limits;
 pub(super) mod likelihood;
 pub(super) mod model;
 pub(super) mod moments;

@@ -1,6 +1,6 @@
 //! The diagnosis from end to end: recordings in, [`Diagnosis`] out.
 
-use super::findings::attribution::{curve, in_order, unknown};
+use super::findings::attribution::{curve, in_order, unknown, with_formulas};
 use super::findings::calibration;
 use super::findings::deflection::deflections;
 use super::findings::impacts::impacts;
@@ -249,7 +249,8 @@ fn once(
     let Selected { tested, fitted, after, after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);
     let verdict = verdict(&causes, &left);
-    let extended = Errors { fit: after_fit.rms, validate: after.rms.clone(), moving: after.steady.clone() };
+    let extended = Errors { fit: after_fit.rms.clone(), validate: after.rms.clone(), moving: after.steady.clone() };
+    let left = with_formulas(&mut causes, left, [&after_fit, &after], noise, own_validation);
     unknown(&mut causes, &left, [&baseline, &extended], noise, scale);
     let next_experiment =
         causes.iter().find(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown").map(|c| NextExperiment {
@@ -257,7 +258,6 @@ fn once(
             joints: c.joints.clone(),
             motion: c.shown_by.to_string(),
         });
-    let curves = (0..dof).map(|j| curve(j, &after, &before)).collect();
     let maps = (0..dof).map(|j| after.view.maps(j, &before[j], &after.error[j])).collect();
     Ok(Diagnosis {
         robot: plant.name().to_string(),
@@ -281,7 +281,7 @@ fn once(
         next_experiment,
         own_validation,
         seconds: [seconds, validate.iter().map(Recording::seconds).sum()],
-        curves,
+        curves: (0..dof).map(|j| curve(j, &after, &before)).collect(),
         maps,
     })
 }

@@ -63,6 +63,6 @@ fn along(model: &dyn TorqueModel, recording: &Recording, zones: &[(f64, bool)]) 
     }
     let states = States { len, q: joined(|s| &s.states.q), dq, ddq: joined(|s| &s.states.ddq) };
     let mut out = vec![0.0; dof * len];
-    model.torques_along(&time, &states, &joined(|s| &s.temperature), &mut out);
+    model.torques_since(recording.begin, &time, &states, &joined(|s| &s.temperature), &mut out);
     out
 }

@@ -318,6 +318,7 @@ pub(super) fn effects(robot: &Robot, format: ModelFormat) -> Vec<String> {
         let said = |effect: &&Effect| mjcf && written(joint, effect);
         let unsaid = drive.effects.iter().filter(|effect| !said(effect));
         left_out.extend(unsaid.map(|effect| format!("{} of `{}`", effect.name(), joint.name)));
+        left_out.extend(drive.law.iter().map(|_| format!("the law of `{}`", joint.name)));
     }
     let whole = robot.effects.iter().filter(|effect| !(mjcf && effect.kind() == EffectKind::TimeDelay));
     left_out.extend(whole.map(|effect| format!("{} of the robot", effect.name())));

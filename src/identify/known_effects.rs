@@ -38,7 +38,8 @@ impl<'a> KnownEffects<'a> {
         let (n, len) = (self.arm.dof(), motion.states.len);
         let time: Vec<f64> = (0..len).map(|s| motion.time(s)).collect();
         let (mut predicted, mut smooth, mut rigid) = (vec![0.0; n * len], vec![0.0; n * len], vec![0.0; n * len]);
-        self.file.torques_along(&time, &motion.states, &motion.temperature, &mut predicted);
+        let begun = motion.segment_start;
+        self.file.torques_since(begun, &time, &motion.states, &motion.temperature, &mut predicted);
         self.rigid(&motion.states, &self.smooth, &mut smooth);
         self.rigid(&motion.states, &self.standard, &mut rigid);
         let (delays, sensors) = (self.file.delays(), self.file.sensors());

@@ -161,7 +161,8 @@ pub fn against_limits(log: &mut Prepared, robot: &Robot, keep: Acceptance) -> Re
 fn known_model(robot: &Robot) -> Option<FileTorqueModel> {
     let own = robot.joints.iter().flat_map(|joint| &joint.drive.effects);
     let fitted = |kind| kind == EffectKind::GearCoupling;
-    let known = own.chain(&robot.effects).any(|effect| !fitted(effect.kind()));
+    let law = robot.joints.iter().any(|joint| joint.drive.law.is_some());
+    let known = law || own.chain(&robot.effects).any(|effect| !fitted(effect.kind()));
     known.then(|| FileTorqueModel::new(robot).ok()).flatten()
 }
 

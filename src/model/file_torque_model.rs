@@ -31,15 +31,16 @@ impl FileTorqueModel {
     /// Of this robot.
     pub fn new(robot: &Robot) -> Result<Self, NoLinks> {
         let standard = param::standard_values(&robot.effective()).ok_or(NoLinks)?;
+        let laws = robot.laws();
         Ok(Self {
-            arm: Interpreted::with_effects(robot, &[Function::DriveTorques, Function::RigidDynamics]),
+            arm: Interpreted::with_effects(robot, &[along(&laws), Function::RigidDynamics]),
             bodies: param::standard(&robot.effective())
                 .iter()
                 .zip(&standard)
                 .map(|(p, &v)| if matches!(p, Parameter::Link(..)) { v } else { 0.0 })
                 .collect(),
             standard,
-            laws: robot.laws(),
+            laws,
         })
     }
 
@@ -53,13 +54,15 @@ impl FileTorqueModel {
         &self.laws
     }
 
-    /// Along recorded motion without any delay; `late` moves the clock of the drives.
-    fn remembered(&self, time: &[f64], late: f64, states: &States, temperature: &[f64], out: &mut [f64]) {
+    /// Along recorded motion without any delay; the clock of the drives began at `begun` and is
+    /// `late`.
+    fn remembered(&self, [begun, late]: [f64; 2], time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) {
         let (n, len, p) = (self.dof(), states.len, self.standard.len());
         let memory: Vec<Memory> = self.laws.iter().map(Laws::memory).collect();
-        // Parameters, then bristles, then warmth: see `Function::DriveTorques`.
+        // Parameters, then bristles, then warmth, then the clock: see `Function::DriveTorques`.
         let mut parameters = self.standard.clone();
-        parameters.resize(p + 2 * n, 0.0);
+        parameters.resize(p + 3 * n + 1, 0.0);
+        let function = along(&self.laws);
         let (mut q, mut dq, mut ddq, mut tau) = (vec![0.0; n], vec![0.0; n], vec![0.0; n], vec![0.0; n]);
         let (mut scratch, mut start) = (Scratch::default(), 0);
         let springs: Vec<Spring> = self.laws.iter().map(Laws::gear).collect();
@@ -76,13 +79,15 @@ impl FileTorqueModel {
                 let at = k * len + s;
                 let z = &mut parameters[p + k];
                 *z = if fresh { states.dq[at].sign() } else { memory[k].bent(*z, states.q[at] - q[k]) };
-                let since = (time[s] - time[start] - late).max(0.0);
+                let begun = if start == 0 { begun } else { time[start] };
+                let since = (time[s] - begun - late).max(0.0);
                 let degrees = temperature.get(at).copied().unwrap_or(memory[k].reference);
                 parameters[p + n + k] = memory[k].warmth(since, degrees);
+                (parameters[p + 2 * n], parameters[p + 2 * n + 1 + k]) = (since, degrees);
                 (q[k], dq[k], ddq[k]) = (states.q[at], states.dq[at], states.ddq[at]);
             }
             let state = State { q: &q, dq: &dq, ddq: &ddq, tau: &[], parameters: &parameters };
-            self.arm.run_one(Function::DriveTorques, &state, &mut scratch, &mut tau);
+            self.arm.run_one(function, &state, &mut scratch, &mut tau);
             if swings && !fresh {
                 let mut bodies = |deflection: &[Deflection<f64>], out: &mut [f64]| {
                     let less = |x: &[f64], which: usize| -> Vec<f64> {
@@ -107,6 +112,14 @@ impl FileTorqueModel {
     }
 }
 
+/// Function that gives the torques along a motion.
+fn along(laws: &[Laws]) -> Function {
+    match laws.iter().any(Laws::reads_clock) {
+        true => Function::ClockedDriveTorques,
+        false => Function::DriveTorques,
+    }
+}
+
 impl TorqueModel for FileTorqueModel {
     fn dof(&self) -> usize {
         self.arm.dof()
@@ -117,6 +130,10 @@ impl TorqueModel for FileTorqueModel {
     }
 
     fn torques_along(&self, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) {
+        self.torques_since(time.first().copied().unwrap_or(0.0), time, states, temperature, out);
+    }
+
+    fn torques_since(&self, begun: f64, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) {
         let (n, len) = (self.dof(), states.len);
         let delays = self.delays();
         let mut distinct: Vec<f64> = delays.clone();
@@ -125,9 +142,9 @@ impl TorqueModel for FileTorqueModel {
         let mut all = vec![0.0; n * len];
         for late in distinct {
             if late == 0.0 {
-                self.remembered(time, late, states, temperature, &mut all);
+                self.remembered([begun, late], time, states, temperature, &mut all);
             } else {
-                self.remembered(time, late, &earlier(time, states, late, n), temperature, &mut all);
+                self.remembered([begun, late], time, &earlier(time, states, late, n), temperature, &mut all);
             }
             for (k, _) in delays.iter().enumerate().filter(|(_, d)| **d == late) {
                 out[k * len..(k + 1) * len].copy_from_slice(&all[k * len..(k + 1) * len]);

@@ -80,9 +80,9 @@ pub trait PerturbableArm: Arm {
 
     /// Contribution of the file's effects to the recorded torques beside the plain arm (which is as
     /// late), N m, joint-major like the states, along recorded motion as in
-    /// [`TorqueModel::torques_along`](super::TorqueModel::torques_along). `false`: none, and `out`
+    /// [`TorqueModel::torques_since`](super::TorqueModel::torques_since). `false`: none, and `out`
     /// is unchanged.
-    fn known(&self, _time: &[f64], _states: &States, _temperature: &[f64], _out: &mut [f64]) -> bool {
+    fn known(&self, _begun: f64, _time: &[f64], _states: &States, _temperature: &[f64], _out: &mut [f64]) -> bool {
         false
     }
 

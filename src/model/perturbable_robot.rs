@@ -54,7 +54,10 @@ fn laws(file: &Robot, real: &Robot) -> Option<(FileTorqueModel, FileTorqueModel)
     let late = |e: &Effect| e.kind() == EffectKind::TimeDelay;
     let mut plain = real.clone();
     plain.effects.retain(late);
-    plain.joints.iter_mut().for_each(|joint| joint.drive.effects.retain(late));
+    for joint in &mut plain.joints {
+        joint.drive.effects.retain(late);
+        joint.drive.law = None;
+    }
     let mut file = file.clone();
     if real.links.is_empty() {
         // Without links the laws act on drives that carry nothing.
@@ -142,11 +145,11 @@ impl PerturbableArm for PerturbableRobot {
         self.delays.clone()
     }
 
-    fn known(&self, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) -> bool {
+    fn known(&self, begun: f64, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) -> bool {
         let Some((whole, plain)) = &self.known else { return false };
         let mut rest = vec![0.0; out.len()];
-        whole.torques_along(time, states, temperature, out);
-        plain.torques_along(time, states, temperature, &mut rest);
+        whole.torques_since(begun, time, states, temperature, out);
+        plain.torques_since(begun, time, states, temperature, &mut rest);
         out.iter_mut().zip(&rest).for_each(|(out, rest)| *out -= rest);
         true
     }

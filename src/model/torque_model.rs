@@ -19,6 +19,12 @@ pub trait TorqueModel: Sync {
     /// joint-major) may be empty.
     fn torques_along(&self, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]);
 
+    /// The same of a part of a recording that began at `begun`, s: gears have been warming since
+    /// then, and laws count their time from it.
+    fn torques_since(&self, _begun: f64, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) {
+        self.torques_along(time, states, temperature, out);
+    }
+
     /// How late each joint's torque is, s.
     fn delays(&self) -> Vec<f64>;
 

@@ -164,6 +164,7 @@ fn diagnosis_page_stands_alone() {
             on: "validate",
             not_distinguished_from: vec!["viscous_friction"],
             shown_by: "a second speed",
+            law: None,
             in_extended: true,
             curve: Some(Evidence {
                 over: "velocity, rad/s (joint 1)".into(),

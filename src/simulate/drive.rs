@@ -2,8 +2,9 @@
 
 use super::bristle::sign;
 use super::effects::{
-    AsymmetricFriction, Backlash, CoulombFriction, FrictionDrift, JointElasticity, JointSpring, LoadDependentFriction,
-    NonlinearViscousFriction, PositionDependentFriction, PreslidingHysteresis, StribeckFriction, TorqueRipple,
+    AsymmetricFriction, Backlash, ClosedForm, CoulombFriction, FrictionDrift, JointElasticity, JointSpring,
+    LoadDependentFriction, NonlinearViscousFriction, PositionDependentFriction, PreslidingHysteresis, StribeckFriction,
+    TorqueRipple,
 };
 
 /// Temperature of a joint that does not warm, degrees C.
@@ -53,6 +54,15 @@ pub struct Drive {
     pub offset: f64,
     /// `TD`, s.
     pub delay: f64,
+    /// `law`.
+    pub law: Option<ClosedForm>,
+}
+
+/// Of each joint: whether a law of any of them has the sign of its velocity.
+pub(super) fn signs_in_laws(drives: &[Drive]) -> Vec<bool> {
+    let mut signs = vec![false; drives.len()];
+    drives.iter().filter_map(|drive| drive.law.as_ref()).for_each(|law| law.signs(&mut signs));
+    signs
 }
 
 impl Drive {
@@ -79,6 +89,7 @@ impl Drive {
             gain: 1.0,
             offset: 0.0,
             delay: 0.0,
+            law: None,
         }
     }
 

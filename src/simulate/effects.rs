@@ -6,6 +6,7 @@
 
 mod asymmetric_friction;
 mod backlash;
+mod closed_form;
 mod coulomb_friction;
 mod friction_drift;
 mod gear_coupling;
@@ -22,6 +23,7 @@ pub(super) mod external_contact;
 
 pub use asymmetric_friction::AsymmetricFriction;
 pub use backlash::Backlash;
+pub use closed_form::{ClosedForm, Moment};
 pub use coulomb_friction::CoulombFriction;
 pub use external_contact::ExternalContact;
 pub use friction_drift::FrictionDrift;

@@ -1,9 +1,10 @@
 //! The file of a simulation: effects of joints and of the robot, sensors, control, solver.
 
 use dh_codegen::robot::document::{
-    self, Findings, Kind, Mark, Node, Word, closest, effects_of_joint, effects_of_robot, join, shortened,
+    self, Findings, Kind, Mark, Node, Word, closest, effects_of_joint, effects_of_robot, join, law_of_joint,
+    law_of_robot, shortened,
 };
-use dh_codegen::robot::{Effect, EffectKind, Effects, JointKind, Note, Problems, Robot};
+use dh_codegen::robot::{EffectKind, Effects, JointKind, Note, Problems, Robot};
 
 use super::{Method, Mode, Request, Side};
 
@@ -102,8 +103,12 @@ impl SimulationFile {
                 for (word, node) in fields {
                     let path = shortened(&word.text);
                     match word.text.as_str() {
-                        "joints" => joints(node, &path, robot, &mut file.effects.joints, &mut found),
-                        "effects" => file.effects.robot = effects_of_robot(node, &path, &mut found),
+                        "joints" => joints(node, &path, robot, &mut file.effects, &mut found),
+                        "effects" => {
+                            file.effects.robot = effects_of_robot(node, &path, &mut found);
+                            // A joint's own law takes the place of one for all joints.
+                            file.effects.laws.splice(0..0, law_of_robot(node, &path, robot, &mut found));
+                        }
                         "sensors" | "control" | "solver" => section(word, node, &mut file, &mut found),
                         other => {
                             let mend = match closest(other, SECTIONS) {
@@ -150,7 +155,7 @@ impl SimulationFile {
 }
 
 /// A mapping of joints to effects, or a list of mappings with `joint` in each.
-fn joints(node: &Node, path: &str, robot: &Robot, out: &mut Vec<(usize, Effect)>, to: &mut Findings) {
+fn joints(node: &Node, path: &str, robot: &Robot, out: &mut Effects, to: &mut Findings) {
     let mut seen = Vec::new();
     match &node.kind {
         Kind::Null => {}
@@ -160,8 +165,7 @@ fn joints(node: &Node, path: &str, robot: &Robot, out: &mut Vec<(usize, Effect)>
                 let row = once(row(&word.text, word.mark, &path, robot, to), word.mark, &path, &mut seen, to);
                 match &node.kind {
                     Kind::Map(fields) => {
-                        let effects = effects_of_joint(fields, &path, to);
-                        out.extend(row.iter().flat_map(|&row| effects.iter().map(move |e| (row, e.clone()))));
+                        joint(fields, &path, robot, row, out, to);
                     }
                     other => {
                         let [gap, offset] = [EffectKind::Backlash, EffectKind::TorqueOffset];
@@ -195,8 +199,7 @@ fn joints(node: &Node, path: &str, robot: &Robot, out: &mut Vec<(usize, Effect)>
                         None
                     }
                 };
-                let effects = effects_of_joint(&effects, &path, to);
-                out.extend(row.iter().flat_map(|&row| effects.iter().map(move |e| (row, e.clone()))));
+                joint(&effects, &path, robot, row, out, to);
             }
         }
         other => {
@@ -204,6 +207,14 @@ fn joints(node: &Node, path: &str, robot: &Robot, out: &mut Vec<(usize, Effect)>
             to.problem(node.mark, path, format!("{} stands here", other.describe()), mend);
         }
     }
+}
+
+/// The effects of one joint, and its law.
+fn joint(fields: &[(Word, Node)], path: &str, robot: &Robot, row: Option<usize>, out: &mut Effects, to: &mut Findings) {
+    let effects = effects_of_joint(fields, path, to);
+    let Some(row) = row else { return };
+    out.joints.extend(effects.into_iter().map(|effect| (row, effect)));
+    out.laws.extend(law_of_joint(fields, path, robot, row, to).map(|law| (row, law)));
 }
 
 /// A joint stands in one place of the file: by number or by name.

@@ -8,7 +8,7 @@
 use super::bristle::{Part, sign};
 use super::contact::External;
 use super::drive::Drive;
-use super::effects::GearCoupling;
+use super::effects::{GearCoupling, Moment};
 use super::plant::Plant;
 use super::robot::{Settled, SimulatedRobot};
 use super::sensors::Truth;
@@ -179,6 +179,14 @@ fn push(
     }
 }
 
+/// What laws in closed form may ask for at sample `k`; its time is set.
+fn see(moment: &mut Moment, settled: &Settled, truth: &Truth, ddq: &[f64], signs: &[f64], k: usize) {
+    let len = truth.t.len();
+    let motion = |j: usize| (truth.motor_q[j * len + k], truth.motor_dq[j * len + k], signs[j]);
+    moment.set(moment.t, &settled.drives, motion);
+    signs.iter().enumerate().for_each(|(j, _)| moment.ddq[j] = ddq[j * len + k]);
+}
+
 /// Friction, rotor and ripple on top of the load.
 fn torques(settled: &Settled, plant: &Plant<'_>, ddq: &[f64], start: f64, truth: &mut Truth) {
     let (n, len) = (settled.drives.len(), truth.t.len());
@@ -186,6 +194,7 @@ fn torques(settled: &Settled, plant: &Plant<'_>, ddq: &[f64], start: f64, truth:
     // In the plant a bristle's directions are coordinates; here motors are ordered as the joints.
     let joint_of = |coordinate: usize| plant.motor.iter().position(|&m| m == coordinate).unwrap_or(coordinate);
     let mut z: Vec<Option<f64>> = vec![None; plant.bristles.len()];
+    let mut moment = Moment::of(n);
     let (mut signs, mut hysteresis, mut coupled) = (vec![0.0; n], vec![0.0; n], vec![0.0; settled.couplings.len()]);
     for k in 0..len {
         for (b, bristle) in plant.bristles.iter().enumerate() {
@@ -216,12 +225,16 @@ fn torques(settled: &Settled, plant: &Plant<'_>, ddq: &[f64], start: f64, truth:
             }
         }
         let since = truth.t[k] - start;
+        moment.t = since;
+        see(&mut moment, settled, truth, ddq, &signs, k);
         for &j in &motors {
             let (drive, at) = (&settled.drives[j], j * len + k);
             let (q, v, load) = (truth.motor_q[at], truth.motor_dq[at], truth.link_torque[at]);
             let loaded = drive.load.map_or(0.0, |l| l.level(load, v)) * signs[j];
             let friction = drive.warmth(since) * (drive.friction(q, v, signs[j], hysteresis[j]) + loaded);
-            truth.motor_torque[at] = load + drive.rotor * ddq[at] + friction + drive.plain.offset + drive.ripple(q);
+            let law = drive.law.as_ref().map_or(0.0, |law| law.torque(&moment));
+            truth.motor_torque[at] =
+                load + drive.rotor * ddq[at] + friction + drive.plain.offset + drive.ripple(q) + law;
             truth.temperature[at] = drive.temperature(since);
         }
         for (c, &s) in settled.couplings.iter().zip(&coupled) {
@@ -230,11 +243,17 @@ fn torques(settled: &Settled, plant: &Plant<'_>, ddq: &[f64], start: f64, truth:
             truth.motor_torque[o] += on_k + c.ratio * c.coulomb * s;
             truth.motor_torque[m] += on_m + c.coulomb * s;
         }
-        for &j in &motors {
-            let at = j * len + k;
-            if let Some(limit) = settled.drives[j].limit {
-                truth.motor_torque[at] = truth.motor_torque[at].clamp(-limit, limit);
-            }
+        clip(settled, truth, k);
+    }
+}
+
+/// Torques beyond what the drives give.
+fn clip(settled: &Settled, truth: &mut Truth, k: usize) {
+    let len = truth.t.len();
+    for (j, drive) in settled.drives.iter().enumerate() {
+        if let Some(limit) = drive.limit {
+            let torque = &mut truth.motor_torque[j * len + k];
+            *torque = torque.clamp(-limit, limit);
         }
     }
 }

@@ -6,8 +6,8 @@
 use super::bristle::{Bristle, Part};
 use super::contact::{self, External};
 use super::control::{Control, Mode, Table};
-use super::drive::Drive;
-use super::effects::{ExternalContact, GearCoupling};
+use super::drive::{Drive, signs_in_laws};
+use super::effects::{ExternalContact, GearCoupling, Moment};
 use super::trajectory::{Point, Trajectory};
 use crate::model::{Dynamics, ToolState};
 use crate::numerics::cholesky;
@@ -75,6 +75,10 @@ struct Work {
     sign: Vec<f64>,
     hysteresis: Vec<f64>,
     coupled: Vec<f64>,
+    /// Motion of the motors, and temperatures, for laws in closed form.
+    moment: Moment,
+    /// Their torques.
+    laws: Vec<f64>,
 }
 
 /// Parts of a plant.
@@ -89,6 +93,27 @@ pub(super) struct Parts<'a> {
     /// `kp`, `kd`.
     pub gains: [Vec<f64>; 2],
     pub feedforward: Table,
+}
+
+/// What stands for the signs of velocities.
+fn bristles(drives: &[Drive], couplings: &[GearCoupling], motor: &[usize]) -> Vec<Bristle> {
+    let mut bristles = Vec::new();
+    let in_laws = signs_in_laws(drives);
+    for (joint, drive) in drives.iter().enumerate() {
+        let along = [(motor[joint], 1.0), (motor[joint], 0.0)];
+        if drive.has_sign() || in_laws[joint] {
+            bristles.push(Bristle { part: Part::Sign, joint, along, travel: Bristle::SIGN, fade: 2e-3 });
+        }
+        if let Some(h) = drive.hysteresis {
+            let fade = 10.0 * h.travel;
+            bristles.push(Bristle { part: Part::Hysteresis, joint, along, travel: h.travel, fade });
+        }
+    }
+    for (k, c) in couplings.iter().enumerate().filter(|(_, c)| c.coulomb != 0.0) {
+        let along = [(motor[c.motor], 1.0), (motor[c.other], c.ratio)];
+        bristles.push(Bristle { part: Part::Coupling(k), joint: c.motor, along, travel: Bristle::SIGN, fade: 2e-3 });
+    }
+    bristles
 }
 
 impl<'a> Plant<'a> {
@@ -108,27 +133,7 @@ impl<'a> Plant<'a> {
                 }
             })
             .collect();
-        let mut bristles = Vec::new();
-        for (joint, drive) in drives.iter().enumerate() {
-            let along = [(motor[joint], 1.0), (motor[joint], 0.0)];
-            if drive.has_sign() {
-                bristles.push(Bristle { part: Part::Sign, joint, along, travel: Bristle::SIGN, fade: 2e-3 });
-            }
-            if let Some(h) = drive.hysteresis {
-                let fade = 10.0 * h.travel;
-                bristles.push(Bristle { part: Part::Hysteresis, joint, along, travel: h.travel, fade });
-            }
-        }
-        for (k, c) in couplings.iter().enumerate().filter(|(_, c)| c.coulomb != 0.0) {
-            let along = [(motor[c.motor], 1.0), (motor[c.other], c.ratio)];
-            bristles.push(Bristle {
-                part: Part::Coupling(k),
-                joint: c.motor,
-                along,
-                travel: Bristle::SIGN,
-                fade: 2e-3,
-            });
-        }
+        let bristles = bristles(drives, couplings, &motor);
         let now = Now {
             acceleration: vec![0.0; coordinates],
             motor_torque: vec![0.0; n],
@@ -146,6 +151,8 @@ impl<'a> Plant<'a> {
             sign: vec![0.0; n],
             hysteresis: vec![0.0; n],
             coupled: vec![0.0; couplings.len()],
+            moment: Moment::of(n),
+            laws: vec![0.0; n],
             ..Work::default()
         };
         let start = trajectory.span().start;
@@ -222,6 +229,8 @@ impl<'a> Plant<'a> {
         self.bodies.bias(&x[..n], &v[..n], &mut work.bias);
         self.push(t, x, v, slopes);
         self.command(t, x, v);
+        let since = t - self.start;
+        self.signs_and_laws(since, x, v, z);
         let (work, now) = (&mut self.work, &mut self.now);
 
         work.mass.fill(0.0);
@@ -230,22 +239,11 @@ impl<'a> Plant<'a> {
         }
         work.force.clear();
         work.force.resize(total, 0.0);
-        let since = t - self.start;
-        work.sign.fill(0.0);
-        work.hysteresis.fill(0.0);
-        for (bristle, &z) in self.bristles.iter().zip(z) {
-            let s = bristle.sign(bristle.velocity(v), z);
-            match bristle.part {
-                Part::Sign => work.sign[bristle.joint] = s,
-                Part::Hysteresis => work.hysteresis[bristle.joint] = s,
-                Part::Coupling(k) => work.coupled[k] = s,
-            }
-        }
         for (j, drive) in self.drives.iter().enumerate() {
             let m = self.motor[j];
             work.mass[m * total + m] += drive.rotor;
             let friction = drive.warmth(since) * drive.friction(x[m], v[m], work.sign[j], work.hysteresis[j]);
-            work.force[m] += now.motor_torque[j] - friction - drive.plain.offset - drive.ripple(x[m]);
+            work.force[m] += now.motor_torque[j] - friction - drive.plain.offset - drive.ripple(x[m]) - work.laws[j];
             let spring = drive.spring.map_or(0.0, |s| s.torque(x[j]));
             work.force[j] += work.pushed[j] - work.bias[j] - spring;
             if m != j {
@@ -293,6 +291,27 @@ impl<'a> Plant<'a> {
             }
         }
         Ok(())
+    }
+
+    /// What stands for signs of velocities, and the torques of laws in closed form.
+    fn signs_and_laws(&mut self, since: f64, x: &[f64], v: &[f64], z: &[f64]) {
+        let work = &mut self.work;
+        work.sign.fill(0.0);
+        work.hysteresis.fill(0.0);
+        for (bristle, &z) in self.bristles.iter().zip(z) {
+            let s = bristle.sign(bristle.velocity(v), z);
+            match bristle.part {
+                Part::Sign => work.sign[bristle.joint] = s,
+                Part::Hysteresis => work.hysteresis[bristle.joint] = s,
+                Part::Coupling(k) => work.coupled[k] = s,
+            }
+        }
+        if self.drives.iter().any(|drive| drive.law.is_some()) {
+            work.moment.set(since, self.drives, |j| (x[self.motor[j]], v[self.motor[j]], work.sign[j]));
+            for (torque, drive) in work.laws.iter_mut().zip(self.drives) {
+                *torque = drive.law.as_ref().map_or(0.0, |law| law.torque(&work.moment));
+            }
+        }
     }
 
     /// Torques of the external wrenches, and what stiffness and damping they put on the joints.
@@ -394,6 +413,17 @@ impl Plant<'_> {
     }
 }
 
+impl Plant<'_> {
+    /// What the sign of a joint's velocity is multiplied with, N m.
+    fn sign_level(&self, joint: usize, since: f64, x: &[f64], v: &[f64], z: f64) -> f64 {
+        let (drive, m) = (&self.drives[joint], self.motor[joint]);
+        let load = drive.load.map_or(0.0, |l| l.level(self.now.link_torque[joint], v[m]));
+        let uneven = drive.asymmetric.map_or(0.0, |a| a.level * super::bristle::sign(z));
+        let law = drive.law.as_ref().map_or(0.0, |law| law.level(&self.work.moment, joint));
+        drive.warmth(since) * (drive.level(x[m], v[m]) + load + uneven) + law
+    }
+}
+
 impl System for Plant<'_> {
     fn coordinates(&self) -> usize {
         self.coordinates
@@ -451,12 +481,7 @@ impl System for Plant<'_> {
             let speed = bristle.velocity(v);
             let [by_z, by_v] = bristle.sign_slopes(speed, z);
             let level = match bristle.part {
-                Part::Sign => {
-                    let m = self.motor[bristle.joint];
-                    let load = drive.load.map_or(0.0, |l| l.level(self.now.link_torque[bristle.joint], v[m]));
-                    let uneven = drive.asymmetric.map_or(0.0, |a| a.level * super::bristle::sign(z));
-                    drive.warmth(since) * (drive.level(x[m], v[m]) + load + uneven)
-                }
+                Part::Sign => self.sign_level(bristle.joint, since, x, v, z),
                 Part::Hysteresis => drive.warmth(since) * drive.hysteresis.map_or(0.0, |h| h.level),
                 Part::Coupling(k) => self.couplings[k].coulomb,
             };

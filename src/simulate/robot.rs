@@ -5,14 +5,14 @@ use std::ops::Range;
 
 use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::effects::{self, RotorInertia, Scope};
-use dh_codegen::robot::{Effect, Effects, NoLink, RATED, Robot};
+use dh_codegen::robot::{Effect, Effects, NoLink, RATED, Robot, TorqueLaw};
 
 use super::SimulateError;
 use super::drive::Drive;
 use super::effects::{
-    AsymmetricFriction, Backlash, ExternalContact, FrictionDrift, GearCoupling, JointElasticity, JointSpring,
-    LoadDependentFriction, NonlinearViscousFriction, PositionDependentFriction, PreslidingHysteresis, StribeckFriction,
-    TorqueRipple,
+    AsymmetricFriction, Backlash, ClosedForm, ExternalContact, FrictionDrift, GearCoupling, JointElasticity,
+    JointSpring, LoadDependentFriction, NonlinearViscousFriction, PositionDependentFriction, PreslidingHysteresis,
+    StribeckFriction, TorqueRipple,
 };
 use crate::model::interpreted::Interpreted;
 use crate::model::{Arm, Dynamics};
@@ -95,10 +95,30 @@ impl SimulatedRobot {
                 }
             }
         }
+        own.laws.iter().chain(&more.laws).try_for_each(|(row, law)| built.formula(*row, dof_of(*row), law))?;
         for drive in built.drives.iter_mut().filter(|d| d.is_soft() && d.rotor == 0.0) {
             drive.rotor = RotorInertia::default().inertia(drive.rated);
         }
         Ok(built)
+    }
+
+    /// A law in closed form.
+    fn formula(&mut self, row: usize, dof: Option<usize>, law: &TorqueLaw) -> Result<(), SimulateError> {
+        let (last, joint) = (self.drives.len(), row + 1);
+        if let Some(drive) = dof.and_then(|dof| self.drives.get_mut(dof)) {
+            let made = ClosedForm::new(law, last);
+            drive.law = Some(made.map_err(|number| SimulateError::Law { joint, number, last })?);
+        }
+        Ok(())
+    }
+
+    /// Whether an integrator can play its laws: accelerations follow from torques.
+    pub fn is_free_of_accelerations(&self) -> Result<(), SimulateError> {
+        let accelerates = |drive: &Drive| drive.law.as_ref().is_some_and(ClosedForm::reads_acceleration);
+        match self.drives.iter().position(accelerates) {
+            Some(joint) => Err(SimulateError::LawOfAcceleration(joint + 1)),
+            None => Ok(()),
+        }
     }
 
     /// The true arm.

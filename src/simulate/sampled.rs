@@ -119,8 +119,8 @@ impl Simulator {
         external: &[&dyn External],
         controller: &mut dyn FnMut(&Seen, &Instant, &mut [f64]) -> bool,
     ) -> Result<(), SimulateError> {
-        let n = self.dof();
-        let rate = run.sensors.rate;
+        self.built.is_free_of_accelerations()?;
+        let (n, rate) = (self.dof(), run.sensors.rate);
         let setting = |what, value: f64, good: bool, must| {
             if good { Ok(()) } else { Err(SimulateError::Setting { what, value, must }) }
         };

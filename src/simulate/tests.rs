@@ -30,7 +30,7 @@ pub(super) fn effect(name: &str, parameters: &[(&str, f64)]) -> Effect {
 
 /// One effect of one joint, from 0.
 pub(super) fn at_joint(joint: usize, name: &str, parameters: &[(&str, f64)]) -> Effects {
-    Effects { joints: vec![(joint, effect(name, parameters))], robot: Vec::new() }
+    Effects { joints: vec![(joint, effect(name, parameters))], robot: Vec::new(), ..Effects::default() }
 }
 
 /// Each joint a sum of two sines, at rest at both ends.

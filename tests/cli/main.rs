@@ -13,6 +13,7 @@ mod generate;
 mod identify;
 mod ik;
 mod import;
+mod law;
 mod log;
 mod new;
 mod outputs;

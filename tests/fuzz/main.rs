@@ -172,7 +172,7 @@ fn simulation_files() {
 fn expressions() {
     let all =
         ["2 * L + 0.1", "-90deg", "(pi/2 - 1e-3) * (L + -3)", "0.3 * sign(dq1) * (1 + 0.2 * cos(3 * q1)) + temp1"];
-    let all = all.into_iter().chain(["exp(-abs(dq2)/0.1) + sqrt(abs(q2)) + tanh(t) ^ 2"]);
+    let all = all.into_iter().chain(["exp(-abs(dq2)/0.1) + sqrt(abs(q2)) + tanh(t / 30) ^ 2"]);
     fuzz("expression", targets::expression, mutated, all.map(|e| e.as_bytes().to_vec()).collect(), 5000);
 }
 

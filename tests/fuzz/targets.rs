@@ -98,7 +98,7 @@ pub fn expression(bytes: &[u8]) -> String {
         "name: a\nconvention: modified\nconstants: {{ L: 2, K: \"{text}\" }}\njoints: [ {{ type: revolute, d: \"{text}\", alpha: \"{text}\" }} ]\n"
     );
     let law = format!(
-        "name: a\nconvention: modified\njoints: [ {{ type: revolute, drive: {{ law: \"{text}\" }} }}, {{ type: revolute }} ]\n"
+        "name: a\nconvention: modified\njoints: [ {{ type: revolute, drive: {{ law: \"{text}\", unit: N m }} }}, {{ type: revolute }} ]\n"
     );
     [number, law].map(|file| robot(file.as_bytes())).join(" ")
 }

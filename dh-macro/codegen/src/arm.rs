@@ -9,6 +9,7 @@ pub mod chain;
 mod drive;
 mod dynamics;
 mod energy;
+mod formula;
 mod inverse;
 pub mod kernel;
 mod kinematics;

@@ -24,6 +24,7 @@ mod reader;
 mod real;
 mod rewrite;
 mod schema;
+mod torque_law;
 mod value;
 mod write;
 mod yaml;
@@ -41,6 +42,7 @@ pub use physical::NotPhysical;
 pub use problem::{Note, Problem, Problems};
 pub use rewrite::{Run, files_of_runs};
 pub use schema::schema;
+pub use torque_law::{LawFunction, NotALaw, Term, TorqueLaw, Variable};
 
 /// Denavit-Hartenberg convention of the rows.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -93,6 +95,8 @@ pub struct Effects {
     pub joints: Vec<(usize, Effect)>,
     /// Of the whole robot.
     pub robot: Vec<Effect>,
+    /// Torques in closed form: row of the DH table, from 0.
+    pub laws: Vec<(usize, TorqueLaw)>,
 }
 
 /// The drive of a joint. A `Some` says that the model *has* the parameter (zero: not known yet).
@@ -112,6 +116,8 @@ pub struct Drive {
     pub offset: Option<f64>,
     /// Every other law of the vocabulary that the file names.
     pub effects: Vec<Effect>,
+    /// What has no name: a torque in closed form.
+    pub law: Option<TorqueLaw>,
 }
 
 /// A joint in another file or in logs: `q = sign q_source + offset`.
@@ -268,7 +274,18 @@ impl Robot {
         Effects {
             joints: self.joints.iter().enumerate().flat_map::<Vec<_>, _>(of).collect(),
             robot: self.effects.clone(),
+            laws: self
+                .joints
+                .iter()
+                .enumerate()
+                .filter_map(|(row, joint)| Some((row, joint.drive.law.clone()?)))
+                .collect(),
         }
+    }
+
+    /// Kinds of the joints that move, base to tip.
+    pub fn moving_kinds(&self) -> Vec<JointKind> {
+        self.joints.iter().map(|joint| joint.kind).filter(|kind| *kind != JointKind::Fixed).collect()
     }
 
     /// Gravity in frame 0, m/s^2.

@@ -89,6 +89,7 @@ fn drive() -> impl Strategy<Value = Drive> {
         coulomb_friction: friction.1,
         offset: friction.2,
         effects: effect.into_iter().collect(),
+        law: None,
     })
 }
 

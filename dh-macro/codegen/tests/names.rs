@@ -141,6 +141,7 @@ impl Inputs {
             Argument::BaseParameters => "beta",
             Argument::Bristles => "bristle",
             Argument::Warmth => "warmth",
+            Argument::Clock => "clock",
             Argument::Seeds => "seed",
         };
         function.arguments().iter().map(name).collect()

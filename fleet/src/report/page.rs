@@ -25,7 +25,7 @@ td.wide { min-width: 12rem; text-align: left; } td.words, th.words { text-align:
 /// The page.
 pub fn page(watched: &Watched) -> String {
     let mut body = format!(
-        "<header><p class=kicker>denavit-fleet watch</p><h1>Fleet</h1><p class=verdict>{}</p></header>\n",
+        "<header><p class=kicker>denavit-fleet watch</p><h1>Changes in a fleet of robots</h1><p class=verdict>{}</p></header>\n",
         escape(&verdict(watched))
     );
     body += &overview(watched);
@@ -56,7 +56,7 @@ pub fn page(watched: &Watched) -> String {
 /// The table of all changes.
 fn overview(watched: &Watched) -> String {
     if watched.changes.is_empty() {
-        return "<section><h2>Changes</h2><p>No robot changed.</p></section>\n".into();
+        return "<section><h2>Which robots changed</h2><p>No robot changed.</p></section>\n".into();
     }
     let mut rows = String::new();
     for (k, change) in watched.changes.iter().enumerate() {
@@ -70,23 +70,25 @@ fn overview(watched: &Watched) -> String {
         let _ = writeln!(
             rows,
             "<tr><th><a href='#c{k}'>{}</a></th><td>{}</td><td>{}</td><td class=words>{named}</td><td class=words>{}</td>\
-             <td>one in {}</td></tr>",
+             <td>once in {} or less often</td></tr>",
             escape(&change.robot),
             date(change.before),
             date(change.found),
             by.map_or(String::new(), |by| escape(&format!(
                 "{} {}",
                 by.parameter,
-                between([by.value, by.std], by.unit)
+                between([by.value, by.std], &by.unit)
             ))),
             rarity(change.evidence),
         );
     }
     format!(
-        "<section><h2>Changes</h2><div class=scroll><table><thead><tr><th>robot</th><th>last day as before</th><th>found on</th>\
+        "<section><h2>Which robots changed</h2><div class=scroll><table><thead><tr><th>robot</th><th>last day as before</th><th>found on</th>\
          <th class=words>likely cause, its probability</th><th class=words>change of its parameter ± standard deviation</th>\
-         <th>false alarms as strong, at most</th></tr></thead><tbody>\n{rows}</tbody></table></div>\n\
-         <p class=note>Where a cell names several causes, the days do not tell them apart.</p></section>\n"
+         <th>a false alarm as strong</th></tr></thead><tbody>\n{rows}</tbody></table></div>\n\
+         <p class=note>Where a cell names several causes, the days do not tell them \
+         apart. The last column says how many days or years of one robot pass, on average and at least, between alarms as strong as this \
+         one when nothing changes.</p></section>\n"
     )
 }
 
@@ -100,7 +102,7 @@ fn section(number: usize, change: &Change) -> String {
         let width = 100.0 * cause.probability;
         let values = cause.changes.iter().filter(|by| by.std > 0.0);
         let values: Vec<String> =
-            values.map(|by| format!("{} {}", by.parameter, between([by.value, by.std], by.unit))).collect();
+            values.map(|by| format!("{} {}", by.parameter, between([by.value, by.std], &by.unit))).collect();
         let _ = writeln!(
             rows,
             "<tr><th>{}</th><td>{}</td><td class=wide><span class=share style='width:{width:.1}%'></span></td><td>{:.0} %</td>\
@@ -114,7 +116,9 @@ fn section(number: usize, change: &Change) -> String {
     let said = change
         .diagnosis
         .as_ref()
-        .map_or(String::new(), |said| format!("<h3>Diagnosis of the raw log</h3><pre>{}</pre>\n", escape(said)));
+        .map_or(String::new(), |said| format!("<h3>Diagnosis of the raw log</h3><p class=note>Against the robot file with the friction and offsets of the \
+             reference days: <code>denavit diagnose</code> looks for more causes than the ones above, in the recordings of this one day.</p>\
+             <pre>{}</pre>\n", escape(said)));
     let files = change.files.iter().map(|file| format!("<code>{}</code>", escape(file))).collect::<Vec<_>>().join(", ");
     format!(
         "<section id='c{number}'><h2>{}</h2>\n<p>As before until {}, found on {}. Without a change an alarm as strong comes at most \
@@ -136,9 +140,9 @@ struct Plot {
     values: [f64; 2],
 }
 
-const SIZE: [f64; 2] = [760.0, 220.0];
+const SIZE: [f64; 2] = [760.0, 236.0];
 /// Left, right, top, bottom.
-const EDGE: [f64; 4] = [62.0, 14.0, 18.0, 26.0];
+const EDGE: [f64; 4] = [62.0, 46.0, 34.0, 26.0];
 
 impl Plot {
     fn x(&self, day: f64) -> f64 {
@@ -170,12 +174,12 @@ impl Plot {
         marks
     }
 
-    /// A dashed line with words beside it.
-    fn mark(&self, day: f64, text: &str) -> String {
+    /// A dashed line with a word at its head, which ends or starts there.
+    fn mark(&self, day: f64, text: &str, anchor: &str) -> String {
         let at = self.x(day);
         let bottom = SIZE[1] - EDGE[3];
         format!(
-            "<line class=mark x1={at:.1} x2={at:.1} y1={} y2={bottom} /><text x={at:.1} y={} text-anchor=middle>{text}</text>",
+            "<line class=mark x1={at:.1} x2={at:.1} y1={} y2={bottom} /><text x={at:.1} y={} text-anchor={anchor}>{text}</text>",
             EDGE[2],
             EDGE[2] - 6.0
         )
@@ -214,8 +218,8 @@ fn history(change: &Change) -> String {
     let since = change.since.map_or(0, until);
     let (before, found) = (until(change.before), until(change.found));
     let mut marks = plot.axes();
-    marks += &plot.mark(f64::from(change.before) + 0.5, "change");
-    marks += &plot.mark(f64::from(change.found), if change.found - change.before > 1 { "found" } else { "" });
+    marks += &plot.mark(f64::from(change.before) + 0.5, "change", "end");
+    marks += &plot.mark(f64::from(change.found), "found", "start");
     marks += &plot.level(&points[since.min(before)..before], "mean");
     marks += &plot.level(&points[before..found], "moved");
     for (k, (day, value, std)) in points.iter().enumerate() {
@@ -224,10 +228,12 @@ fn history(change: &Change) -> String {
         let _ = write!(marks, "<line class=bar x1={at:.1} x2={at:.1} y1={top:.1} y2={bottom:.1} />");
         let _ = write!(marks, "<circle class={class} cx={at:.1} cy={:.1} r=3 />", plot.y(*value));
     }
-    let unit = if change.plotted_unit.is_empty() { "%" } else { change.plotted_unit };
+    let unit = if change.plotted_unit.is_empty() { "%" } else { &change.plotted_unit };
+    let _ = write!(marks, "<text x={} y=12 text-anchor=end>{}</text>", EDGE[0] - 6.0, escape(unit));
     let title = format!("{} ({}): change against the reference days, {unit}", change.plotted, meaning(&change.plotted));
     format!(
-        "<p class=note><b>{}</b>. A point is a day, bars are its noise; lines are the means before and after the change.</p>\n\
+        "<p class=note><b>{}</b>. A point is a day; a bar, where it is longer than the point, is \
+         the noise of its estimate; lines are the means before the change and from there to the day it was found.</p>\n\
          <svg viewBox='0 0 {} {}' role=img aria-label='History of {}'>{marks}</svg>\n",
         escape(&title),
         SIZE[0],

@@ -53,7 +53,7 @@ pub(super) fn pick(
     let mut states = motion.states.clone();
     let mut sign = motion.sign.clone();
     at_rest(&still, motion.period, &mut states, &mut sign);
-    torques.along(&time, &states, &sign, &motion.temperature, &mut picked.model);
+    torques.since(motion.segment_start, &time, &states, &sign, &motion.temperature, &mut picked.model);
     picked.ddq = states.ddq;
     picked.tau.clone_from(&motion.tau);
     for j in 0..n {

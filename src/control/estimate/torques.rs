@@ -10,6 +10,11 @@ pub trait Torques: Sync {
     /// inside its noise; `temperature`, deg C, may be empty.
     fn along(&self, time: &[f64], states: &States, sign: &[f64], temperature: &[f64], out: &mut [f64]);
 
+    /// The same of a part of a recording that began at `begun`, s.
+    fn since(&self, _begun: f64, time: &[f64], states: &States, sign: &[f64], temperature: &[f64], out: &mut [f64]) {
+        self.along(time, states, sign, temperature, out);
+    }
+
     /// Breakaway level of a joint's static friction by its laws, N m; `None` where they say nothing
     /// of it.
     fn breakaway(&self, _joint: usize) -> Option<f64> {
@@ -29,6 +34,10 @@ pub struct Effected<'a>(pub &'a dyn TorqueModel);
 impl Torques for Effected<'_> {
     fn along(&self, time: &[f64], states: &States, _: &[f64], temperature: &[f64], out: &mut [f64]) {
         self.0.torques_along(time, states, temperature, out);
+    }
+
+    fn since(&self, begun: f64, time: &[f64], states: &States, _: &[f64], temperature: &[f64], out: &mut [f64]) {
+        self.0.torques_since(begun, time, states, temperature, out);
     }
 
     fn breakaway(&self, joint: usize) -> Option<f64> {

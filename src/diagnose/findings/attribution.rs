@@ -4,6 +4,7 @@
 use super::calibration::{self, Change, Features};
 use super::evidence;
 use super::evidence::Shown;
+use super::formula::{self, Formula, formula};
 use super::reported_cause::{Item, friction_values, place_of};
 use super::result::{Cause, Curve, Errors, measured_on};
 use super::structure::Structure;
@@ -15,6 +16,7 @@ use crate::diagnose::search::baseline_friction::BaselineFriction;
 use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::Accepted;
 use crate::diagnose::select::beside::Shares;
+use crate::diagnose::select::excess::EXCESS;
 use crate::diagnose::select::measure::{Measured, share, taken_of};
 use dh_codegen::robot::{EffectKind, effects};
 
@@ -84,6 +86,7 @@ impl Attribution<'_> {
                 noise,
                 on: measured_on(on, own_validation),
                 confirmed: accepted.map(|a| a.confirmed),
+                repeats: shares.repeats,
             }) + &elsewhere.collect::<String>(),
             in_extended: true,
             curve: item.accepted.and_then(|index| evidence::curve(tested, fitted, index, &all[index].chosen)),
@@ -95,6 +98,7 @@ impl Attribution<'_> {
             on,
             not_distinguished_from: confusable(tested, item, accepted, plain_rivals),
             shown_by: item.hypothesis.shown_by(),
+            law: None,
         }
     }
 }
@@ -271,6 +275,7 @@ pub(in crate::diagnose) fn unknown(
         on: "fit",
         not_distinguished_from: Vec::new(),
         shown_by: "a longer recording with slow and fast motion of the named joints",
+        law: None,
         in_extended: true,
         curve: None,
     };
@@ -281,6 +286,52 @@ pub(in crate::diagnose) fn unknown(
     } else {
         causes.push(entry);
     }
+}
+
+/// Adds the laws of errors that have no name as causes, and returns the structure that they leave:
+/// that of joints whose error is still above [`EXCESS`] times the noise. `floor`: noise of each
+/// joint's torque, N m.
+pub(in crate::diagnose) fn with_formulas(
+    causes: &mut Vec<Cause>,
+    left: Vec<Structure>,
+    [after_fit, after]: [&Measured; 2],
+    floor: &[f64],
+    own_validation: bool,
+) -> Vec<Structure> {
+    let (there, elsewhere) = (after_fit.view.motion(), after.view.motion());
+    let law = |s: &Structure| {
+        let fit = formula::Errors { motion: &there, error: &after_fit.error[s.joint] };
+        formula(s.joint, fit, formula::Errors { motion: &elsewhere, error: &after.error[s.joint] })
+    };
+    let found: Vec<Formula> = left.iter().filter_map(law).collect();
+    for law in &found {
+        let mut rms_after = after.rms.clone();
+        rms_after[law.joint] = law.validate[1];
+        let size = (law.validate[0].powi(2) - law.validate[1].powi(2)).max(0.0).sqrt();
+        causes.push(Cause {
+            cause: "unknown",
+            support: MOST_MARGIN,
+            margin: MOST_MARGIN,
+            share: share(&after.rms, &rms_after, floor, &[law.joint]),
+            recurrence: law.stability,
+            joints: vec![law.joint + 1],
+            probability: calibration::structure(size, floor[law.joint]),
+            parameters: Vec::new(),
+            keys: Vec::new(),
+            evidence: law.sentence(measured_on("validate", own_validation)),
+            rms_before: after.rms.clone(),
+            rms_after,
+            interval: [f64::NAN; 2],
+            on: "validate",
+            not_distinguished_from: Vec::new(),
+            shown_by: "a longer recording with slow and fast motion of the named joints",
+            law: Some(law.text.clone()),
+            in_extended: false,
+            curve: None,
+        });
+    }
+    let explained = |s: &Structure| found.iter().any(|f| f.joint == s.joint && f.validate[1] < EXCESS * floor[s.joint]);
+    left.into_iter().filter(|s| !explained(s)).collect()
 }
 
 /// Torque and errors over time, at most 2,000 points.

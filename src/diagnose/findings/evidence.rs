@@ -37,11 +37,13 @@ pub(in crate::diagnose) struct Shown<'a> {
     pub on: &'a str,
     /// Share of held-out parts that agree, where that was asked.
     pub confirmed: Option<f64>,
+    /// Its size on the validating data by the fitted one, where they can show it.
+    pub repeats: Option<f64>,
 }
 
 /// One sentence with figures.
 pub(in crate::diagnose) fn sentence(shown: &Shown<'_>) -> String {
-    let Shown { cause, place, parameters, before, after, noise, on, confirmed } = *shown;
+    let Shown { cause, place, parameters, before, after, noise, on, confirmed, repeats } = *shown;
     let gain = |j: &usize| before[*j].powi(2) - after[*j].powi(2);
     let most = |joints: &mut dyn Iterator<Item = usize>| joints.max_by(|a, b| gain(a).total_cmp(&gain(b)));
     // Its own joint, if it gains there.
@@ -75,8 +77,11 @@ pub(in crate::diagnose) fn sentence(shown: &Shown<'_>) -> String {
             format!("; {:.0} % of held-out parts of the fitted logs agree", 100.0 * share)
         }
     });
+    let repeats = repeats.map_or(String::new(), |size| {
+        format!("; data that were not fitted give it {:.0} % of this size", 100.0 * size)
+    });
     format!(
-        "{where_}: {} ({}); the error of joint {} {moves} from {} to {} N m on {on}{gained}{confirmed}",
+        "{where_}: {} ({}); the error of joint {} {moves} from {} to {} N m on {on}{gained}{confirmed}{repeats}",
         cause.says(),
         numbers.join(", "),
         main + 1,

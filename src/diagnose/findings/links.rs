@@ -148,6 +148,7 @@ impl Session<'_> {
             on: "validate",
             not_distinguished_from: Vec::new(),
             shown_by: "an exciting motion for the base parameters",
+            law: None,
             in_extended: true,
             curve: None,
         }

@@ -57,6 +57,11 @@ impl View {
         Self { time: scene.time.clone(), torque: scene.y.clone(), runs: scene.runs.clone(), over, temperature, gears }
     }
 
+    /// Position, velocity and acceleration of each joint.
+    pub fn motion(&self) -> Vec<[&[f64]; 3]> {
+        self.over.iter().map(|[q, v, a, _]| [&q[..], &v[..], &a[..]]).collect()
+    }
+
     /// Velocity of a joint, rad/s.
     pub fn velocity(&self, joint: usize) -> &[f64] {
         &self.over[joint][1]

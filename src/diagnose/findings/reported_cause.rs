@@ -150,6 +150,7 @@ pub(in crate::diagnose) fn quiet(tested: &ModelUnderTest<'_>, fitted: &Fitted) -
                 on: "fit",
                 not_distinguished_from: Vec::new(),
                 shown_by: hypothesis.shown_by(),
+                law: None,
                 in_extended: true,
                 curve: None,
             }

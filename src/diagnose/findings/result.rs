@@ -108,6 +108,9 @@ pub struct Cause {
     pub shown_by: &'static str,
     /// The curve that shows it.
     pub curve: Option<Evidence>,
+    /// The torque that the model lacks on its joint in closed form, for an error without a name: an
+    /// expression in `q1.. dq1.. ddq1..`.
+    pub law: Option<String>,
 }
 
 /// Experiment that would resolve the open questions.

@@ -4,11 +4,12 @@
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use crate::identify::recover_standard;
 use crate::model::{DriveTerm, PerturbableArm, StandardParameter};
 
+use super::body_limits::{independent_share, possible_values};
 use super::moments::{Moments, Solution};
 use super::regulariser::{Regulariser, STRENGTHS, prior};
 use super::uncertainty::derivative;
@@ -443,8 +444,14 @@ impl<'a> ModelUnderTest<'a> {
         let friction = self.base.len();
         let solution = moments.solve(weights);
         let residual = moments.residual(&solution.x);
-        let memory = residual.iter().zip(&self.scene.live).map(|(e, l)| autocorrelation_time(e, l)).collect();
-        Fitted { moments, solution, residual, memory, friction, first, terms, standard: None }
+        let memory = self.memory(&residual);
+        let fitted = Fitted { moments, solution, residual, memory, friction, first, terms, standard: None };
+        self.with_possible_bodies(chosen, fitted)
+    }
+
+    /// Autocorrelation time of each joint's residual, windows.
+    pub(super) fn memory(&self, residual: &[Vec<f64>]) -> Vec<f64> {
+        residual.iter().zip(&self.scene.live).map(|(e, l)| autocorrelation_time(e, l)).collect()
     }
 
     /// Equations in the rigid arm's unknowns, friction's and those of the chosen causes, in pieces
@@ -530,7 +537,15 @@ impl<'a> ModelUnderTest<'a> {
     /// Errors of the fitted model on stretches that were left out in turn.
     pub fn left_out(&self, chosen: &[Chosen], fitted: &Fitted) -> LeftOut {
         let stretches = self.stretches(chosen);
-        let sums = stretches.cross_validated_without(&fitted.solution, &[], &local(chosen, fitted));
+        let fixed = local(chosen, fitted);
+        let bodies = self.changed_bodies(chosen, fitted);
+        let sums = if bodies.is_empty() {
+            stretches.cross_validated_without(&fitted.solution, &[], &fixed)
+        } else {
+            let share = independent_share(&fitted.solution.counts, &fitted.memory);
+            let limit = |x: &DVector<f64>, inverse: &DMatrix<f64>| possible_values(&bodies, x, inverse, share);
+            stretches.cross_validated_within(&fitted.solution, &fixed, limit)
+        };
         LeftOut::new(&sums, &stretches.counts())
     }
 
@@ -588,7 +603,7 @@ impl<'a> ModelUnderTest<'a> {
 
     /// Torques that the model predicts with unknowns `x` (in the order of the fit), beside what the
     /// file explains, per joint: the target less this is the error.
-    pub fn predict(&self, x: &nalgebra::DVector<f64>, chosen: &[Chosen]) -> Vec<Vec<f64>> {
+    pub fn predict(&self, x: &DVector<f64>, chosen: &[Chosen]) -> Vec<Vec<f64>> {
         let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
         let terms: Vec<Arc<Vec<Term>>> = chosen.iter().map(|c| self.terms(c)).collect();
         let held = if self.all && self.mode == Mode::Refitted { inertial(self.plant) } else { Vec::new() };

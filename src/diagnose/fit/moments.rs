@@ -58,8 +58,20 @@ pub struct Solution {
     pub rss: Vec<f64>,
     /// Windows of each joint.
     pub counts: Vec<f64>,
-    /// `(sum_j w_j A_j' A_j + hold)^+`.
+    /// `(sum_j w_j A_j' A_j + hold)^+`; zero for unknowns that a limit holds.
     pub inverse: DMatrix<f64>,
+    /// The same of all unknowns, where a limit holds some.
+    pub unlimited: Option<DMatrix<f64>>,
+}
+
+/// Normal equations of a [`Trial`]'s columns, everything else refitted.
+pub struct Reduced {
+    /// Matrix.
+    pub normal: DMatrix<f64>,
+    /// Right-hand side.
+    pub rhs: DVector<f64>,
+    /// By how much the others fall for one of each coefficient.
+    solved: DMatrix<f64>,
 }
 
 /// Columns that are tried beside those of a [`Moments`].
@@ -85,6 +97,13 @@ pub struct Gain {
     pub x: Vec<f64>,
     /// Sum of squared residuals of each joint with them.
     pub rss: Vec<f64>,
+}
+
+impl Reduced {
+    /// Coefficients of the least squares without limits.
+    pub fn solution(&self) -> DVector<f64> {
+        pseudo_inverse(&self.normal) * &self.rhs
+    }
 }
 
 impl Moments {
@@ -270,7 +289,7 @@ impl Moments {
             let change =
                 weights.iter().zip(&next).map(|(a, b)| (a - b).abs() / (a + b).max(1e-300)).fold(0.0, f64::max);
             if round >= 8 || change < 1e-3 {
-                return Solution { x, weights, rss, counts, inverse };
+                return Solution { x, weights, rss, counts, inverse, unlimited: None };
             }
             weights = next;
         }
@@ -285,6 +304,13 @@ impl Moments {
     /// Root mean square of each joint's torque, N m.
     pub fn torque(&self) -> Vec<f64> {
         self.whole.iter().map(|s| (s.yy / s.count.max(1.0)).sqrt()).collect()
+    }
+
+    /// The solution with values of `own` unknowns that a limit holds, all others refitted.
+    pub fn limited(&self, solution: &Solution, own: &[usize], values: &DVector<f64>) -> Solution {
+        let (x, inverse) = refitted_beside(&solution.x, &solution.inverse, own, values);
+        let unlimited = Some(solution.inverse.clone());
+        Solution { rss: self.residuals(&self.whole, &x), x, inverse, unlimited, ..solution.clone() }
     }
 
     /// The solution with other values of the unknowns.
@@ -306,6 +332,29 @@ impl Moments {
             Ok::<_, std::convert::Infallible>(pseudo_inverse(matrix) * (rhs - matrix * &held) + &held)
         };
         match self.cross_validated_by(whole, &whole.weights, out, fixed, plain) {
+            Ok(sums) => sums,
+            Err(never) => match never {},
+        }
+    }
+
+    /// The same with the unknowns inside limits: `limit` gives those that a limit holds, and their
+    /// values, from a solution and the inverse of its normal matrix.
+    pub fn cross_validated_within(
+        &self,
+        whole: &Solution,
+        fixed: &[usize],
+        limit: impl Fn(&DVector<f64>, &DMatrix<f64>) -> Option<(Vec<usize>, DVector<f64>)>,
+    ) -> Vec<Vec<f64>> {
+        let held = self.held();
+        let solve = |matrix: &DMatrix<f64>, rhs: &DVector<f64>| {
+            let inverse = pseudo_inverse(matrix);
+            let x = &inverse * (rhs - matrix * &held) + &held;
+            Ok::<_, std::convert::Infallible>(match limit(&x, &inverse) {
+                Some((own, values)) => refitted_beside(&x, &inverse, &own, &values).0,
+                None => x,
+            })
+        };
+        match self.cross_validated_by(whole, &whole.weights, &[], fixed, solve) {
             Ok(sums) => sums,
             Err(never) => match never {},
         }
@@ -395,9 +444,9 @@ impl Moments {
         Trial { terms: terms.len(), joints }
     }
 
-    /// Gain of the trial's columns beside the others, which are refitted; `None` where the others
+    /// Normal equations of the trial's columns, the others refitted beside them; `None` where those
     /// already explain the same.
-    pub fn gain(&self, at: &Solution, trial: &Trial) -> Option<Gain> {
+    pub fn reduced(&self, at: &Solution, trial: &Trial) -> Option<Reduced> {
         let (n, k) = (self.unknowns, trial.terms);
         let (mut cross, mut gram, mut rhs) = (DMatrix::zeros(n, k), DMatrix::zeros(k, k), DVector::zeros(k));
         for part in &trial.joints {
@@ -413,36 +462,56 @@ impl Moments {
             }
         }
         let solved = &at.inverse * &cross;
-        let reduced = &gram - cross.transpose() * &solved;
+        let normal = &gram - cross.transpose() * &solved;
         // The part of a column that is independent of the others must exceed rounding.
-        if (0..k).all(|t| reduced[(t, t)] <= 1e-7 * gram[(t, t)]) {
+        if (0..k).all(|t| normal[(t, t)] <= 1e-7 * gram[(t, t)]) {
             return None;
         }
-        let right = rhs - cross.transpose() * &at.x;
-        let x = pseudo_inverse(&reduced) * right;
-        let others = &at.x - &solved * &x;
-        let sums: Vec<(DVector<f64>, f64)> = self
-            .joints
-            .iter()
-            .map(|joint| (DVector::from_iterator(joint.columns.len(), joint.columns.iter().map(|&c| others[c])), 0.0))
-            .collect();
-        let rss = self
-            .whole
-            .iter()
-            .enumerate()
-            .map(|(j, sum)| {
-                let local = &sums[j].0;
-                let mut rss = sum.yy - 2.0 * local.dot(&sum.with_y) + local.dot(&(&sum.gram * local));
-                if let Some(part) = trial.joints.iter().find(|p| p.joint == j) {
-                    let own = DVector::from_iterator(part.terms.len(), part.terms.iter().map(|&t| x[t]));
-                    rss += own.dot(&(&part.gram * &own)) - 2.0 * own.dot(&part.with_y)
-                        + 2.0 * local.dot(&(&part.cross * &own));
-                }
-                rss.max(1e-14 * sum.yy).max(1e-300)
-            })
-            .collect();
-        Some(Gain { x: x.iter().copied().collect(), rss })
+        let rhs = rhs - cross.transpose() * &at.x;
+        Some(Reduced { normal, rhs, solved })
     }
+
+    /// The gain with these coefficients of the trial's columns.
+    pub fn gain_at(&self, at: &Solution, trial: &Trial, reduced: &Reduced, x: DVector<f64>) -> Gain {
+        let others = &at.x - &reduced.solved * &x;
+        let sum = |(j, sum): (usize, &Part)| {
+            let columns = &self.joints[j].columns;
+            let local = DVector::from_iterator(columns.len(), columns.iter().map(|&c| others[c]));
+            let mut rss = sum.yy - 2.0 * local.dot(&sum.with_y) + local.dot(&(&sum.gram * &local));
+            if let Some(part) = trial.joints.iter().find(|p| p.joint == j) {
+                let own = DVector::from_iterator(part.terms.len(), part.terms.iter().map(|&t| x[t]));
+                rss += own.dot(&(&part.gram * &own)) - 2.0 * own.dot(&part.with_y)
+                    + 2.0 * local.dot(&(&part.cross * &own));
+            }
+            rss.max(1e-14 * sum.yy).max(1e-300)
+        };
+        let rss = self.whole.iter().enumerate().map(sum).collect();
+        Gain { x: x.iter().copied().collect(), rss }
+    }
+}
+
+/// Normal matrix of some unknowns, all others refitted, from the inverse of the whole.
+pub fn reduced_normal(inverse: &DMatrix<f64>, own: &[usize]) -> DMatrix<f64> {
+    pseudo_inverse(&inverse.select_rows(own).select_columns(own))
+}
+
+/// A least-squares solution and the inverse of its normal matrix with some unknowns held at
+/// `values`, all others refitted.
+pub fn refitted_beside(
+    x: &DVector<f64>,
+    inverse: &DMatrix<f64>,
+    own: &[usize],
+    values: &DVector<f64>,
+) -> (DVector<f64>, DMatrix<f64>) {
+    let across = inverse.select_columns(own) * reduced_normal(inverse, own);
+    let mut next = x + &across * (values - x.select_rows(own));
+    let mut rest = inverse - &across * inverse.select_rows(own);
+    for (i, &k) in own.iter().enumerate() {
+        next[k] = values[i];
+        rest.row_mut(k).fill(0.0);
+        rest.column_mut(k).fill(0.0);
+    }
+    (next, rest)
 }
 
 /// Pseudo-inverse of a symmetric positive semidefinite matrix, in units in which its diagonal is 1.
@@ -497,7 +566,8 @@ impl Moments {
         let n = self.regulariser.mean.len();
         let mut corner = middle.view_mut((0, 0), (n, n));
         corner += &self.regulariser.spread;
-        let mut covariance = &at.inverse * middle * &at.inverse;
+        let inverse = at.unlimited.as_ref().unwrap_or(&at.inverse);
+        let mut covariance = inverse * middle * inverse;
         let seen = self.pulled_to_and_fro(at);
         let by: Vec<f64> = (0..self.unknowns)
             .map(|i| match covariance[(i, i)] {
@@ -555,7 +625,7 @@ impl Moments {
                 count += sums.count;
             }
             if count > 0.0 {
-                pulls.push(&at.inverse * gradient);
+                pulls.push(at.unlimited.as_ref().unwrap_or(&at.inverse) * gradient);
             }
         }
         let parts = pulls.len() as f64;
@@ -576,7 +646,7 @@ impl Moments {
         let moments = self.with(more);
         let (matrix, _) = moments.assemble(&moments.whole, &at.weights);
         let x = at.x.clone().resize_vertically(moments.unknowns, 0.0);
-        let solution = Solution { x, inverse: pseudo_inverse(&matrix), ..at.clone() };
+        let solution = Solution { x, inverse: pseudo_inverse(&matrix), unlimited: None, ..at.clone() };
         (moments, solution)
     }
 }

@@ -5,6 +5,7 @@
 use dh_codegen::robot::EffectKind;
 use nalgebra::{DMatrix, DVector};
 
+use super::body_limits::independent_share;
 use super::model::{Chosen, Fitted, Mode, ModelUnderTest, given_friction, inertial, local, units, without_friction};
 use crate::diagnose::hypotheses::Sign;
 use crate::diagnose::select::model_choice::LeftOut;
@@ -142,8 +143,7 @@ impl ModelUnderTest<'_> {
         }
         let drives = (0..plant.standard_parameters().len()).map(|i| plant.given_drive(i)).collect();
         let solution = &fitted.solution;
-        let independent: f64 = solution.counts.iter().zip(&fitted.memory).map(|(n, m)| n / m).sum();
-        let share = (independent / solution.counts.iter().sum::<f64>()).min(1.0);
+        let share = independent_share(&solution.counts, &fitted.memory);
         let weight = |(w, torque): (&f64, f64)| share * w.min((DIGITS * torque).max(1e-12).powi(-2));
         let weights = solution.weights.iter().zip(fitted.moments.torque()).map(weight).collect();
         let carried = bodies.as_ref().map_or(Vec::new(), |b| b.carried.clone());

@@ -51,7 +51,8 @@ pub(in crate::diagnose) fn evaluate(
         return None;
     }
     let columns: Vec<_> = terms.iter().map(|t| &t.column).collect();
-    let gain = fitted.moments.gain(&fitted.solution, &fitted.moments.trial(&columns))?;
+    let trial = fitted.moments.trial(&columns);
+    let gain = tested.limited_gain(fitted, cause, place, &terms, &trial)?;
     let signed = terms.iter().zip(&gain.x).all(|(t, x)| match t.sign {
         Sign::Any => true,
         Sign::Positive => *x > 0.0,

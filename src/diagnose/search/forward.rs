@@ -29,6 +29,9 @@ const SIMPLER: f64 = 0.05;
 /// error that turns with the motion.
 const PLAINER: f64 = 0.2;
 
+/// Part of its score by which a candidate may lag behind one that says the same.
+const SAME: f64 = 1e-3;
+
 /// Share by which the error of a joint on left-out stretches may grow.
 const SPOILT: f64 = 0.3;
 
@@ -454,7 +457,8 @@ fn main_joint(before: &Fitted, after: &Fitted) -> usize {
 }
 
 /// The candidate to try next: the best one, or one in its place with fewer unknowns that gains
-/// nearly as much.
+/// nearly as much. Of causes that say the same, as a level and one that differs by direction do
+/// along a motion in one direction, plain friction goes first.
 fn best(ranked: &[Candidate], tried: &[usize]) -> Option<usize> {
     let left = || (0..ranked.len()).filter(|i| !tried.contains(i));
     let first = left().next().filter(|&i| ranked[i].score > 0.0)?;
@@ -467,10 +471,12 @@ fn best(ranked: &[Candidate], tried: &[usize]) -> Option<usize> {
         let lag = if follows && friction { PLAINER } else { SIMPLER };
         c.score > (1.0 - lag) * top.score
     };
-    let simpler = left().filter(|&i| place(&ranked[i]) && count(&ranked[i]) < count(top) && near(&ranked[i]));
+    let same = |c: &Candidate| plain(c).is_some() && count(c) <= count(top) && c.score > (1.0 - SAME) * top.score;
+    let simpler = |c: &Candidate| place(c) && (count(c) < count(top) && near(c) || same(c));
     let fewest = |a: &usize, b: &usize| {
         let [a, b] = [&ranked[*a], &ranked[*b]];
-        count(a).total_cmp(&count(b)).then(b.score.total_cmp(&a.score))
+        let plainer = plain(b).is_some().cmp(&plain(a).is_some());
+        count(a).total_cmp(&count(b)).then(plainer).then(b.score.total_cmp(&a.score))
     };
-    Some(simpler.min_by(fewest).unwrap_or(first))
+    Some(left().filter(|&i| simpler(&ranked[i])).min_by(fewest).unwrap_or(first))
 }

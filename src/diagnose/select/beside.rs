@@ -21,6 +21,9 @@ pub(in crate::diagnose) struct Shares {
     pub(in crate::diagnose) within: Option<f64>,
     /// On validating logs, where its joints differ from the fitted ones and the latter decide.
     pub(in crate::diagnose) far: Option<f64>,
+    /// Not a share: size of the cause on the validating logs by that on the fitted ones, see
+    /// [`Without::repeats`].
+    pub(in crate::diagnose) repeats: Option<f64>,
 }
 
 /// Errors of a model without one of its causes.
@@ -38,12 +41,16 @@ pub(in crate::diagnose) struct Without {
     apart: Vec<bool>,
     /// Share that the cause takes on validating logs where its joints differ.
     pub(in crate::diagnose) far_share: Option<f64>,
+    /// Size that the validating logs by themselves give the cause, all else as fitted, by the size
+    /// on the fitted logs; `None` where those logs can't show it. An error of something else makes
+    /// the share small and leaves this at 1.
+    pub(in crate::diagnose) repeats: Option<f64>,
 }
 
 impl Without {
     /// Shares of its joint's error that the cause takes by other measures: see [`Shares`].
     pub(in crate::diagnose) fn shares(&self) -> Shares {
-        Shares { within: self.within, far: self.far_share }
+        Shares { within: self.within, far: self.far_share, repeats: self.repeats }
     }
 
     /// Errors where joints move; on joints that differ those of the model `with` the cause, which
@@ -74,6 +81,22 @@ fn share_within(span: Range<usize>, errors: [&Measured; 2], noise: &[f64]) -> f6
     noise.iter().enumerate().map(joint).fold(0.0, f64::max)
 }
 
+/// Size that logs give a cause by themselves, by the fitted one: the regression of the errors
+/// without the cause on what the cause changes, each joint by its own error.
+fn size(without: &Measured, with: &Measured) -> Option<f64> {
+    let (mut pull, mut information) = (0.0, 0.0);
+    for ((before, after), rms) in without.error.iter().zip(&with.error).zip(&with.rms) {
+        if *rms <= 0.0 || before.len() != after.len() {
+            continue;
+        }
+        for (b, a) in before.iter().zip(after) {
+            pull += (b - a) * b / (rms * rms);
+            information += (b - a).powi(2) / (rms * rms);
+        }
+    }
+    (information > 0.0).then(|| pull / information)
+}
+
 /// Measures a model beside the same without one of its causes.
 pub(in crate::diagnose) struct Beside<'c, 'a> {
     pub(in crate::diagnose) session: &'c Session<'a>,
@@ -98,7 +121,8 @@ impl<'a> Beside<'_, 'a> {
             return found;
         }
         let far = share(&found.measured.steady, &self.after.steady, self.session.noise, &item.place);
-        Without { apart: found.apart, far_share: Some(far), ..self.on(true, tested, chosen, item) }
+        let Without { apart, repeats, .. } = found;
+        Without { apart, far_share: Some(far), repeats, ..self.on(true, tested, chosen, item) }
     }
 
     fn on(&mut self, near: bool, tested: &mut ModelUnderTest<'a>, chosen: &[Chosen], item: &Item) -> Without {
@@ -113,6 +137,8 @@ impl<'a> Beside<'_, 'a> {
         let span =
             item.accepted.filter(|_| item.hypothesis.local()).and_then(|i| chosen[i].span(self.near.fine.scene.step));
         let within = span.map(|span| share_within(span, [&measured, with], noise));
-        Without { interval: bootstrap(&measured, with, &item.place), measured, within, near, apart, far_share: None }
+        let repeats = if near { None } else { size(&measured, with) };
+        let interval = bootstrap(&measured, with, &item.place);
+        Without { interval, measured, within, near, apart, far_share: None, repeats }
     }
 }

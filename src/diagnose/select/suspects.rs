@@ -94,6 +94,7 @@ mod tests {
             in_extended: true,
             not_distinguished_from: Vec::new(),
             shown_by: "",
+            law: None,
             curve: None,
         }
     }

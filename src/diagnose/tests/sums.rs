@@ -50,7 +50,8 @@ fn a_trial_is_a_refit_of_all() {
     let moments = Moments::new(&scene, &scene.block, &y, &columns);
     let found = moments.solve(None);
     let trial = moments.trial(&[&more]);
-    let gain = moments.gain(&found, &trial).unwrap();
+    let reduced = moments.reduced(&found, &trial).unwrap();
+    let gain = moments.gain_at(&found, &trial, &reduced, reduced.solution());
     let all: Vec<&Column> = columns.iter().chain([&more]).collect();
     let of = |j: usize, column: &Column| column.rows.iter().find(|r| r.0 == j).map(|r| r.1.clone());
     let stacked = |root: &dyn Fn(usize) -> f64| {
@@ -70,7 +71,7 @@ fn a_trial_is_a_refit_of_all() {
         assert!((gain.rss[j] / square - 1.0).abs() < 1e-9, "{j}: {} {square}", gain.rss[j]);
     }
     // A column that the others have already gains nothing.
-    assert!(moments.gain(&found, &moments.trial(&[&columns[2]])).is_none());
+    assert!(moments.reduced(&found, &moments.trial(&[&columns[2]])).is_none());
 }
 
 #[test]

@@ -153,7 +153,7 @@ pub fn unexplained<'a>(plant: &dyn PerturbableArm, recordings: &'a [Recording]) 
         let states =
             States { len, q: joined(|s| &s.states.q), dq: joined(|s| &s.states.dq), ddq: joined(|s| &s.states.ddq) };
         let mut known = vec![0.0; dof * len];
-        if !plant.known(&time, &states, &joined(|s| &s.temperature), &mut known) {
+        if !plant.known(recording.begin, &time, &states, &joined(|s| &s.temperature), &mut known) {
             return Cow::Borrowed(recordings);
         }
         let mut first = 0;

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::text::place;
+use super::text::{for_the_file, place};
 use crate::diagnose::{Cause, Diagnosis};
 use crate::identify::Identification;
 use crate::report::Warnings;
@@ -91,6 +91,9 @@ pub fn calibrate_text(found: &Diagnosis, identified: &Identified<'_>, warnings: 
     for (number, c) in found.causes.iter().enumerate() {
         let _ = writeln!(text, "\n{}. {} {} (probability {:.2})", number + 1, c.cause, place(c), c.probability);
         let _ = writeln!(text, "   {}", c.evidence);
+        if let (Some(law), [joint]) = (&c.law, &c.joints[..]) {
+            let _ = writeln!(text, "   {}", for_the_file(*joint, law));
+        }
         if !c.not_distinguished_from.is_empty() {
             let rivals = c.not_distinguished_from.join(", ");
             let _ = writeln!(text, "   This data does not tell it from {rivals}; {} would.", c.shown_by);

@@ -51,7 +51,7 @@ fn cause(c: &Cause) -> Value {
     let values: Map<String, Value> = c.parameters.iter().map(|p| (p.symbol.clone(), json!(p.value))).collect();
     let stds: Map<String, Value> =
         c.parameters.iter().filter_map(|p| p.std.map(|s| (p.symbol.clone(), json!(s)))).collect();
-    json!({
+    let mut found = json!({
         "cause": c.cause,
         "joints": c.joints,
         "probability": c.probability,
@@ -69,5 +69,9 @@ fn cause(c: &Cause) -> Value {
         },
         "not_distinguished_from": c.not_distinguished_from,
         "shown_by": c.shown_by,
-    })
+    });
+    if let Some(law) = &c.law {
+        found["law"] = json!(law);
+    }
+    found
 }

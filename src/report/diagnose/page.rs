@@ -15,6 +15,7 @@ use crate::report::Provenance;
 use crate::report::Warnings;
 use crate::report::diagnose::calibrate::{Identified, calibrate_verdict, most_improved_joint};
 use crate::report::diagnose::doubts::doubts;
+use crate::report::diagnose::text::for_the_file;
 use crate::report::diagnose_verdict;
 use crate::report::identify::page::{notes, parameter_table};
 use crate::report::parts::budget;
@@ -292,6 +293,9 @@ fn cause(body: &mut String, number: usize, c: &Cause, own_validation: bool) {
         c.probability,
         escape(c.evidence.trim_end_matches('.'))
     );
+    if let (Some(law), [joint]) = (&c.law, &c.joints[..]) {
+        let _ = writeln!(body, "<p class=note>{}</p>", escape(&for_the_file(*joint, law)));
+    }
     if !c.parameters.is_empty() {
         body.push_str(
             "<div class=scroll><table class=parameters><thead><tr><th>parameter<th>value<th>± σ</tr></thead><tbody>\n",

@@ -114,6 +114,13 @@ pub(super) fn place(c: &Cause) -> String {
     }
 }
 
+/// How a robot file carries a law that was found.
+pub(super) fn for_the_file(joint: usize, law: &str) -> String {
+    format!(
+        "To use it, write beside the drive of joint {joint} in the robot file: law: \"{law}\", unit: N m (N where it slides)"
+    )
+}
+
 /// The result for a terminal.
 pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
     let mut text = warnings.text();
@@ -141,6 +148,9 @@ pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
     for (number, c) in found.causes.iter().enumerate() {
         let _ = writeln!(text, "\n{}. {} {} (probability {:.2})", number + 1, c.cause, place(c), c.probability);
         let _ = writeln!(text, "   {}", c.evidence);
+        if let (Some(law), [joint]) = (&c.law, &c.joints[..]) {
+            let _ = writeln!(text, "   {}", for_the_file(*joint, law));
+        }
         let against = doubts(c);
         if !against.is_empty() {
             let _ = writeln!(text, "   Against it: {}.", against.join("; "));

@@ -149,6 +149,7 @@ fn an_elastic_joint_rings_at_its_resonance() {
             (1, effect("rotor_inertia", &[("IA", rotor)])),
         ],
         robot: Vec::new(),
+        ..Effects::default()
     };
     // The shoulder is held, the elbow's motor gets a blow.
     let t: Vec<f64> = (0..=400).map(|k| f64::from(k) * 0.005).collect();
@@ -158,6 +159,7 @@ fn an_elastic_joint_rings_at_its_resonance() {
     let held = Effects {
         joints: [effects.joints, vec![(0, effect("joint_spring", &[("KS", 1e7)]))]].concat(),
         robot: Vec::new(),
+        ..Effects::default()
     };
     let request = Request { control: Control { mode: Mode::Torque, ..Control::default() }, ..loop_at(2000.0) };
     let seen = run(&robot, &held, &motion, &request);
@@ -282,8 +284,11 @@ fn by_oracle(robot: &Robot, recording: &Recording, k: usize) -> Vec<f64> {
 fn the_bodies_are_not_what_the_file_says() {
     let given = frictionless("kuka-lwr4");
     let trajectory = motion(7, 0.8, 3.0);
-    let whole =
-        |name: &str, parameters: &[(&str, f64)]| Effects { joints: Vec::new(), robot: vec![effect(name, parameters)] };
+    let whole = |name: &str, parameters: &[(&str, f64)]| Effects {
+        joints: Vec::new(),
+        robot: vec![effect(name, parameters)],
+        ..Effects::default()
+    };
     let mut heavy = given.clone();
     let last = heavy.links[6].unwrap();
     heavy.links[6] = Some(last.plus(&dh_codegen::robot::Inertia {
@@ -327,7 +332,7 @@ fn the_bodies_are_not_what_the_file_says() {
 fn a_push_on_the_tool_is_felt_through_the_jacobian() {
     let robot = frictionless("planar2r");
     let push = effect("external_contact", &[("start", 1.0), ("end", 2.0), ("fx", 6.0), ("fy", -4.0), ("mz", 0.5)]);
-    let effects = Effects { joints: Vec::new(), robot: vec![push] };
+    let effects = Effects { joints: Vec::new(), robot: vec![push], ..Effects::default() };
     let trajectory = motion(2, 0.8, 3.0);
     let request = Request { sensors: Sensors { wrench: true, ..Sensors::perfect(100.0) }, ..exact(100.0) };
     let with = run(&robot, &effects, &trajectory, &request);
@@ -433,7 +438,7 @@ fn every_effect_runs_at_its_default_in_both_ways() {
     for law in EffectKind::ALL.iter().map(|kind| kind.description()) {
         let joint = if law.name == "gear_coupling" { vec![("joint", 1.0)] } else { Vec::new() };
         let effects = if !law.scope.at_joint() {
-            Effects { joints: Vec::new(), robot: vec![effect(law.name, &joint)] }
+            Effects { joints: Vec::new(), robot: vec![effect(law.name, &joint)], ..Effects::default() }
         } else {
             at_joint(1, law.name, &joint)
         };

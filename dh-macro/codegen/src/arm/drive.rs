@@ -1,7 +1,7 @@
 //! Torques at the sensors of an arm whose drives have more to them than rotor and plain friction:
 //! the laws of [`crate::robot::effects`] as expressions.
 //!
-//! `tau = GT clip(load + IA ddq + warmth friction + FO + ripple + couplings, TM) + TO`, `load` the
+//! `tau = GT clip(load + IA ddq + warmth friction + FO + ripple + law + couplings, TM) + TO`, `load` the
 //! torque of the bodies and of the joint's spring. Links of soft joints stand behind their motors
 //! by `load / KE`, and by half of the backlash on the side to which the load pushes. These are
 //! first-order, quasi-static corrections: load and bending do not act back on each other, and the
@@ -9,10 +9,11 @@
 
 use super::chain::{Chain, Group, Links};
 use super::dynamics::{self, Values};
+use super::formula;
 use super::motion::Include;
 use super::param::{DriveTerm, Parameter};
-use crate::robot::Laws;
 use crate::robot::effects::{JointSpring, StribeckFriction};
+use crate::robot::{Laws, Variable};
 use crate::sym::{Call, Ex, Graph};
 
 /// Source of the states of bristles and of the warmth of the gears.
@@ -22,6 +23,8 @@ pub(super) enum Memory {
     Steady,
     /// Inputs that follow the parameters: all bristles, then all factors.
     Given,
+    /// And behind them the time and all temperatures.
+    Clocked,
 }
 
 /// The load within which a gear with backlash changes sides, as a part of the torque limit.
@@ -54,7 +57,7 @@ pub(super) fn torques<'g>(
             let (v, sign) = (links.input(Group::Velocity, k), links.input(Group::Velocity, k).sign());
             let (bristle, warmth) = match memory {
                 Memory::Steady => (sign, links.number(1.0)),
-                Memory::Given => (
+                Memory::Given | Memory::Clocked => (
                     links.input(Group::Parameter, after + k),
                     links.input(Group::Parameter, after + links.inputs.dof + k),
                 ),
@@ -74,6 +77,7 @@ pub(super) fn torques<'g>(
         let warm = if law.drift.is_some() { drive.warmth * friction } else { friction };
         tau[k] = tau[k] + term(DriveTerm::IA) * ddq + warm + term(DriveTerm::FO) + ripple(law, drive.q);
     }
+    add_formulas(&mut tau, &links, &drives, laws, (memory == Memory::Clocked).then_some(after + 2 * drives.len()));
     for (m, law) in laws.iter().enumerate() {
         for c in &law.couplings {
             let k = c.other;
@@ -86,6 +90,37 @@ pub(super) fn torques<'g>(
     }
     graph.section("sensors");
     tau.iter().zip(laws).map(|(&tau, law)| measured(law, tau)).collect()
+}
+
+/// Laws in closed form on top.
+fn add_formulas<'g>(tau: &mut [Ex<'g>], links: &Links<'g>, drives: &[Drive<'g>], laws: &[Laws], clock: Option<usize>) {
+    let of = |variable| variable_of(variable, links, drives, laws, clock);
+    for (law, tau) in laws.iter().zip(tau) {
+        if let Some(law) = &law.law {
+            *tau = *tau + formula::value(links.graph, law.term(), &of);
+        }
+    }
+}
+
+/// Input of a law in closed form; `clock`: where among the parameters the time stands, and the
+/// temperatures behind it. Without, the motion has just begun, and joints have the temperature at
+/// which nothing changes.
+fn variable_of<'g>(
+    variable: Variable,
+    links: &Links<'g>,
+    drives: &[Drive<'g>],
+    laws: &[Laws],
+    clock: Option<usize>,
+) -> Ex<'g> {
+    match (variable, clock) {
+        (Variable::Position(k), _) => drives[k].q,
+        (Variable::Velocity(k), _) => drives[k].v,
+        (Variable::Acceleration(k), _) => links.input(Group::Acceleration, k),
+        (Variable::Time, Some(at)) => links.input(Group::Parameter, at),
+        (Variable::Temperature(k), Some(at)) => links.input(Group::Parameter, at + 1 + k),
+        (Variable::Time, None) => links.number(0.0),
+        (Variable::Temperature(k), None) => links.number(laws[k].reference),
+    }
 }
 
 /// The joints whose motors turn a link besides its own, and by how much.

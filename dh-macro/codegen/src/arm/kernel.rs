@@ -46,6 +46,8 @@ pub enum Function {
     RigidDynamics,
     /// [`Function::InverseDynamics`] for given states of the drives: bristles and warmth.
     DriveTorques,
+    /// [`Function::DriveTorques`] at a time and at temperatures, for laws that ask for them.
+    ClockedDriveTorques,
     /// Product with the transposed derivative of [`Function::BaseRegressor`] by `q`, `dq` and
     /// `ddq`, `3 x n`.
     BaseRegressorAdjoint,
@@ -83,7 +85,8 @@ impl Function {
         Self::PayloadRegressor,
     ];
 
-    /// Functions generated beside them if the file has effects.
+    /// Functions generated beside them if the file has effects (where a law asks for the time,
+    /// [`Function::ClockedDriveTorques`] too).
     pub const WITH_EFFECTS: [Self; 2] = [Self::RigidDynamics, Self::DriveTorques];
 
     /// Functions generated on demand: derivatives for planning or calibration by gradients.
@@ -130,6 +133,7 @@ impl Function {
             Self::PayloadRegressor => "payload_regressor",
             Self::RigidDynamics => "rigid_dynamics",
             Self::DriveTorques => "drive_torques",
+            Self::ClockedDriveTorques => "clocked_drive_torques",
             Self::BaseRegressorAdjoint => "base_regressor_adjoint",
             Self::PayloadRegressorAdjoint => "payload_regressor_adjoint",
             Self::InverseDynamicsAdjoint => "inverse_dynamics_adjoint",
@@ -141,8 +145,8 @@ impl Function {
     /// Inputs in the order of its signature.
     pub fn arguments(self) -> &'static [Argument] {
         use Argument::{
-            Accelerations, BaseParameters, Bristles, Configuration, Seeds, StandardParameters, Torques, Velocities,
-            Warmth,
+            Accelerations, BaseParameters, Bristles, Clock, Configuration, Seeds, StandardParameters, Torques,
+            Velocities, Warmth,
         };
         match self {
             Self::Frames
@@ -154,6 +158,9 @@ impl Function {
             | Self::PotentialEnergyRegressor => &[Configuration],
             Self::JacobianDotVelocity | Self::KineticEnergyRegressor => &[Configuration, Velocities],
             Self::DriveTorques => &[Configuration, Velocities, Accelerations, StandardParameters, Bristles, Warmth],
+            Self::ClockedDriveTorques => {
+                &[Configuration, Velocities, Accelerations, StandardParameters, Bristles, Warmth, Clock]
+            }
             Self::InverseDynamics | Self::RigidDynamics => {
                 &[Configuration, Velocities, Accelerations, StandardParameters]
             }
@@ -192,6 +199,9 @@ pub enum Argument {
     Bristles,
     /// `warmth`: factor of each joint's friction. They follow the bristles.
     Warmth,
+    /// `clock`: time since the start, s, then the temperature of each joint, degrees C. They follow
+    /// the warmth.
+    Clock,
     /// `seed`: a weight for each entry of the function that is differentiated, those only that are
     /// not structurally zero. They follow the standard parameters among the inputs.
     Seeds,
@@ -205,9 +215,12 @@ impl Argument {
             Self::Velocities => &[Group::Velocity],
             Self::Accelerations => &[Group::Acceleration],
             Self::Torques => &[Group::Torque],
-            Self::StandardParameters | Self::BaseParameters | Self::Bristles | Self::Warmth | Self::Seeds => {
-                &[Group::Parameter]
-            }
+            Self::StandardParameters
+            | Self::BaseParameters
+            | Self::Bristles
+            | Self::Warmth
+            | Self::Clock
+            | Self::Seeds => &[Group::Parameter],
         }
     }
 }

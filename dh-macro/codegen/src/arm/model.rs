@@ -74,6 +74,12 @@ impl Model {
         &self.laws
     }
 
+    /// Whether a law of a drive asks for the time or for temperatures: then there is
+    /// [`Function::ClockedDriveTorques`].
+    pub fn reads_clock(&self) -> bool {
+        self.laws.iter().any(Laws::reads_clock)
+    }
+
     /// Offsets that the gravity torque from base parameters has in it: degree of freedom, and
     /// torque, N m. A prismatic joint's weight, rotor and offset can't be separated, so there `FO`
     /// is grouped (see [`BaseParameters`]).
@@ -96,6 +102,13 @@ impl Model {
         };
         let slide = self.chain.rows.last().is_some_and(can_shift) && cost(true) < cost(false);
         dynamics::torques(links, &Values::new(links, from), include, drives, slide)
+    }
+
+    /// Torques at the sensors for given states of the drives.
+    fn driven<'g>(&self, graph: &'g Graph, memory: drive::Memory) -> Vec<Ex<'g>> {
+        let mut laws = self.laws.clone();
+        laws.resize_with(self.dof(), || Laws::none(crate::robot::RATED));
+        drive::torques(&self.chain, graph, &self.standard, &laws, memory)
     }
 
     /// The plan for the columns of other parameters than the base ones.
@@ -131,11 +144,8 @@ impl Model {
             Function::InverseDynamics if !self.laws.is_empty() => {
                 make(vec![n], drive::torques(&self.chain, &graph, &self.standard, &self.laws, drive::Memory::Steady))
             }
-            Function::DriveTorques => {
-                let mut laws = self.laws.clone();
-                laws.resize_with(n, || Laws::none(crate::robot::RATED));
-                make(vec![n], drive::torques(&self.chain, &graph, &self.standard, &laws, drive::Memory::Given))
-            }
+            Function::DriveTorques => make(vec![n], self.driven(&graph, drive::Memory::Given)),
+            Function::ClockedDriveTorques => make(vec![n], self.driven(&graph, drive::Memory::Clocked)),
             Function::InverseDynamics | Function::RigidDynamics => {
                 make(vec![n], self.torques(&links, &self.standard, Include::ALL, true))
             }

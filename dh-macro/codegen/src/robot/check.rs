@@ -3,6 +3,7 @@
 mod body;
 pub(super) mod drive;
 mod joint;
+pub(super) mod law;
 mod log;
 mod provenance;
 
@@ -93,7 +94,7 @@ fn robot(top: &Fields<'_>, files: &Files<'_>, to: &mut Findings) -> Robot {
     let gravity = gravity(top, to);
     let base = top.map("base", to).map(|fields| pose(&fields, to));
     provenance::check(top, to);
-    let joints = joint::joints(top, to);
+    let mut joints = joint::joints(top, to);
     let links = body::links(top, joints.len(), to);
     let tool = body::tool(top, files, to);
     let collision = collision(top, joints.len(), to);
@@ -102,6 +103,7 @@ fn robot(top: &Fields<'_>, files: &Files<'_>, to: &mut Findings) -> Robot {
         .map(|(node, path)| drive::effects(node, &path, drive::Origin::Robot, to))
         .unwrap_or_default();
     numbers_in_effects(top, &joints, &effects, to);
+    law::laws(top, &mut joints, to);
     let log = top.map("log", to).map(|fields| log::mapping(&fields, to));
     let constants = to.scope.constants();
     Robot { name, convention, constants, gravity, base, joints, links, tool, collision, effects, log }

@@ -1,25 +1,53 @@
-//! The numbers of a robot file: `+ - * / ( )`, `pi`, named constants, `90deg`.
+//! Expressions of a robot file. Its numbers: `+ - * / ( )`, `pi`, named constants, `90deg`. Its laws
+//! (`torque_law`) besides: powers, functions, variables. One grammar reads both into a tree.
 
 use super::problem::closest;
 use super::ratio::Ratio;
 use super::value::Value;
 use super::yaml::shortened;
 
-/// Longest expression, characters.
+/// Longest expression of a number, characters.
 const LONGEST: usize = 1000;
+/// Longest expression of a law, characters.
+const LONGEST_LAW: usize = 4000;
 /// Deepest brackets.
 const DEEPEST: usize = 32;
 
 /// Words that can't name a constant.
 pub(super) const RESERVED: [&str; 3] = ["pi", "deg", "rad"];
 
-/// Why a text is not a number.
+/// Why a text is not a number, or not a law.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct ExpressionError {
     /// Character in the text where it is seen, from 0.
     pub(super) offset: usize,
     pub(super) what: String,
     pub(super) mend: String,
+}
+
+/// A part of an expression and the character at which it is seen, from 0.
+#[derive(Debug)]
+pub(super) struct Part {
+    pub(super) at: usize,
+    pub(super) syntax: Syntax,
+}
+
+/// Form of a part. Brackets alone make it deep, so that no tree is deeper than a few [`DEEPEST`].
+#[derive(Debug)]
+pub(super) enum Syntax {
+    Number(String, f64),
+    Name(String),
+    /// `x deg`, `deg` at `at`.
+    Degrees(Box<Part>),
+    Negative(Box<Part>),
+    /// Each with `+` or `-` before it, and the place of that sign.
+    Sum(Vec<(char, usize, Part)>),
+    /// Each with `*` or `/` before it.
+    Product(Vec<(char, usize, Part)>),
+    /// `x ^ y`, the sign at `at`.
+    Power(Box<Part>, Box<Part>),
+    /// A name with brackets behind it, the place of the first of which stands beside it.
+    Call(String, usize, Vec<Part>),
 }
 
 /// The named constants, in the file's order.
@@ -40,20 +68,84 @@ impl Scope {
         self.names.iter().map(|(name, value)| (name.clone(), value.number)).collect()
     }
 
+    /// The constant of this name.
+    pub(super) fn constant(&self, name: &str) -> Option<&Value> {
+        self.names.iter().find(|(known, _)| known == name).map(|(_, value)| value)
+    }
+
     /// Value of an expression.
     pub(super) fn evaluate(&self, text: &str) -> Result<Value, ExpressionError> {
-        let characters: Vec<char> = text.chars().collect();
-        if characters.len() > LONGEST {
-            let what = format!("an expression of {} characters; at most {LONGEST} are read", characters.len());
-            return Err(ExpressionError { offset: 0, what, mend: "split it with named constants".to_string() });
-        }
-        let mut reader = Reader { scope: self, characters, at: 0, depth: 0 };
-        let value = reader.sum()?;
-        match reader.peek() {
-            None => Ok(value),
-            Some(_) => Err(reader.unexpected()),
+        let known = |word: &str| self.constant(word).is_some();
+        let root = Reader::new(text, Grammar::Number, &known)?.whole()?;
+        self.value(&root)
+    }
+
+    fn value(&self, part: &Part) -> Result<Value, ExpressionError> {
+        match &part.syntax {
+            Syntax::Number(text, number) => Ok(Value::literal(text, *number)),
+            Syntax::Name(name) if name == "pi" => Ok(Value::fraction_of_pi(Ratio { p: 1, q: 1 })),
+            Syntax::Name(name) => self.constant(name).cloned().ok_or_else(|| self.unknown(name, part.at)),
+            Syntax::Degrees(inner) => {
+                let degree = Value::fraction_of_pi(Ratio { p: 1, q: 180 });
+                finite(part.at, self.value(inner)?.times(&degree))
+            }
+            Syntax::Negative(inner) => Ok(self.value(inner)?.negated()),
+            Syntax::Sum(parts) => self
+                .folded(parts, |sign, _, sum, other| Ok(sum.plus(&if sign == '-' { other.negated() } else { other }))),
+            Syntax::Product(parts) => self.folded(parts, |operator, at, product, other| match operator {
+                '*' => Ok(product.times(&other)),
+                _ if other.number == 0.0 => Err(error(at, "division by zero", "the divisor must not be 0")),
+                _ => Ok(product.over(&other)),
+            }),
+            Syntax::Power(..) => Err(error(part.at, "`^` is not read", "write a power as a product: L1*L1")),
+            Syntax::Call(name, at, _) if name == "pi" || self.constant(name).is_some() => {
+                Err(error(*at, "`(` follows without an operator", "write a product with `*`"))
+            }
+            Syntax::Call(name, ..) => Err(self.unknown(name, part.at)),
         }
     }
+
+    /// From the first to the last, by an operation with its sign and the place of that.
+    fn folded(
+        &self,
+        parts: &[(char, usize, Part)],
+        operation: impl Fn(char, usize, Value, Value) -> Result<Value, ExpressionError>,
+    ) -> Result<Value, ExpressionError> {
+        let mut value: Option<Value> = None;
+        for (sign, at, part) in parts {
+            let next = self.value(part)?;
+            value = Some(match value {
+                None => next,
+                Some(before) => finite(*at, operation(*sign, *at, before, next)?)?,
+            });
+        }
+        value.ok_or_else(|| error(0, "the text is empty", "write a number"))
+    }
+
+    fn unknown(&self, name: &str, offset: usize) -> ExpressionError {
+        let (name, known) = (shortened(name), self.names.iter().map(|(known, _)| known.as_str()));
+        let mend = match name.as_str() {
+            "deg" | "rad" => format!("write the unit behind its number: 90{name}"),
+            "nan" | "NaN" | "inf" | "Inf" | "infinity" => "leave the key out where a value is not known".to_string(),
+            "s" | "m" | "mm" | "cm" | "kg" | "g" | "N" | "Nm" | "A" => {
+                "units other than deg and rad are not written: m, s, kg, N are understood".to_string()
+            }
+            "sin" | "cos" | "tan" | "sqrt" => "only + - * / ( ) are read; write the value".to_string(),
+            _ => match closest(&name, known.clone().chain(["pi"])) {
+                Some(close) => format!("did you mean `{close}`?"),
+                None if self.names.is_empty() => {
+                    "define it under `constants`; a constant may use those before it".to_string()
+                }
+                None => format!("the constants are {}", known.collect::<Vec<_>>().join(", ")),
+            },
+        };
+        error(offset, format!("`{name}` is not a named constant"), mend)
+    }
+}
+
+/// Form of a law; `known`: words that it may use.
+pub(super) fn law(text: &str, known: &dyn Fn(&str) -> bool) -> Result<Part, ExpressionError> {
+    Reader::new(text, Grammar::Law, known)?.whole()
 }
 
 /// May this name a constant?
@@ -62,14 +154,56 @@ pub(super) fn is_name(text: &str) -> bool {
         && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
 }
 
+pub(super) fn error(offset: usize, what: impl Into<String>, mend: impl Into<String>) -> ExpressionError {
+    ExpressionError { offset, what: what.into(), mend: mend.into() }
+}
+
+fn finite(offset: usize, value: Value) -> Result<Value, ExpressionError> {
+    if value.number.is_finite() {
+        return Ok(value);
+    }
+    let mend = "check the exponents; units are m, rad, s, kg, N";
+    Err(error(offset, "the result is too large for a number", mend))
+}
+
+/// What an expression is of: advice differs.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Grammar {
+    Number,
+    Law,
+}
+
 struct Reader<'a> {
-    scope: &'a Scope,
+    grammar: Grammar,
+    known: &'a dyn Fn(&str) -> bool,
     characters: Vec<char>,
     at: usize,
     depth: usize,
 }
 
-impl Reader<'_> {
+impl<'a> Reader<'a> {
+    fn new(text: &str, grammar: Grammar, known: &'a dyn Fn(&str) -> bool) -> Result<Self, ExpressionError> {
+        let (longest, mend) = match grammar {
+            Grammar::Number => (LONGEST, "split it with named constants"),
+            Grammar::Law => (LONGEST_LAW, "leave out terms that are too small to matter, or digits"),
+        };
+        let characters: Vec<char> = text.chars().collect();
+        if characters.len() > longest {
+            let what = format!("an expression of {} characters; at most {longest} are read", characters.len());
+            return Err(error(0, what, mend));
+        }
+        Ok(Self { grammar, known, characters, at: 0, depth: 0 })
+    }
+
+    /// All of the text.
+    fn whole(mut self) -> Result<Part, ExpressionError> {
+        let root = self.sum()?;
+        match self.peek() {
+            None => Ok(root),
+            Some(_) => Err(self.unexpected()),
+        }
+    }
+
     fn peek(&mut self) -> Option<char> {
         while self.characters.get(self.at).is_some_and(|c| c.is_whitespace()) {
             self.at += 1;
@@ -84,87 +218,83 @@ impl Reader<'_> {
         taken
     }
 
-    fn error<T>(&self, offset: usize, what: impl Into<String>, mend: impl Into<String>) -> Result<T, ExpressionError> {
-        Err(ExpressionError { offset, what: what.into(), mend: mend.into() })
-    }
-
-    fn finite(&self, offset: usize, value: Value) -> Result<Value, ExpressionError> {
-        if value.number.is_finite() {
-            return Ok(value);
-        }
-        self.error(offset, "the result is too large for a number", "check the exponents; units are m, rad, s, kg, N")
-    }
-
     /// `product (+|- product)*`
-    fn sum(&mut self) -> Result<Value, ExpressionError> {
-        let mut value = self.product()?;
+    fn sum(&mut self) -> Result<Part, ExpressionError> {
+        let first = self.product()?;
+        let mut parts = vec![('+', first.at, first)];
         while let Some(sign @ ('+' | '-')) = self.peek() {
             let offset = self.at;
             self.at += 1;
-            let other = self.product()?;
-            let other = if sign == '-' { other.negated() } else { other };
-            value = self.finite(offset, value.plus(&other))?;
+            parts.push((sign, offset, self.product()?));
         }
-        Ok(value)
+        Ok(one_or(parts, Syntax::Sum))
     }
 
     /// `unary (*|/ unary)*`
-    fn product(&mut self) -> Result<Value, ExpressionError> {
-        let mut value = self.unary()?;
+    fn product(&mut self) -> Result<Part, ExpressionError> {
+        let first = self.unary()?;
+        let mut parts = vec![('*', first.at, first)];
         while let Some(operator @ ('*' | '/')) = self.peek() {
             let offset = self.at;
             self.at += 1;
             if operator == '*' && self.characters.get(self.at) == Some(&'*') {
-                return self.error(offset, "`**` is not read", "write a power as a product: L1*L1");
+                let mend = match self.grammar {
+                    Grammar::Number => "write a power as a product: L1*L1",
+                    Grammar::Law => "write a power with `^`: q1^2",
+                };
+                return Err(error(offset, "`**` is not read", mend));
             }
-            let other = self.unary()?;
-            value = match operator {
-                '*' => value.times(&other),
-                _ if other.number == 0.0 => {
-                    return self.error(offset, "division by zero", "the divisor must not be 0");
-                }
-                _ => value.over(&other),
-            };
-            value = self.finite(offset, value)?;
+            parts.push((operator, offset, self.unary()?));
         }
-        Ok(value)
+        Ok(one_or(parts, Syntax::Product))
     }
 
-    /// `(+|-)* primary (deg|rad)?`
-    fn unary(&mut self) -> Result<Value, ExpressionError> {
+    /// `(+|-)* single (^ (+|-)* single)?`
+    fn unary(&mut self) -> Result<Part, ExpressionError> {
+        let (negative, at) = self.signs();
+        let mut part = self.single()?;
+        if self.peek() == Some('^') {
+            let sign = self.at;
+            self.at += 1;
+            let (negative, from) = self.signs();
+            let exponent = signed(negative, from, self.single()?);
+            if self.peek() == Some('^') {
+                return Err(error(self.at, "a power of a power", "say which is first with brackets: (q1^2)^3"));
+            }
+            part = Part { at: sign, syntax: Syntax::Power(Box::new(part), Box::new(exponent)) };
+        }
+        Ok(signed(negative, at, part))
+    }
+
+    /// Whether the signs here make negative, and where they start.
+    fn signs(&mut self) -> (bool, usize) {
         let mut negative = false;
+        self.peek();
+        let start = self.at;
         while let Some(sign @ ('+' | '-')) = self.peek() {
             negative ^= sign == '-';
             self.at += 1;
         }
-        let value = self.primary()?;
-        let value = self.suffix(value)?;
-        Ok(if negative { value.negated() } else { value })
+        (negative, start)
     }
 
-    fn primary(&mut self) -> Result<Value, ExpressionError> {
+    /// `primary (deg|rad)?`
+    fn single(&mut self) -> Result<Part, ExpressionError> {
+        let part = self.primary()?;
+        self.suffix(part)
+    }
+
+    fn primary(&mut self) -> Result<Part, ExpressionError> {
         let offset = {
             self.peek();
             self.at
         };
         match self.peek() {
             Some('(') => {
-                self.at += 1;
-                self.depth += 1;
-                if self.depth > DEEPEST {
-                    return self.error(
-                        offset,
-                        format!("more than {DEEPEST} brackets in each other"),
-                        "use named constants",
-                    );
-                }
-                let value = self.sum()?;
-                if self.peek() != Some(')') {
-                    return self.error(offset, "this bracket is not closed", "add the missing `)`");
-                }
-                self.at += 1;
-                self.depth -= 1;
-                Ok(value)
+                self.open()?;
+                let inner = self.sum()?;
+                self.close(offset)?;
+                Ok(inner)
             }
             Some(c) if c.is_ascii_digit() || c == '.' => self.number(),
             Some(c) if c.is_ascii_alphabetic() || c == '_' => self.named(),
@@ -172,7 +302,30 @@ impl Reader<'_> {
         }
     }
 
-    fn number(&mut self) -> Result<Value, ExpressionError> {
+    fn open(&mut self) -> Result<(), ExpressionError> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            let mend = match self.grammar {
+                Grammar::Number => "use named constants",
+                Grammar::Law => "write the law as a sum of products",
+            };
+            return Err(error(self.at, format!("more than {DEEPEST} brackets in each other"), mend));
+        }
+        self.at += 1;
+        Ok(())
+    }
+
+    /// `offset`: of the opening one.
+    fn close(&mut self, offset: usize) -> Result<(), ExpressionError> {
+        if self.peek() != Some(')') {
+            return Err(error(offset, "this bracket is not closed", "add the missing `)`"));
+        }
+        self.at += 1;
+        self.depth -= 1;
+        Ok(())
+    }
+
+    fn number(&mut self) -> Result<Part, ExpressionError> {
         let offset = self.at;
         let mut literal = self.take_while(|c| c.is_ascii_digit() || c == '.');
         if let [mark @ ('e' | 'E'), rest @ ..] = &self.characters[self.at..] {
@@ -186,9 +339,9 @@ impl Reader<'_> {
             }
         }
         match literal.parse::<f64>() {
-            Ok(number) if number.is_finite() => Ok(Value::literal(&literal, number)),
+            Ok(number) if number.is_finite() => Ok(Part { at: offset, syntax: Syntax::Number(literal, number) }),
             Ok(_) => {
-                self.error(offset, format!("{} is too large for a number", shortened(&literal)), "check the exponent")
+                Err(error(offset, format!("{} is too large for a number", shortened(&literal)), "check the exponent"))
             }
             Err(_) => {
                 let word = self.take_while(|c| c.is_ascii_alphabetic());
@@ -198,74 +351,65 @@ impl Reader<'_> {
                     "leave the key out where a value is not known"
                 };
                 literal += &word;
-                self.error(offset, format!("`{}` is not a number", shortened(&literal)), mend)
+                Err(error(offset, format!("`{}` is not a number", shortened(&literal)), mend))
             }
         }
     }
 
-    fn named(&mut self) -> Result<Value, ExpressionError> {
-        let offset = self.at;
+    /// A name, or a function with its arguments.
+    fn named(&mut self) -> Result<Part, ExpressionError> {
+        let at = self.at;
         let name = self.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
-        if name == "pi" {
-            return Ok(Value::fraction_of_pi(Ratio { p: 1, q: 1 }));
+        if self.peek() != Some('(') {
+            return Ok(Part { at, syntax: Syntax::Name(name) });
         }
-        if let Some((_, value)) = self.scope.names.iter().find(|(known, _)| *known == name) {
-            return Ok(value.clone());
+        let bracket = self.at;
+        self.open()?;
+        let mut arguments = vec![self.sum()?];
+        while self.peek() == Some(',') {
+            self.at += 1;
+            arguments.push(self.sum()?);
         }
-        let (name, known) = (shortened(&name), self.scope.names.iter().map(|(known, _)| known.as_str()));
-        let mend = match name.as_str() {
-            "deg" | "rad" => format!("write the unit behind its number: 90{name}"),
-            "nan" | "NaN" | "inf" | "Inf" | "infinity" => "leave the key out where a value is not known".to_string(),
-            "s" | "m" | "mm" | "cm" | "kg" | "g" | "N" | "Nm" | "A" => {
-                "units other than deg and rad are not written: m, s, kg, N are understood".to_string()
-            }
-            "sin" | "cos" | "tan" | "sqrt" => "only + - * / ( ) are read; write the value".to_string(),
-            _ => match closest(&name, known.clone().chain(["pi"])) {
-                Some(close) => format!("did you mean `{close}`?"),
-                None if self.scope.names.is_empty() => {
-                    "define it under `constants`; a constant may use those before it".to_string()
-                }
-                None => format!("the constants are {}", known.collect::<Vec<_>>().join(", ")),
-            },
-        };
-        self.error(offset, format!("`{name}` is not a named constant"), mend)
+        self.close(bracket)?;
+        Ok(Part { at, syntax: Syntax::Call(name, bracket, arguments) })
     }
 
     /// `deg` or `rad` behind a number, a name or a bracket.
-    fn suffix(&mut self, value: Value) -> Result<Value, ExpressionError> {
-        let Some(c) = self.peek() else { return Ok(value) };
+    fn suffix(&mut self, part: Part) -> Result<Part, ExpressionError> {
+        let Some(c) = self.peek() else { return Ok(part) };
         if !(c.is_ascii_alphabetic() || c == '_') {
-            return Ok(value);
+            return Ok(part);
         }
         let offset = self.at;
         let word = self.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
         match word.as_str() {
-            "rad" => Ok(value),
-            "deg" => {
-                let degree = Value::fraction_of_pi(Ratio { p: 1, q: 180 });
-                self.finite(offset, value.times(&degree))
-            }
-            "degrees" | "degree" | "grad" => self.error(offset, format!("the unit `{word}` is not read"), "write deg"),
+            "rad" => Ok(part),
+            "deg" => Ok(Part { at: offset, syntax: Syntax::Degrees(Box::new(part)) }),
+            "degrees" | "degree" | "grad" => Err(error(offset, format!("the unit `{word}` is not read"), "write deg")),
             "radians" | "radian" => {
-                self.error(offset, format!("the unit `{word}` is not read"), "write rad, or nothing")
+                Err(error(offset, format!("the unit `{word}` is not read"), "write rad, or nothing"))
             }
-            "pi" => self.error(offset, "`pi` follows without an operator", "write a product with `*`: 2*pi"),
-            _ if self.scope.names.iter().any(|(name, _)| *name == word) => {
+            "pi" => Err(error(offset, "`pi` follows without an operator", "write a product with `*`: 2*pi")),
+            _ if (self.known)(&word) => {
                 let what = format!("`{}` follows without an operator", shortened(&word));
-                self.error(offset, what, format!("write a product with `*`: 2*{}", shortened(&word)))
+                Err(error(offset, what, format!("write a product with `*`: 2*{}", shortened(&word))))
             }
             _ => {
                 let mend = "only deg and rad may follow a number; m, s, kg, N are understood and not written";
-                self.error(offset, format!("`{}` follows a number", shortened(&word)), mend)
+                Err(error(offset, format!("`{}` follows a number", shortened(&word)), mend))
             }
         }
     }
 
     fn unexpected(&mut self) -> ExpressionError {
+        let law = self.grammar == Grammar::Law;
         let (what, mend) = match self.peek() {
-            None if self.characters.iter().all(|c| c.is_whitespace()) => ("the text is empty".into(), "write a number"),
+            None if self.characters.iter().all(|c| c.is_whitespace()) => {
+                ("the text is empty".into(), if law { "write an expression" } else { "write a number" })
+            }
             None => ("the expression ends too early".into(), "a number is missing at the end"),
             Some(')') => ("a `)` without its `(`".to_string(), "delete it, or open the bracket"),
+            Some('^') if law => ("`^` stands where a number is missing".into(), "write a number before it"),
             Some('^') => ("`^` is not read".into(), "write a power as a product: L1*L1"),
             Some(',') => ("a comma stands in a number".into(), "write a decimal point: 1.5"),
             Some('\u{b0}') => ("the sign of a degree is not read".into(), "write deg: 90deg"),
@@ -275,12 +419,29 @@ impl Reader<'_> {
             Some(c) if c.is_ascii_digit() || c == '(' => {
                 (format!("`{c}` follows without an operator"), "write a product with `*`")
             }
+            Some(c) if law => (
+                format!("`{c}` does not belong in a law"),
+                "digits, + - * / ^ ( ), pi, deg, named constants, functions and variables",
+            ),
             Some(c) => {
                 (format!("`{c}` does not belong in a number"), "digits, + - * / ( ), pi, deg and named constants")
             }
         };
-        ExpressionError { offset: self.at, what, mend: mend.to_string() }
+        error(self.at, what, mend)
     }
+}
+
+/// The only one of them, or all of them together.
+fn one_or(mut parts: Vec<(char, usize, Part)>, all: fn(Vec<(char, usize, Part)>) -> Syntax) -> Part {
+    let at = parts[0].1;
+    match parts.len() {
+        1 => parts.remove(0).2,
+        _ => Part { at, syntax: all(parts) },
+    }
+}
+
+fn signed(negative: bool, at: usize, part: Part) -> Part {
+    if negative { Part { at, syntax: Syntax::Negative(Box::new(part)) } } else { part }
 }
 
 #[cfg(test)]

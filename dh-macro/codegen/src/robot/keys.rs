@@ -13,7 +13,7 @@ pub(super) struct Table {
 }
 
 /// A key of a mapping.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Key {
     pub(super) name: &'static str,
     pub(super) shape: Shape,
@@ -108,6 +108,17 @@ const fn required(name: &'static str, shape: Shape, unit: &'static str, doc: &'s
 
 use Shape::{Angle, Angles, Choice, Columns, Constants, Count, Effects, Flag, Length, Map, MapOrFile};
 use Shape::{Number, Numbers, Positive, Rows, RowsOrNull, Text, Texts, Vector};
+
+/// A torque in closed form, beside the `drive` of its joint or under `effects`.
+pub(super) const LAW: &str = "law";
+/// Its unit.
+pub(super) const UNIT: &str = "unit";
+
+/// Both.
+pub(super) const LAW_KEYS: [Key; 2] = [
+    key(LAW, Text, "", "A torque in closed form, in q1.. dq1.. ddq1.. t temp1..: 0.7*sin(3*q2)*sign(dq4)."),
+    key(UNIT, Choice(&["N m", "N"]), "", "Unit of the law: N m, of a prismatic joint N."),
+];
 
 pub(super) static ROBOT: Table = Table {
     what: "robot",
@@ -206,6 +217,8 @@ pub(super) static JOINT: Table = Table {
         key("jerk", Positive, "rad/s^3 or m/s^3", "Largest jerk, symmetric."),
         key("torque", Positive, "N m or N", "Largest torque or force, symmetric."),
         key("drive", Map(&DRIVE), "", "Rotor, gear, friction and other effects of the drive."),
+        LAW_KEYS[0],
+        LAW_KEYS[1],
         key("source", Map(&JOINT_SOURCE), "", "The joint in the file that it was imported from."),
     ],
 };
@@ -219,6 +232,8 @@ pub(super) static DRIVE: Table = Table {
         key("torque_constant", Positive, "N m/A", "Joint-side torque per motor current."),
         key("friction", Map(&FRICTION), "", "Friction laws."),
         key("identified", Flag, "", "The values were identified: a badly excited one may be negative."),
+        LAW_KEYS[0],
+        LAW_KEYS[1],
     ],
 };
 

@@ -4,7 +4,7 @@ use super::effects::{
     AsymmetricFriction, Backlash, Effect, FrictionDrift, GearCoupling, JointElasticity, JointSpring,
     LoadDependentFriction, PositionDependentFriction, PreslidingHysteresis, RATED, Scope, StribeckFriction,
 };
-use super::{JointKind, NoLink, Robot};
+use super::{JointKind, NoLink, Robot, TorqueLaw};
 
 /// A motor that turns with another joint, `w = dq_m + KC dq_k`.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,6 +62,10 @@ pub struct Laws {
     pub encoder_offset: f64,
     /// `TD`, s.
     pub delay: f64,
+    /// What has no name.
+    pub law: Option<TorqueLaw>,
+    /// Temperature of its gear where none is known, degrees C.
+    pub reference: f64,
 }
 
 impl Laws {
@@ -86,6 +90,8 @@ impl Laws {
             offset: 0.0,
             encoder_offset: 0.0,
             delay: 0.0,
+            law: None,
+            reference: 0.0,
         }
     }
 
@@ -102,6 +108,11 @@ impl Laws {
     /// Whether motor and link can move against each other.
     pub fn is_soft(&self) -> bool {
         self.elasticity.is_some() || self.backlash() != 0.0
+    }
+
+    /// Whether it has a law that asks for the time or for temperatures.
+    pub fn reads_clock(&self) -> bool {
+        self.law.as_ref().is_some_and(TorqueLaw::reads_clock)
     }
 
     /// One effect of the joint of this row. Bodies and geometry are no laws of a drive: see
@@ -169,6 +180,15 @@ impl Robot {
                 laws[k].apply(self, row, effect);
             }
         }
+        for (law, &row) in laws.iter_mut().zip(&moving) {
+            law.law.clone_from(&self.joints[row].drive.law);
+        }
+        let clock = laws.iter().any(Laws::reads_clock);
+        for law in &mut laws {
+            // Only a law asks for the temperature of a joint that does not drift.
+            let room = if clock { FrictionDrift::default().reference() } else { 0.0 };
+            law.reference = law.drift.map_or(room, |drift| drift.reference());
+        }
         laws
     }
 
@@ -176,6 +196,7 @@ impl Robot {
     pub fn has_effects(&self) -> bool {
         let counts = |e: &Effect| !matches!(e, Effect::ExternalContact(_));
         self.joints.iter().flat_map(|j| &j.drive.effects).chain(&self.effects).any(counts)
+            || self.joints.iter().any(|j| j.drive.law.is_some())
     }
 
     /// The arm as its effects of geometry and bodies say that it is: zeros of joints, rows of the

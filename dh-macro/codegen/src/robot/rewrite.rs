@@ -3,7 +3,7 @@
 
 use core::ops::Range;
 
-use super::expression::Scope;
+use super::torque_law::Law;
 use super::write::{self, Field};
 use super::yaml::{self, Kind, Node, Word};
 use super::{Drive, Files, Joint, Robot};
@@ -60,8 +60,10 @@ impl Robot {
         if before.joints.len() != self.joints.len() || rows.len() != self.joints.len() {
             return None;
         }
+        let kinds = before.moving_kinds();
+        let words = Law { joints: &kinds, scope: &scope };
         for (node, (old, new)) in rows.iter().zip(before.joints.iter().zip(&self.joints)) {
-            editor.joint(node, old, new, &scope);
+            editor.joint(node, old, new, &words);
         }
         editor.links(&root, &before, self);
         let tool = |robot: &Self| robot.tool.as_ref().map(|tool| write::tool_fields(tool, &scope));
@@ -227,9 +229,10 @@ impl Editor {
         self.replace(end..end, format!("{begun}{new_line}{key}:{new_line}{lines}"));
     }
 
-    fn joint(&mut self, node: &Node, old: &Joint, new: &Joint, scope: &Scope) {
+    fn joint(&mut self, node: &Node, old: &Joint, new: &Joint, words: &Law<'_>) {
         let fields = |joint: &Joint| {
-            [write::row_fields(joint, scope), write::limit_fields(joint), write::source_field(joint)].concat()
+            let row = [write::row_fields(joint, words.scope), write::limit_fields(joint)].concat();
+            [row, write::law_fields(joint, words), write::source_field(joint)].concat()
         };
         self.mapping(node, &fields(old), &fields(new));
         let Some(drive) = node.fields().and_then(|fields| child(fields, "drive")).filter(|d| d.fields().is_some())

@@ -1,7 +1,7 @@
 //! The JSON Schema of robot files for editors, from the tables that the checker uses.
 
 use super::effects::{Description, EffectKey, EffectKind};
-use super::keys::{JOINT, Key, ROBOT, Shape, Table};
+use super::keys::{self, JOINT, Key, ROBOT, Shape, Table};
 
 /// Text of `robots/robot.schema.json`. Editors find it by the first line of each robot file.
 pub fn schema() -> String {
@@ -150,7 +150,8 @@ fn shape(shape: &Shape) -> Vec<(&'static str, Json)> {
         }
         Shape::Effects => {
             let whole = descriptions().filter(|known| known.scope.at_top());
-            let properties = whole.map(|known| (known.name, effect(known))).collect();
+            let mut properties: Vec<_> = whole.map(|known| (known.name, effect(known))).collect();
+            properties.extend(keys::LAW_KEYS.iter().map(|key| (key.name, property(key))));
             vec![kind("object"), ("additionalProperties", Json::Flag(false)), ("properties", Json::Map(properties))]
         }
     }

@@ -2,6 +2,8 @@
 
 use super::effects::{CoulombFriction, RotorInertia, ViscousFriction};
 use super::expression::Scope;
+use super::keys::{LAW, UNIT};
+use super::torque_law::{Law, unit_of};
 use super::yaml::{self, Kind};
 use super::{
     Angle, Collision, Convention, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, LogMapping, Robot, Tool,
@@ -39,8 +41,11 @@ impl Robot {
             out += &format!("base: {}\n", braces(&pose_fields(&base.xyz, &base.rpy, &scope)));
         }
         out += "\njoints:\n";
+        let kinds = self.moving_kinds();
+        let words = Law { joints: &kinds, scope: &scope };
         for joint in &self.joints {
-            let groups = [row_fields(joint, &scope), limit_fields(joint), drive_field(joint), source_field(joint)];
+            let [row, limits, drive] = [row_fields(joint, &scope), limit_fields(joint), drive_field(joint)];
+            let groups = [row, limits, drive, law_fields(joint, &words), source_field(joint)];
             out += &format!("  - {}\n", flow_groups(&groups, 4));
         }
         if !self.links.is_empty() {
@@ -198,6 +203,12 @@ pub(super) fn pose_fields(xyz: &[f64; 3], rpy: &[Angle; 3], scope: &Scope) -> Ve
 pub(super) fn drive_field(joint: &Joint) -> Vec<Field> {
     let drive = drive_fields(&joint.drive);
     if drive.is_empty() { Vec::new() } else { vec![field("drive", flow(&drive, 13))] }
+}
+
+/// The torque in closed form.
+pub(super) fn law_fields(joint: &Joint, words: &Law<'_>) -> Vec<Field> {
+    let Some(law) = &joint.drive.law else { return Vec::new() };
+    vec![field(LAW, text(&law.words(words))), field(UNIT, unit_of(joint.kind))]
 }
 
 pub(super) fn drive_fields(drive: &Drive) -> Vec<Field> {

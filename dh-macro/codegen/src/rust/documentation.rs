@@ -78,6 +78,10 @@ const DRIVE_TORQUES: Doc = (
     "Torques at the sensors for given states of the drives",
     "Like `inverse_dynamics`, N m. `bristle` replaces the sign of the velocity in friction with memory, in [-1, 1]. `warmth` is the factor of each joint's friction that drifts. `Drive` integrates both.",
 );
+const CLOCKED_DRIVE_TORQUES: Doc = (
+    "Torques at the sensors for given states of the drives, at a time and at temperatures",
+    "Like `drive_torques`, N m, in which the motion has just begun and joints have the temperature at which nothing changes. `clock` is the time since the start, s, then the temperature of each joint, degrees C: laws of the robot file ask for them.",
+);
 const WITH_EFFECTS: Doc = (
     "Torques at the sensors from the standard parameters, with the effects of the robot file",
     "`tau = GT clip(M ddq + C dq + g + drives) + TO`, N m. The drives' laws enter as steady curves: friction with memory has slipped, gears are warm. `Drive` has their memory; `TIME_DELAY` is the delay of the sensors.",
@@ -127,6 +131,7 @@ pub(super) fn doc(function: Function, effects: bool) -> Doc {
         Function::PayloadRegressor => PAYLOAD_REGRESSOR,
         Function::RigidDynamics => RIGID_DYNAMICS,
         Function::DriveTorques => DRIVE_TORQUES,
+        Function::ClockedDriveTorques => CLOCKED_DRIVE_TORQUES,
         Function::BaseRegressorAdjoint => BASE_REGRESSOR_ADJOINT,
         Function::PayloadRegressorAdjoint => PAYLOAD_REGRESSOR_ADJOINT,
         Function::InverseDynamicsAdjoint => INVERSE_DYNAMICS_ADJOINT,

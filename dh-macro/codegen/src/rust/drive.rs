@@ -10,7 +10,7 @@ impl crate::robot::Laws {
     pub fn memory(&self) -> crate::drive::Memory {
         let travel = self.hysteresis.map_or(0.0, |law| law.travel());
         let [cold, time, per_kelvin, reference] =
-            self.drift.map_or([0.0; 4], |d| [d.cold(), d.time(), d.per_kelvin(), d.reference()]);
+            self.drift.map_or([0.0, 0.0, 0.0, self.reference], |d| [d.cold(), d.time(), d.per_kelvin(), d.reference()]);
         crate::drive::Memory { travel, cold, time, per_kelvin, reference }
     }
 
@@ -25,7 +25,9 @@ impl crate::robot::Laws {
 pub(super) fn file(model: &Model) -> String {
     let springs = if model.laws().iter().any(|l| l.elasticity.is_some()) { ", rigid_dynamics" } else { "" };
     format!(
-        "//! Drives of the joints: constants of their laws, and their state.\n\nuse super::elementary::Real;\nuse super::{{DOF, STANDARD, drive, drive_torques{springs}}};\n\n{}",
+        "//! Drives of the joints: constants of their laws, and their state.\n\nuse super::elementary::Real;\nuse super::{{{}DOF, STANDARD, drive{}{springs}}};\n\n{}",
+        if model.reads_clock() { "clocked_drive_torques, " } else { "" },
+        if model.reads_clock() { "" } else { ", drive_torques" },
         print(model)
     )
 }
@@ -59,7 +61,21 @@ fn print(model: &Model) -> String {
         springs(model, &mut t);
     }
     let with = |text: &'static str| if swings { text } else { "" };
-    let drive = r#"/// Torques at the sensors along a motion, with the memory of the drives: bent bristles, warming gears.
+    let [torques, clock] = match model.reads_clock() {
+        true => [CLOCKED, CLOCK],
+        false => ["drive_torques(&self.q, dq, ddq, phi, &self.bristle, &self.warmth())", ""],
+    };
+    t += &DRIVE
+        .replace("@FIELDS", with(FIELDS))
+        .replace("@NEW", with("            deflection: None,\n            swings: false,\n"))
+        .replace("@STEP", with(STEP))
+        .replace("@CLOCK", clock)
+        .replace("@TORQUES", if swings { TORQUES } else { "        @STATIC" })
+        .replace("@STATIC", torques);
+    t
+}
+
+const DRIVE: &str = r#"/// Torques at the sensors along a motion, with the memory of the drives: bent bristles, warming gears.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Drive<S> {
     /// Positions of the joints at the last step, rad or m.
@@ -90,7 +106,7 @@ impl<S: Real> Drive<S> {
         core::array::from_fn(|k| DRIVE_MEMORY[k].warmth(self.since, self.temperature[k]))
     }
 
-    /// Advances by `dt`, s, to this state of motion, and returns the torques there, N m.
+@CLOCK    /// Advances by `dt`, s, to this state of motion, and returns the torques there, N m.
     pub fn step(&mut self, dt: S, q: &[S; DOF], dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD]) -> [S; DOF] {
         let (old, bent) = (self.q, self.bristle);
         self.bristle = core::array::from_fn(|k| DRIVE_MEMORY[k].bent(bent[k], q[k] - old[k]));
@@ -106,14 +122,6 @@ impl<S: Real> Drive<S> {
 }
 
 "#;
-    let plain = "        drive_torques(&self.q, dq, ddq, phi, &self.bristle, &self.warmth())";
-    t += &drive
-        .replace("@FIELDS", with(FIELDS))
-        .replace("@NEW", with("            deflection: None,\n            swings: false,\n"))
-        .replace("@STEP", with(STEP))
-        .replace("@TORQUES", if swings { TORQUES } else { plain });
-    t
-}
 
 const FIELDS: &str = "    /// Deflections of the links; `None` before the first step, and quasi-static then.
     pub deflection: Option<[drive::Deflection<S>; DOF]>,
@@ -133,7 +141,18 @@ const STEP: &str =
         (self.swings, self.deflection) = (self.deflection.is_some(), Some(deflection));
 ";
 
-const TORQUES: &str = "        let mut torques = drive_torques(&self.q, dq, ddq, phi, &self.bristle, &self.warmth());
+/// Torques without swinging links, where a law asks for the time or a temperature.
+const CLOCKED: &str = "clocked_drive_torques(&self.q, dq, ddq, phi, &self.bristle, &self.warmth(), &self.clock())";
+
+const CLOCK: &str = "    /// Time since the start, s, then the temperatures, degrees C.
+    #[must_use]
+    pub fn clock(&self) -> [S; DOF + 1] {
+        core::array::from_fn(|k| if k == 0 { self.since } else { self.temperature[k - 1] })
+    }
+
+";
+
+const TORQUES: &str = "        let mut torques = @STATIC;
         if let Some(deflection) = &self.deflection {
             let mut bodies = |deflection: &[drive::Deflection<S>], out: &mut [S]| bodies(&self.q, dq, ddq, phi, deflection, out);
             let (mut still, mut scratch) = ([[S::default(); 3]; DOF], [S::default(); 2 * DOF]);

@@ -70,6 +70,7 @@ pub(super) fn signature(function: Function, configuration: &str) -> String {
         Argument::BaseParameters => "beta: &[S; BASE]".to_string(),
         Argument::Bristles => "bristle: &[S; DOF]".to_string(),
         Argument::Warmth => "warmth: &[S; DOF]".to_string(),
+        Argument::Clock => "clock: &[S; DOF + 1]".to_string(),
         Argument::Seeds => "seed: &[S; SEEDS]".to_string(),
     };
     function.arguments().iter().map(one).collect::<Vec<_>>().join(", ")
@@ -86,6 +87,7 @@ pub(super) fn call(function: Function, configuration: &str) -> String {
         Argument::BaseParameters => "beta",
         Argument::Bristles => "bristle",
         Argument::Warmth => "warmth",
+        Argument::Clock => "clock",
         Argument::Seeds => "seed",
     };
     function.arguments().iter().map(one).collect::<Vec<_>>().join(", ")
@@ -317,6 +319,18 @@ fn column_names(function: Function, context: &Context<'_>) -> Option<Vec<String>
     }
 }
 
+/// An argument among the parameters, and how many numbers it has.
+fn parameter_source(argument: Argument, dof: usize) -> (&'static str, usize) {
+    match argument {
+        Argument::StandardParameters => ("*phi", usize::MAX),
+        Argument::Bristles => ("*bristle", dof),
+        Argument::Warmth => ("*warmth", dof),
+        Argument::Clock => ("*clock", dof + 1),
+        Argument::Seeds => ("*seed", usize::MAX),
+        _ => ("*beta", usize::MAX),
+    }
+}
+
 /// Takes the arguments apart: only what is read gets a name.
 fn inputs(kernel: &Kernel, names: &Names) -> String {
     let mut used = vec![];
@@ -339,24 +353,20 @@ fn inputs(kernel: &Kernel, names: &Names) -> String {
                 Group::Velocity => ("*dq", kernel.inputs.dof),
                 Group::Acceleration => ("*ddq", kernel.inputs.dof),
                 Group::Torque => ("*tau", kernel.inputs.dof),
-                Group::Parameter => match argument {
-                    Argument::StandardParameters => ("*phi", usize::MAX),
-                    Argument::Bristles => ("*bristle", kernel.inputs.dof),
-                    Argument::Warmth => ("*warmth", kernel.inputs.dof),
-                    Argument::Seeds => ("*seed", usize::MAX),
-                    _ => ("*beta", usize::MAX),
-                },
+                Group::Parameter => parameter_source(*argument, kernel.inputs.dof),
             };
             let first = match argument {
                 Argument::Bristles | Argument::Seeds => names.parameters(),
                 Argument::Warmth => names.parameters() + kernel.inputs.dof,
+                Argument::Clock => names.parameters() + 2 * kernel.inputs.dof,
                 _ => 0,
             };
             // Argument to which a parameter's input belongs, by that argument's first input.
             let behind = |at: usize| {
                 let second = if kernel.function.primal().is_some() { 0 } else { kernel.inputs.dof };
-                let starts = [0, names.parameters(), names.parameters() + second];
-                starts.into_iter().filter(|start| *start <= at).max()
+                let starts = [0, 1, 2].map(|k| names.parameters() + k * second);
+                let starts = [0].into_iter().chain(starts);
+                starts.filter(|start| *start <= at).max()
             };
             let here: Vec<usize> = used
                 .iter()

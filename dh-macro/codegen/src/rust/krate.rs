@@ -52,7 +52,7 @@ pub(super) fn parts(robot: &Robot, source: &str, further: &[Function], runtime: 
     if robot.has_effects() {
         functions.extend(Function::WITH_EFFECTS);
     }
-    functions.extend(further);
+    functions.extend(further.iter().copied().chain(model.reads_clock().then_some(Function::ClockedDriveTorques)));
     let kernels: Vec<Kernel> = functions.iter().map(|&f| model.kernel(f)).collect();
     let standard: Vec<String> = model.standard().iter().map(|p| p.name()).collect();
     let base: Vec<String> = model.base().0.iter().map(|b| b.name.clone()).collect();

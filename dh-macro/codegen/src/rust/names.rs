@@ -79,8 +79,8 @@ impl Names {
         self.parameters.len()
     }
 
-    /// Name of an input: joints count from one. Behind the parameters stand bristles and warmth, or
-    /// seeds.
+    /// Name of an input: joints count from one. Behind the parameters stand bristles, warmth and
+    /// clock, or seeds.
     pub(super) fn input(&self, group: Group, at: usize) -> String {
         let letter = match group {
             Group::Position => "q",
@@ -95,7 +95,13 @@ impl Names {
                     if self.seeds {
                         return format!("w{after}");
                     }
-                    format!("{}{}", if after < dof { "bristle" } else { "warmth" }, after % dof + 1)
+                    let clock = after.checked_sub(2 * dof);
+                    match (after < dof, clock) {
+                        (_, Some(0)) => "time".to_string(),
+                        (_, Some(joint)) => format!("temp{joint}"),
+                        (true, None) => format!("bristle{}", after + 1),
+                        (false, None) => format!("warmth{}", after % dof + 1),
+                    }
                 };
                 return self.parameters.get(at).cloned().unwrap_or_else(beyond);
             }

@@ -4,9 +4,11 @@ use super::super::Drive;
 use super::super::effects::{
     CoulombFriction, Description, Effect, EffectKind, Magnitude, RotorInertia, ViscousFriction,
 };
+use super::super::keys::LAW;
 use super::super::problem::closest;
 use super::super::reader::{Fields, Findings, join};
 use super::super::yaml::{Kind, Mark, Node, Word, shortened};
+use super::law;
 
 /// Place of an effect in the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -102,7 +104,7 @@ fn laws(fields: &Fields<'_>, drive: &mut Drive, seen: &mut Vec<EffectKind>, orig
     }
 }
 
-/// `effects:` at the top of the file.
+/// `effects:` at the top of the file, but for its law: see [`law`].
 pub(in crate::robot) fn effects(node: &Node, path: &str, origin: Origin, to: &mut Findings) -> Vec<Effect> {
     let Kind::Map(fields) = &node.kind else {
         let mend = format!("write a mapping of effects to numbers: {}: {{ roll: 1deg }}", EffectKind::BaseTilt);
@@ -111,6 +113,9 @@ pub(in crate::robot) fn effects(node: &Node, path: &str, origin: Origin, to: &mu
     };
     let mut effects = Vec::new();
     for (word, node) in fields {
+        if law::is_key(word) {
+            continue;
+        }
         let path = join(path, &shortened(&word.text));
         let Some(kind) = EffectKind::of(&word.text) else {
             no_effect(word, &path, to);
@@ -126,10 +131,13 @@ pub(in crate::robot) fn effects(node: &Node, path: &str, origin: Origin, to: &mu
     effects
 }
 
-/// The effects of one joint in a file of effects.
+/// The effects of one joint in a file of effects, but for its law.
 pub(in crate::robot) fn effects_of_joint(fields: &[(Word, Node)], path: &str, to: &mut Findings) -> Vec<Effect> {
     let mut effects = Vec::new();
     for (word, node) in fields {
+        if law::is_key(word) {
+            continue;
+        }
         let path = join(path, &shortened(&word.text));
         let Some(kind) = EffectKind::of(&word.text) else {
             no_effect(word, &path, to);
@@ -146,7 +154,7 @@ pub(in crate::robot) fn effects_of_joint(fields: &[(Word, Node)], path: &str, to
 }
 
 fn no_effect(word: &Word, path: &str, to: &mut Findings) {
-    let names = EffectKind::ALL.iter().map(|kind| kind.name());
+    let names = EffectKind::ALL.iter().map(|kind| kind.name()).chain([LAW]);
     let mend = match closest(&word.text, names.clone()) {
         Some(close) => format!("did you mean `{close}`?"),
         None => format!("the effects are {}", names.collect::<Vec<_>>().join(", ")),

@@ -324,6 +324,8 @@ impl Addition {
         let truth = truth.into_iter().map(|(key, value)| (format!("{key}{number}"), value)).collect();
         let same = match self.form {
             Form::Payload => vec![(effects::LinkInertiaError::NAME, vec![dof])],
+            // Whichever way the joint moves, the level that is added has the same sign.
+            Form::Asymmetric => vec![(effects::TorqueOffset::NAME, self.joints.clone())],
             _ => Vec::new(),
         };
         Added { cause: self.form.cause(), joints: self.joints.clone(), same, truth, rms: self.rms(session, x) }
