@@ -221,8 +221,12 @@ impl Diagnose {
         let (shown, before) = (path.display().to_string(), impossible(&file.robot));
         let robot = diagnose::extended(file.robot.clone(), found);
         let sentence = |c: &Cause| format!("{} (probability {:.2}): {}", c.cause, c.probability, c.evidence);
-        let causes: Vec<String> =
-            found.causes.iter().filter(|c| c.in_extended && c.cause != "unknown").map(sentence).collect();
+        let causes: Vec<String> = found
+            .causes
+            .iter()
+            .filter(|c| c.in_extended && (c.cause != "unknown" || c.law.is_some()))
+            .map(sentence)
+            .collect();
         let text = file.rewritten(&robot, path, &provenance.run(causes.clone()));
         let beside = |name: &str| {
             files::text(&path.with_file_name(name)).map_err(|_| std::io::Error::other(format!("{name} can't be read")))

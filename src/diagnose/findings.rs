@@ -9,6 +9,7 @@ pub(super) mod formula;
 pub(super) mod impacts;
 pub(super) mod links;
 pub(super) mod maps;
+pub(super) mod nameless;
 pub(super) mod reported_cause;
 pub(super) mod result;
 pub(super) mod structure;

@@ -4,7 +4,7 @@ use super::{Cause, Diagnosis, Symbol};
 use crate::model::robot_edit::{with_rotors, with_values, without};
 use dh_codegen::arm::param::{self, DriveTerm, Inertial, Parameter};
 use dh_codegen::robot::effects::{self, Key};
-use dh_codegen::robot::{Effect, EffectKind, Inertia, Robot};
+use dh_codegen::robot::{Effect, EffectKind, Inertia, Robot, Term, TorqueLaw};
 
 /// Place of a key among the ten parameters of a body.
 fn body_place(key: Key) -> Option<usize> {
@@ -55,9 +55,30 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
             gain: row.and_then(|row| of(EffectKind::TorqueGainError, row)).filter(|g| *g != 0.0).unwrap_or(1.0),
             zero: row.and_then(|row| of(EffectKind::EncoderOffset, row)).unwrap_or(0.0),
         };
+        if let (Some(row), Some(law)) = (row, &cause.law) {
+            write_law(&mut robot, row, law, sensor);
+        }
         write_cause(&mut robot, row, &moving, cause, sensor);
     }
     robot
+}
+
+/// Adds a torque in closed form to a joint's law. One that the file's rules refuse is left out.
+fn write_law(robot: &mut Robot, row: usize, law: &str, sensor: Sensor) {
+    let kinds = robot.moving_kinds();
+    let Ok(found) = TorqueLaw::parse(law, &kinds) else { return };
+    let own = match sensor.gain {
+        1.0 => found.term().clone(),
+        gain => Term::Product(vec![found.term().clone(), Term::Inverse(Box::new(Term::Number(gain)))]),
+    };
+    let drive = &mut robot.joints[row].drive;
+    let sum = match &drive.law {
+        Some(known) => Term::Sum(vec![known.term().clone(), own]),
+        None => own,
+    };
+    if let Ok(law) = TorqueLaw::new(&sum, &kinds) {
+        drive.law = Some(law);
+    }
 }
 
 /// Relation between a joint's laws and their recording.

@@ -1,11 +1,12 @@
 //! The diagnosis from end to end: recordings in, [`Diagnosis`] out.
 
-use super::findings::attribution::{curve, in_order, unknown, with_formulas};
+use super::findings::attribution::{curve, in_order};
 use super::findings::calibration;
 use super::findings::deflection::deflections;
 use super::findings::impacts::impacts;
+use super::findings::nameless::unknown;
 use super::findings::reported_cause::quiet;
-use super::findings::result::{Cause, Diagnosis, Errors, NextExperiment, Offer, Verdict};
+use super::findings::result::{Cause, Diagnosis, Errors, NextExperiment, Offer, Offered, Verdict};
 use super::findings::structure::Structure;
 use super::fit::model::{Mode, ModelUnderTest};
 use super::search::SearchSettings;
@@ -181,6 +182,16 @@ fn verdict(causes: &[Cause], left: &[Structure]) -> Verdict {
     }
 }
 
+/// What would separate the first cause that these data leave open from the others.
+fn next_experiment(causes: &[Cause]) -> Option<NextExperiment> {
+    let open = causes.iter().find(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown")?;
+    Some(NextExperiment {
+        between: std::iter::once(open.cause).chain(open.not_distinguished_from.iter().copied()).collect(),
+        joints: open.joints.clone(),
+        motion: open.shown_by.to_string(),
+    })
+}
+
 /// [`diagnose`] with the effects of the file kept.
 fn once(
     plant: &dyn PerturbableArm,
@@ -234,30 +245,27 @@ fn once(
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
     let session = Session { plant, fit, validate, own_validation, noise, motion, ground, scale, settings, progress };
     let Searched { models, said, suspects } = session.models(has_links, &refit, &torque_rms)?;
-    let Choice { offered, mut why, changed, file_holds, model } = session.choose(models, &file_out, &refit)?;
+    let Choice { offered, mut why, changed, file_holds, model, rival } = session.choose(models, &file_out, &refit)?;
     why.extend(said);
     let left = session.left(&model, &torque_rms);
     let (left, unplayed) = without_columns(&model, left, noise);
     let mut causes = model.causes.clone();
     if model.tested.mode == Mode::Refitted && has_links {
-        causes.extend(likelier(session.links(&model), &suspects));
+        causes.extend(likelier(session.links(&model, rival.as_ref()), &suspects));
     }
     causes.extend(unplayed);
     if !causes.is_empty() || !left.is_empty() {
         name(&mut causes, suspects);
     }
-    let Selected { tested, fitted, after, after_fit, left_out, .. } = model;
+    let Selected { tested, fitted, mut after, mut after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);
     let verdict = verdict(&causes, &left);
+    let parts = (&tested, &fitted);
+    let errors = [&mut after_fit, &mut after];
+    let left = session.explained_by_formulas(&mut causes, left, parts, errors, file_holds, &torque_rms);
     let extended = Errors { fit: after_fit.rms.clone(), validate: after.rms.clone(), moving: after.steady.clone() };
-    let left = with_formulas(&mut causes, left, [&after_fit, &after], noise, own_validation);
+    let offered = if causes.iter().any(Cause::has_law) { Offered::Extended } else { offered };
     unknown(&mut causes, &left, [&baseline, &extended], noise, scale);
-    let next_experiment =
-        causes.iter().find(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown").map(|c| NextExperiment {
-            between: std::iter::once(c.cause).chain(c.not_distinguished_from.iter().copied()).collect(),
-            joints: c.joints.clone(),
-            motion: c.shown_by.to_string(),
-        });
     let maps = (0..dof).map(|j| after.view.maps(j, &before[j], &after.error[j])).collect();
     Ok(Diagnosis {
         robot: plant.name().to_string(),
@@ -277,8 +285,8 @@ fn once(
         changed: changed.into_iter().map(|j| j + 1).collect(),
         file_holds,
         changes: Vec::new(),
+        next_experiment: next_experiment(&causes),
         causes,
-        next_experiment,
         own_validation,
         seconds: [seconds, validate.iter().map(Recording::seconds).sum()],
         curves: (0..dof).map(|j| curve(j, &after, &before)).collect(),

@@ -19,6 +19,12 @@ pub struct States {
 }
 
 impl States {
+    /// Positions, velocities and accelerations of each joint.
+    pub fn by_joint(&self) -> Vec<[&[f64]; 3]> {
+        let row = |j: usize| [&self.q, &self.dq, &self.ddq].map(|x| &x[j * self.len..(j + 1) * self.len]);
+        (0..self.q.len().checked_div(self.len).unwrap_or(0)).map(row).collect()
+    }
+
     /// Samples `from..to`; parts that are empty stay so.
     #[must_use]
     pub fn part(&self, from: usize, to: usize) -> Self {
@@ -139,6 +145,18 @@ pub trait Arm: Sync {
     /// The base regressor at every sample: entry `k` of [`Arm::base_pattern`] at sample `s` goes to
     /// `out[k * len + s]`. `tau = W_b beta` (Khalil and Dombre, equation 12.21).
     fn base_regressor(&self, states: &States, out: &mut [f64]);
+
+    /// Torques from base parameters (`B`), joint-major like the states: `W_b beta`.
+    fn base_torques(&self, states: &States, base: &[f64], out: &mut [f64]) {
+        let pattern = self.base_pattern();
+        let mut entries = vec![0.0; pattern.len() * states.len];
+        self.base_regressor(states, &mut entries);
+        out.fill(0.0);
+        for (entry, &(row, column)) in entries.chunks_exact(states.len.max(1)).zip(pattern) {
+            let to = &mut out[row * states.len..(row + 1) * states.len];
+            to.iter_mut().zip(entry).for_each(|(t, w)| *t += w * base[column]);
+        }
+    }
 
     /// Entries that have the sign of a sum of velocities in them, as the Coulomb columns have that
     /// of one velocity. Who filters a recording filters these signs too (see

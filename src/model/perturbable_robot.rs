@@ -1,6 +1,7 @@
 //! A [`PerturbableArm`] made of a robot: the generated tapes for the unchanged arm, the numeric
 //! recursion for the arm as it might be.
 
+use dh_codegen::arm::Function;
 use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::{Angle, Effect, EffectKind, Inertia, Length, Robot};
 use nalgebra::Matrix3;
@@ -36,7 +37,7 @@ impl PerturbableRobot {
         let file = robot.clone();
         let robot = if file.has_effects() { file.effective() } else { file.clone() };
         Self {
-            arm: Interpreted::new(&robot, &[]),
+            arm: Interpreted::new(&robot, &[Function::InverseDynamicsBase]),
             numeric: Numeric::new(&robot),
             gears: rows.iter().map(|&row| robot.joints[row].drive.gear_ratio).collect(),
             given: param::standard_values(&robot),
@@ -205,6 +206,10 @@ impl Arm for PerturbableRobot {
         self.arm.base_regressor(states, out);
     }
 
+    fn base_torques(&self, states: &States, base: &[f64], out: &mut [f64]) {
+        self.arm.run(Function::InverseDynamicsBase, states, &[], base, out);
+    }
+
     fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]) {
         self.arm.inverse_dynamics(states, standard, out);
     }
@@ -234,6 +239,34 @@ mod tests {
         for change in [nothing, Change::Base { roll: 0.0, pitch: 0.0 }] {
             plant.changed_dynamics(&change, &states, &given, &mut changed);
             assert!(plain.iter().zip(&changed).all(|(a, b)| (a - b).abs() < 1e-10));
+        }
+    }
+
+    /// The tape of the torques against the sum over the regressor's entries, and both against the
+    /// torques from standard parameters.
+    #[test]
+    fn torques_of_base_parameters() {
+        struct Plain<'a>(&'a PerturbableRobot);
+        impl Arm for Plain<'_> {
+            fn description(&self) -> &Description {
+                self.0.description()
+            }
+            fn base_regressor(&self, states: &States, out: &mut [f64]) {
+                self.0.base_regressor(states, out);
+            }
+            fn inverse_dynamics(&self, states: &States, standard: &[f64], out: &mut [f64]) {
+                self.0.inverse_dynamics(states, standard, out);
+            }
+        }
+        let (plant, states, given) = swinging();
+        let of = |b: &crate::model::BaseParameter| b.coefficients.iter().map(|(i, k)| k * given[*i]).sum();
+        let base: Vec<f64> = plant.base_parameters().iter().map(of).collect();
+        let mut found = [(); 3].map(|()| vec![0.0; 21]);
+        plant.base_torques(&states, &base, &mut found[0]);
+        Plain(&plant).base_torques(&states, &base, &mut found[1]);
+        plant.inverse_dynamics(&states, &given, &mut found[2]);
+        for other in &found[1..] {
+            assert!(found[0].iter().zip(other).all(|(a, b)| (a - b).abs() < 1e-10), "{found:?}");
         }
     }
 

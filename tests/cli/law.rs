@@ -226,6 +226,48 @@ fn diagnose_knows_it() {
     assert!(error(&with) < 0.05 * error(&without), "{} {}", error(&with), error(&without));
 }
 
+/// A torque that no cause of the vocabulary makes comes back as a formula in the written file, which
+/// predicts logs that were not used as well as the diagnosis says.
+#[test]
+fn diagnose_writes_what_it_finds() {
+    let folder = folder("law-found");
+    let hidden = |seed: u64| {
+        let (plain, mut random) = (Plain::new(), Random::new(seed));
+        let waves = Waves::random(&read_robot(PLAIN), 16.0, &mut random);
+        let mut text = String::from("t,q1,q2,tau1,tau2\n");
+        for k in 0..3200 {
+            let t = f64::from(k) / 200.0;
+            let [q, dq, ddq] = waves.at(t);
+            let mut tau = plain.torque(&q, &dq, &ddq);
+            tau[0] += 0.8 * (3.0 * q[1]).cos() * dq[0].signum();
+            let tau: Vec<f64> = tau.iter().map(|tau| tau + random.even(0.03)).collect();
+            writeln!(text, "{t},{},{},{},{}", q[0], q[1], tau[0], tau[1]).unwrap();
+        }
+        text
+    };
+    let [log, validate, third] = [11, 12, 13].map(|seed| file(&folder, &format!("log{seed}.csv"), hidden(seed)));
+    let out = folder.join("found.yaml").display().to_string();
+    let found = json(&["diagnose", PLAIN, &log, "--validate", &validate, "--out", &out, "--json", "-"]);
+    let cause = found["causes"].as_array().unwrap().iter().find(|c| c["law"].is_string()).expect("a law");
+    let law = cause["law"].as_str().unwrap();
+    assert!(law.contains("*cos(3*q2)*sign(dq1)"), "{law}");
+    let size: f64 = law.split('*').next().unwrap().parse().unwrap();
+    assert!((size - 0.8).abs() < 0.05, "{law}");
+    assert_eq!(
+        (&cause["cause"], &cause["in_extended"], &found["offer"]["model"]),
+        (&"unknown".into(), &true.into(), &"extended".into())
+    );
+    assert_eq!(found["written"]["is_the_offered_model"], true, "{found}");
+    assert!(std::fs::read_to_string(&out).unwrap().contains(&format!("law: \"{law}\"")));
+    // On a log of which neither knew.
+    let again = |robot: &str| {
+        let found = json(&["diagnose", robot, &third, "--json", "-"]);
+        (found["verdict"].clone(), numbers(&found["baseline"]["rms"]["validate"])[0])
+    };
+    let (before, after) = (again(PLAIN), again(&out));
+    assert!(after.1 < 0.2 * before.1 && after.0 == "nothing_wrong", "{before:?} {after:?}");
+}
+
 /// A hand that pushes on the elbow for a while: without the law in the file its torque is taken for
 /// a push.
 #[test]

@@ -4,10 +4,8 @@
 use super::calibration::{self, Change, Features};
 use super::evidence;
 use super::evidence::Shown;
-use super::formula::{self, Formula, formula};
 use super::reported_cause::{Item, friction_values, place_of};
-use super::result::{Cause, Curve, Errors, measured_on};
-use super::structure::Structure;
+use super::result::{Cause, Curve, measured_on};
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
@@ -16,7 +14,6 @@ use crate::diagnose::search::baseline_friction::BaselineFriction;
 use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::Accepted;
 use crate::diagnose::select::beside::Shares;
-use crate::diagnose::select::excess::EXCESS;
 use crate::diagnose::select::measure::{Measured, share, taken_of};
 use dh_codegen::robot::{EffectKind, effects};
 
@@ -228,110 +225,6 @@ pub(in crate::diagnose) fn confusable(
     names.dedup();
     names.retain(|n| *n != item.hypothesis.name());
     names
-}
-
-/// Remainder without a name. `errors`: of the file and of the model; `floor`: noise of each joint's
-/// torque, N m; `noise`: what a gain is measured by.
-pub(in crate::diagnose) fn unknown(
-    causes: &mut Vec<Cause>,
-    left: &[Structure],
-    errors: [&Errors; 2],
-    floor: &[f64],
-    noise: &[f64],
-) {
-    if left.is_empty() {
-        return;
-    }
-    // A cause that acts in a part of a fitted log shows there alone.
-    let here = causes.iter().any(|c| c.on == "fit");
-    let [baseline, rms] = errors.map(|e| if here { &e.fit[..] } else { &e.validate[..] });
-    let mut left = left.to_vec();
-    left.sort_by(|a, b| (b.rms / noise[b.joint].max(1e-12)).total_cmp(&(a.rms / noise[a.joint].max(1e-12))));
-    let mut joints: Vec<usize> = Vec::new();
-    left.iter().map(|s| s.joint + 1).for_each(|j| {
-        if !joints.contains(&j) {
-            joints.push(j)
-        }
-    });
-    let sentences: Vec<&str> = left.iter().map(|s| s.description.as_str()).collect();
-    let mut after = rms.to_vec();
-    for s in &left {
-        after[s.joint] = (rms[s.joint].powi(2) - s.rms.powi(2)).max(0.0).sqrt();
-    }
-    let entry = Cause {
-        cause: "unknown",
-        support: MOST_MARGIN,
-        margin: MOST_MARGIN,
-        share: share(rms, &after, noise, &[]),
-        recurrence: 1.0,
-        joints,
-        probability: left.iter().map(|s| calibration::structure(s.rms, floor[s.joint])).fold(0.0, f64::max),
-        parameters: Vec::new(),
-        keys: Vec::new(),
-        evidence: format!("structure is left that no listed cause explains: {}", sentences.join("; ")),
-        rms_before: rms.to_vec(),
-        rms_after: after,
-        interval: [f64::NAN; 2],
-        on: "fit",
-        not_distinguished_from: Vec::new(),
-        shown_by: "a longer recording with slow and fast motion of the named joints",
-        law: None,
-        in_extended: true,
-        curve: None,
-    };
-    // First, where more is left than the causes explain; else last: it gains nothing.
-    let most = causes.iter().map(|c| taken(c, noise)).fold(taken_of(baseline, rms, noise), f64::max);
-    if taken(&entry, noise) > most {
-        causes.insert(0, entry);
-    } else {
-        causes.push(entry);
-    }
-}
-
-/// Adds the laws of errors that have no name as causes, and returns the structure that they leave:
-/// that of joints whose error is still above [`EXCESS`] times the noise. `floor`: noise of each
-/// joint's torque, N m.
-pub(in crate::diagnose) fn with_formulas(
-    causes: &mut Vec<Cause>,
-    left: Vec<Structure>,
-    [after_fit, after]: [&Measured; 2],
-    floor: &[f64],
-    own_validation: bool,
-) -> Vec<Structure> {
-    let (there, elsewhere) = (after_fit.view.motion(), after.view.motion());
-    let law = |s: &Structure| {
-        let fit = formula::Errors { motion: &there, error: &after_fit.error[s.joint] };
-        formula(s.joint, fit, formula::Errors { motion: &elsewhere, error: &after.error[s.joint] })
-    };
-    let found: Vec<Formula> = left.iter().filter_map(law).collect();
-    for law in &found {
-        let mut rms_after = after.rms.clone();
-        rms_after[law.joint] = law.validate[1];
-        let size = (law.validate[0].powi(2) - law.validate[1].powi(2)).max(0.0).sqrt();
-        causes.push(Cause {
-            cause: "unknown",
-            support: MOST_MARGIN,
-            margin: MOST_MARGIN,
-            share: share(&after.rms, &rms_after, floor, &[law.joint]),
-            recurrence: law.stability,
-            joints: vec![law.joint + 1],
-            probability: calibration::structure(size, floor[law.joint]),
-            parameters: Vec::new(),
-            keys: Vec::new(),
-            evidence: law.sentence(measured_on("validate", own_validation)),
-            rms_before: after.rms.clone(),
-            rms_after,
-            interval: [f64::NAN; 2],
-            on: "validate",
-            not_distinguished_from: Vec::new(),
-            shown_by: "a longer recording with slow and fast motion of the named joints",
-            law: Some(law.text.clone()),
-            in_extended: false,
-            curve: None,
-        });
-    }
-    let explained = |s: &Structure| found.iter().any(|f| f.joint == s.joint && f.validate[1] < EXCESS * floor[s.joint]);
-    left.into_iter().filter(|s| !explained(s)).collect()
 }
 
 /// Torque and errors over time, at most 2,000 points.

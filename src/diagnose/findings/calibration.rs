@@ -97,7 +97,7 @@ pub fn structure(size: f64, noise: f64) -> f64 {
 /// Probability of wrong links if all base parameters were refitted, by the gain on left-out
 /// stretches and its standard error: one half at three standard errors.
 pub fn links(gain: f64, error: f64) -> f64 {
-    structure(gain, 3.0 * error)
+    structure(gain.max(0.0), 3.0 * error)
 }
 
 #[cfg(test)]

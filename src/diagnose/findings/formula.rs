@@ -35,6 +35,9 @@ const GAIN: f64 = 0.1;
 /// Sizes there, by the fitted ones, between which a law holds.
 const HOLDS: [f64; 2] = [0.5, 2.0];
 
+/// Share of what a law explains for which a term is not worth having.
+const SLIGHT: f64 = 0.002;
+
 /// Samples that are used at most, spread over the data.
 const SAMPLES: usize = 8000;
 
@@ -49,7 +52,7 @@ pub(in crate::diagnose) struct Errors<'a> {
 
 /// A law of one joint's torque.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Formula {
+pub(in crate::diagnose) struct Formula {
     /// Joint, from 0.
     pub joint: usize,
     /// The law, N m or N: `0.42*sign(dq2)*cos(2*q1)`, joints from 1.
@@ -60,6 +63,9 @@ pub struct Formula {
     pub validate: [f64; 2],
     /// Share of the halves of the data that chose the least stable of its terms.
     pub stability: f64,
+    terms: Vec<Term>,
+    /// Their coefficients, as in the text.
+    x: Vec<f64>,
 }
 
 /// A factor of a term.
@@ -189,6 +195,24 @@ fn selected(of: &Sums, members: &[Vec<usize>]) -> Vec<usize> {
     groups
 }
 
+/// Those of the chosen terms without which less is explained by more than [`SLIGHT`] of it: of sine
+/// and cosine one alone may say all.
+fn needed(of: &Sums, mut terms: Vec<usize>) -> Vec<usize> {
+    while terms.len() > 1 {
+        let left = fitted(of, &terms).1;
+        let without = |t: &usize| fitted(of, &terms.iter().copied().filter(|k| k != t).collect::<Vec<usize>>()).1;
+        let Some((least, more)) = terms.iter().map(|t| (*t, without(t) - left)).min_by(|a, b| a.1.total_cmp(&b.1))
+        else {
+            break;
+        };
+        if more > SLIGHT * (of.squares - left) {
+            break;
+        }
+        terms.retain(|t| *t != least);
+    }
+    terms
+}
+
 /// The number as it stands in the law: four digits.
 fn rounded(x: f64) -> f64 {
     format!("{x:.3e}").parse().unwrap_or(x)
@@ -245,8 +269,9 @@ pub(in crate::diagnose) fn formula(j: usize, fit: Errors<'_>, validate: Errors<'
     }
     let stable: Vec<usize> = (0..groups.len()).filter(|&g| counts[g] as f64 >= STABLE * HALVES as f64).collect();
     let least = stable.iter().map(|&g| counts[g]).min()?;
-    let chosen: Vec<usize> = stable.iter().flat_map(|&g| members[g].clone()).collect();
-    let x: Vec<f64> = fitted(&total(parts.iter())?, &chosen).0.iter().map(|x| rounded(*x)).collect();
+    let whole = total(parts.iter())?;
+    let chosen = needed(&whole, stable.iter().flat_map(|&g| members[g].clone()).collect());
+    let x: Vec<f64> = fitted(&whole, &chosen).0.iter().map(|x| rounded(*x)).collect();
     let law: Vec<Term> = chosen.iter().map(|&t| terms[t].clone()).collect();
     let ([fit_before, fit_after], _) = measured(&law, &x, fit);
     let ([before, after], size) = measured(&law, &x, validate);
@@ -257,10 +282,19 @@ pub(in crate::diagnose) fn formula(j: usize, fit: Errors<'_>, validate: Errors<'
         fit: [fit_before, fit_after],
         validate: [before, after],
         stability: least as f64 / HALVES as f64,
+        terms: law,
+        x,
     })
 }
 
 impl Formula {
+    /// Torque along a motion of all joints, N m or N.
+    pub(in crate::diagnose) fn along(&self, motion: &[[&[f64]; 3]]) -> Vec<f64> {
+        let len = motion.first().map_or(0, |joint| joint[0].len());
+        let at = |k: usize| self.terms.iter().zip(&self.x).map(|(term, x)| x * value(term, motion, k)).sum();
+        (0..len).map(at).collect()
+    }
+
     /// A sentence with figures; `on` names the data that were not fitted.
     pub(in crate::diagnose) fn sentence(&self, on: &str) -> String {
         format!(

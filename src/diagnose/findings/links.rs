@@ -13,6 +13,7 @@ use crate::diagnose::search::judge::chosen_of;
 use crate::diagnose::search::merge_bodies::single_bodies;
 use crate::diagnose::select::measure::{Measured, Meter, bootstrap, matters, root_mean_square, share, taken_of};
 use crate::diagnose::select::model_choice::{LeftOut, Paired};
+use crate::diagnose::select::offer::Rival;
 use crate::diagnose::select::refine_and_select::{Selected, Session};
 use crate::model::{DriveTerm, StandardParameter};
 use dh_codegen::robot::{EffectKind, effects};
@@ -35,8 +36,17 @@ struct Body {
 
 impl Session<'_> {
     /// The causes, where base parameters differ from the file's, and the file's beside everything
-    /// else that was found are worse.
-    pub(in crate::diagnose) fn links(&self, model: &Selected<'_>) -> Vec<Cause> {
+    /// else that was found are worse. No other links are surer than that their model is better than
+    /// that of the file's links, which has causes of its own.
+    pub(in crate::diagnose) fn links(&self, model: &Selected<'_>, rival: Option<&Rival>) -> Vec<Cause> {
+        let mut causes = self.other_links(model);
+        if let Some(rival) = rival {
+            causes.iter_mut().for_each(|cause| no_surer(cause, rival));
+        }
+        causes
+    }
+
+    fn other_links(&self, model: &Selected<'_>) -> Vec<Cause> {
         let [links, rotors] = evidence::changed_links(&model.tested, &model.fitted, &model.fitted.covariance());
         if links.is_empty() && rotors.is_empty() {
             return Vec::new();
@@ -206,8 +216,73 @@ impl Session<'_> {
     }
 }
 
+/// Gives a cause of refitted links no more probability than that all of them are better than the
+/// file's links with other causes, which are named beside it. A validating log that refutes those
+/// makes it one half at least.
+fn no_surer(cause: &mut Cause, rival: &Rival) {
+    let Rival { gain, refuted, causes: rivals } = rival;
+    let better = calibration::links(gain.gain, gain.error).max(if *refuted { 0.5 } else { 0.0 });
+    if better >= cause.probability {
+        return;
+    }
+    cause.probability = better;
+    let mut names: Vec<&'static str> = rivals.iter().map(|r| r.cause).filter(|name| *name != cause.cause).collect();
+    names.extend(cause.not_distinguished_from.iter());
+    names.sort_unstable();
+    names.dedup();
+    cause.not_distinguished_from = names;
+    let of = |r: &Cause| {
+        if r.joints.is_empty() { r.cause.to_string() } else { format!("{} of {}", r.cause, of_joints(&r.joints)) }
+    };
+    let others: Vec<String> = rivals.iter().map(of).collect();
+    cause.evidence += &format!(
+        "; the file's links with {} err {:.0} +- {:.0} % of the squared error more on stretches that were left out",
+        if others.is_empty() { "nothing else".to_string() } else { others.join(", ") },
+        200.0 * gain.gain,
+        200.0 * gain.error
+    );
+}
+
 /// `joint 3`, `joints 3, 4`.
 fn of_joints(joints: &[usize]) -> String {
     let numbers: Vec<String> = joints.iter().map(usize::to_string).collect();
     format!("joint{} {}", if joints.len() > 1 { "s" } else { "" }, numbers.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnose::findings::nameless::nameless;
+
+    fn cause(name: &'static str, joints: &[usize], probability: f64) -> Cause {
+        Cause { cause: name, joints: joints.to_vec(), probability, ..nameless() }
+    }
+
+    /// A model of other links that errs hardly less than one of the file's with a spring: the link is
+    /// no surer than that, and the spring is named beside it.
+    #[test]
+    fn a_link_is_no_surer_than_its_model() {
+        let rival = |gain: f64, refuted: bool| Rival {
+            gain: Paired { gain, error: 0.04, whole: true },
+            refuted,
+            causes: vec![cause("joint_elasticity", &[1], 0.7), cause("payload", &[], 0.3)],
+        };
+        let capped = |rival: &Rival| {
+            let mut link = cause("link_inertia_error", &[2], 0.95);
+            no_surer(&mut link, rival);
+            link
+        };
+        let doubtful = capped(&rival(0.04, false));
+        assert!((doubtful.probability - 0.1).abs() < 1e-12);
+        assert_eq!(doubtful.not_distinguished_from, ["joint_elasticity", "payload"]);
+        assert!(
+            doubtful.evidence.contains("joint_elasticity of joint 1, payload err 8 +- 8 %"),
+            "{}",
+            doubtful.evidence
+        );
+        assert!((capped(&rival(0.04, true)).probability - 0.5).abs() < 1e-12);
+        assert!((capped(&rival(-0.2, false)).probability).abs() < 1e-12);
+        let sure = capped(&rival(0.9, false));
+        assert!(sure.probability == 0.95 && sure.not_distinguished_from.is_empty());
+    }
 }

@@ -7,6 +7,7 @@ use nalgebra::{DMatrix, DVector};
 use super::result::ErrorMap;
 use crate::diagnose::fit::moments::pseudo_inverse;
 use crate::diagnose::windows::windowed_data::WindowedData;
+use crate::model::States;
 
 /// Bins of a map.
 const BINS: usize = 48;
@@ -27,8 +28,12 @@ pub(in crate::diagnose) struct View {
     /// Measured torque, N m.
     pub torque: Vec<Vec<f64>>,
     runs: Vec<std::ops::Range<usize>>,
-    /// Position, velocity, acceleration and torque of the model, per joint.
-    over: Vec<[Vec<f64>; 4]>,
+    /// Motion of all joints, once for each delay.
+    states: Vec<States>,
+    /// Which of these goes with a joint's torque.
+    state_of_joint: Vec<usize>,
+    /// Torque of the model, per joint, N m.
+    model: Vec<Vec<f64>>,
     /// Per joint; empty where it was not recorded.
     temperature: Vec<Vec<f64>>,
     /// Motor turns per joint turn, if the file has them.
@@ -44,27 +49,35 @@ const SHIFT: f64 = 0.08;
 impl View {
     /// Of a scene whose windows are single samples.
     pub fn of(scene: &WindowedData<'_>) -> Self {
-        let over = (0..scene.dof())
-            .map(|j| {
-                let states = &scene.states[scene.state_of_joint[j]];
-                let row = |x: &[f64]| x[j * states.len..(j + 1) * states.len].to_vec();
-                [row(&states.q), row(&states.dq), row(&states.ddq), scene.whole[j].clone()]
-            })
-            .collect();
         let temperature =
             scene.own.iter().map(|own| own.iter().flat_map(|o| o.temperature.clone()).collect()).collect();
         let gears = scene.plant.gear_ratios().to_vec();
-        Self { time: scene.time.clone(), torque: scene.y.clone(), runs: scene.runs.clone(), over, temperature, gears }
+        Self {
+            time: scene.time.clone(),
+            torque: scene.y.clone(),
+            runs: scene.runs.clone(),
+            states: scene.states.clone(),
+            state_of_joint: scene.state_of_joint.clone(),
+            model: scene.whole.clone(),
+            temperature,
+            gears,
+        }
     }
 
-    /// Position, velocity and acceleration of each joint.
-    pub fn motion(&self) -> Vec<[&[f64]; 3]> {
-        self.over.iter().map(|[q, v, a, _]| [&q[..], &v[..], &a[..]]).collect()
+    /// Position, velocity and acceleration of each joint at the time of joint `j`'s torque.
+    pub fn motion(&self, j: usize) -> Vec<[&[f64]; 3]> {
+        self.states[self.state_of_joint[j]].by_joint()
+    }
+
+    /// Position, velocity, acceleration of a joint and the model's torque on it.
+    fn over(&self, j: usize) -> [&[f64]; 4] {
+        let [q, v, a] = self.motion(j)[j];
+        [q, v, a, &self.model[j]]
     }
 
     /// Velocity of a joint, rad/s.
     pub fn velocity(&self, joint: usize) -> &[f64] {
-        &self.over[joint][1]
+        self.over(joint)[1]
     }
 
     /// Time with one log after the other, s.
@@ -84,7 +97,7 @@ impl View {
 
     /// Maps of joint `j`'s error, N m, of two models.
     pub fn maps(&self, j: usize, before: &[f64], after: &[f64]) -> Vec<ErrorMap> {
-        let [q, v, a, load] = &self.over[j];
+        let [q, v, a, load] = self.over(j);
         let clock = self.clock();
         let mut maps: Vec<ErrorMap> = [
             ("velocity, rad/s", v),
@@ -117,7 +130,7 @@ impl View {
     /// Amplitude over periods per turn of the joint; up to twice the motor's turn where the gear is
     /// known.
     fn orders(&self, j: usize, before: &[f64], after: &[f64]) -> Option<ErrorMap> {
-        let q = &self.over[j][0];
+        let q = self.over(j)[0];
         let (low, high) = (least(q), most(q));
         if !(high - low > 0.05 && (high - low).is_finite()) {
             return None;
@@ -144,7 +157,7 @@ impl View {
 
     /// Error in the direction of motion over the travel since the joint last turned about.
     fn reversals(&self, j: usize, before: &[f64], after: &[f64]) -> Option<ErrorMap> {
-        let [q, v, ..] = &self.over[j];
+        let [q, v, ..] = self.over(j);
         let range = most(q) - least(q);
         let (mut travel, mut along) = (Vec::new(), [Vec::new(), Vec::new()]);
         for run in &self.runs {
@@ -173,9 +186,9 @@ impl View {
     fn pairs(&self, j: usize, before: &[f64], after: &[f64]) -> Option<ErrorMap> {
         const COLUMNS: usize = 6;
         let picks = self.thinned();
-        let others: Vec<usize> = (0..self.over.len()).filter(|k| *k != j).collect();
+        let others: Vec<usize> = (0..self.model.len()).filter(|k| *k != j).collect();
         let explained = |k: usize| {
-            let [q, v, a, _] = &self.over[k];
+            let [q, v, a, _] = self.over(k);
             let (mut gram, mut with) =
                 (DMatrix::<f64>::zeros(COLUMNS, COLUMNS), [DVector::<f64>::zeros(COLUMNS), DVector::zeros(COLUMNS)]);
             let mut count = 0.0;
@@ -313,7 +326,9 @@ mod tests {
         View {
             torque: vec![vec![0.0; len]],
             runs: vec![0..len / 2, len / 2..len],
-            over: vec![[x.clone(), x.clone(), x, vec![0.0; len]]],
+            states: vec![States { len, q: x.clone(), dq: x.clone(), ddq: x }],
+            state_of_joint: vec![0],
+            model: vec![vec![0.0; len]],
             temperature: vec![Vec::new()],
             gears: vec![None],
             time,

@@ -113,6 +113,13 @@ pub struct Cause {
     pub law: Option<String>,
 }
 
+impl Cause {
+    /// Whether it is a torque in closed form that the offered model has.
+    pub fn has_law(&self) -> bool {
+        self.law.is_some() && self.in_extended
+    }
+}
+
 /// Experiment that would resolve the open questions.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NextExperiment {

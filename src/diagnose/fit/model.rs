@@ -213,75 +213,76 @@ impl<'a> ModelUnderTest<'a> {
             y,
         };
         tested.scene.set_model(given_base(plant), plant.given().map(|s| without_friction(plant, s)));
-        tested.prepare();
+        let (all, count) = (vec![true; plant.dof()], inertial(plant).len());
+        tested.base = if tested.refits_here() { vec![Column::default(); count] } else { Vec::new() };
+        tested.y = vec![Vec::new(); plant.dof()];
+        tested.prepare(&all);
         tested
     }
 
-    /// Columns that do not depend on what is found.
-    fn prepare(&mut self) {
-        self.ground = Default::default();
-        let (scene, plant) = (&self.scene, self.plant);
-        self.friction = (0..scene.dof())
-            .flat_map(|j| [&VISCOUS, &COULOMB, &OFFSET].map(|p| p.terms(scene, &[j], &[]).remove(0).column))
-            .collect();
-        self.base = match self.mode {
-            Mode::Trusted => Vec::new(),
-            // A model that only predicts adds them up as it goes.
-            Mode::Refitted if self.all => Vec::new(),
-            Mode::Refitted => {
-                let mut rows: Vec<Vec<Vec<f64>>> = Vec::new();
-                let wanted = inertial(plant);
-                rows.resize(wanted.len(), vec![Vec::new(); scene.dof()]);
-                for (j, entries) in scene.base_rows().into_iter().enumerate() {
-                    for (b, series) in entries {
-                        if let Some(at) = wanted.iter().position(|w| *w == b) {
-                            rows[at][j] = series;
-                        }
-                    }
-                }
-                let fill = |rows: Vec<Vec<f64>>| {
-                    rows.into_iter().map(|r| if r.is_empty() { vec![0.0; scene.len] } else { r }).collect()
-                };
-                rows.into_iter().map(|r| scene.column(fill(r))).collect()
-            }
-        };
-        // The file's friction is taken out, and its rigid torque where it is trusted.
-        let given = given_friction(plant);
-        let base = given_base(plant);
-        let rigid = match self.mode {
-            Mode::Trusted if base.iter().any(|b| *b != 0.0) => self.rigid_of(&base),
-            _ => vec![vec![0.0; scene.len]; scene.dof()],
-        };
-        self.y = (0..scene.dof())
-            .map(|j| {
-                let mut y = scene.y[j].clone();
-                y.iter_mut()
-                    .zip(&rigid[j])
-                    .zip(&scene.live[j])
-                    .for_each(|((y, r), live)| *y -= if *live { *r } else { 0.0 });
-                for which in 0..3 {
-                    let value = given[j][which].unwrap_or(0.0);
-                    if value != 0.0
-                        && let Some((_, series)) = self.friction[3 * j + which].rows.first()
-                    {
-                        y.iter_mut().zip(series).for_each(|(y, s)| *y -= value * s);
-                    }
-                }
-                y
-            })
-            .collect();
+    /// Whether the columns of the rigid arm's unknowns are held. A model that only predicts adds
+    /// them up as it goes.
+    fn refits_here(&self) -> bool {
+        self.mode == Mode::Refitted && !self.all
     }
 
-    fn rigid_of(&self, beta: &[f64]) -> Vec<Vec<f64>> {
-        let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
-        for index in 0..self.scene.states.len() {
-            self.scene.base_parts(index, |_, &(row, b), first, part| {
-                if self.scene.state_of_joint[row] == index {
-                    rows[row][first..].iter_mut().zip(part).for_each(|(t, s)| *t += beta[b] * s);
-                }
-            });
+    /// Columns that do not depend on what is found, of the `moved` joints.
+    fn prepare(&mut self, moved: &[bool]) {
+        self.ground = Default::default();
+        let (scene, plant) = (&self.scene, self.plant);
+        let of = |j: usize| [&VISCOUS, &COULOMB, &OFFSET].map(|p| p.terms(scene, &[j], &[]).remove(0).column);
+        let mut friction = std::mem::take(&mut self.friction);
+        friction.resize(3 * scene.dof(), Column::default());
+        for j in (0..scene.dof()).filter(|&j| moved[j]) {
+            friction[3 * j..3 * j + 3].clone_from_slice(&of(j));
         }
-        rows
+        let mut base = std::mem::take(&mut self.base);
+        if self.refits_here() {
+            let wanted = inertial(plant);
+            base.iter_mut().for_each(|column| column.rows.retain(|(j, _)| !moved[*j]));
+            for (j, entries) in scene.base_rows(moved).into_iter().enumerate() {
+                for (b, mut series) in entries {
+                    scene.masked(j, &mut series);
+                    if let Some(at) = wanted.iter().position(|w| *w == b)
+                        && series.iter().any(|x| *x != 0.0)
+                    {
+                        base[at].rows.push((j, series));
+                    }
+                }
+            }
+            base.iter_mut().for_each(|column| column.rows.sort_by_key(|row| row.0));
+        }
+        (self.base, self.friction) = (base, friction);
+        let fresh = self.unexplained_by_file(moved);
+        for (j, y) in fresh.into_iter().enumerate().filter(|(j, _)| moved[*j]) {
+            self.y[j] = y;
+        }
+    }
+
+    /// Torque of the `moved` joints without the file's friction, and without its rigid torque where
+    /// that is trusted.
+    fn unexplained_by_file(&self, moved: &[bool]) -> Vec<Vec<f64>> {
+        let (scene, plant) = (&self.scene, self.plant);
+        let (given, base) = (given_friction(plant), given_base(plant));
+        let rigid = match self.mode {
+            Mode::Trusted if base.iter().any(|b| *b != 0.0) => scene.base_torques(&base, moved),
+            _ => vec![vec![0.0; scene.len]; scene.dof()],
+        };
+        let of = |j: usize| {
+            let mut y = scene.y[j].clone();
+            let series = y.iter_mut().zip(&rigid[j]).zip(&scene.live[j]);
+            series.for_each(|((y, r), live)| *y -= if *live { *r } else { 0.0 });
+            for which in 0..3 {
+                let value = given[j][which].unwrap_or(0.0);
+                if value != 0.0
+                    && let Some((_, series)) = self.friction[3 * j + which].rows.first()
+                {
+                    y.iter_mut().zip(series).for_each(|(y, s)| *y -= value * s);
+                }
+            }
+            y
+        };
+        (0..scene.dof()).map(|j| if moved[j] { of(j) } else { Vec::new() }).collect()
     }
 
     /// Torque to be explained: the measured one without the parts taken from the file.
@@ -291,16 +292,16 @@ impl<'a> ModelUnderTest<'a> {
 
     /// Shifts the torques by further delays and recomputes everything.
     pub fn delay(&mut self, joints: &[usize], by: f64) {
-        let mut delays = self.scene.delays.clone();
+        let before = self.scene.delays.clone();
+        let mut delays = before.clone();
         let all: Vec<usize> = (0..delays.len()).collect();
         for &j in if joints.is_empty() { &all } else { joints } {
             delays[j] += by;
         }
-        let (beta, standard) = (self.scene.beta.clone(), self.scene.standard.clone());
-        self.scene = WindowedData::new(self.plant, self.recordings, self.rate, &delays, self.all);
-        self.scene.set_model(beta, standard);
+        self.scene.delayed_by(self.recordings, self.rate, &delays);
         self.known = Mutex::default();
-        self.prepare();
+        let moved: Vec<bool> = before.iter().zip(&delays).map(|(a, b)| a != b).collect();
+        self.prepare(&moved);
     }
 
     /// Takes back delays, per joint.
@@ -431,6 +432,7 @@ impl<'a> ModelUnderTest<'a> {
             })
             .collect();
         let columns = columns.filter(|columns| !columns.is_empty() && !c.x.is_empty())?;
+        let columns: Vec<&Column> = columns.iter().collect();
         let solution = fitted.moments.with(&columns).solve(Some(&fitted.solution.weights));
         let known = (1.0 - solution.x[own]) / (solution.inverse[(own, own)].max(0.0) + UNIT * UNIT);
         let behind = fitted.solution.x.len();
@@ -458,7 +460,7 @@ impl<'a> ModelUnderTest<'a> {
     /// or in stretches; where the causes' begin; their terms.
     fn equations(&self, chosen: &[Chosen], stretches: bool) -> (Moments, Vec<usize>, Vec<Arc<Vec<Term>>>) {
         let ground = self.ground[usize::from(stretches)].get_or_init(|| {
-            let columns: Vec<Column> = self.base.iter().chain(&self.friction).cloned().collect();
+            let columns: Vec<&Column> = self.base.iter().chain(&self.friction).collect();
             let len = self.scene.len.max(1);
             let spans: Vec<usize> = (0..self.scene.len).map(|w| w * BLOCKS / len).collect();
             Moments::new(&self.scene, if stretches { &spans } else { &self.scene.block }, &self.y, &columns)
@@ -467,7 +469,7 @@ impl<'a> ModelUnderTest<'a> {
         let (mut columns, mut first) = (Vec::new(), Vec::new());
         for term in &terms {
             first.push(ground.unknowns + columns.len());
-            columns.extend(term.iter().map(|t| t.column.clone()));
+            columns.extend(term.iter().map(|t| &t.column));
         }
         let free = |k: usize| k.checked_sub(self.base.len()).is_some_and(|k| self.frozen.get(k) == Some(&true));
         let mut moments = ground.without(free).with(&columns);
@@ -607,8 +609,13 @@ impl<'a> ModelUnderTest<'a> {
         let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
         let terms: Vec<Arc<Vec<Term>>> = chosen.iter().map(|c| self.terms(c)).collect();
         let held = if self.all && self.mode == Mode::Refitted { inertial(self.plant) } else { Vec::new() };
-        self.scene.add_base(&held, x.as_slice(), &mut rows);
         let mut at = held.len();
+        if at > 0 {
+            let mut base = vec![0.0; self.plant.base_parameters().len()];
+            held.iter().zip(x.iter()).for_each(|(b, x)| base[*b] = *x);
+            rows = self.scene.base_torques(&base, &vec![true; self.scene.dof()]);
+            rows.iter_mut().enumerate().for_each(|(j, row)| self.scene.masked(j, row));
+        }
         let mut add = |column: &Column| {
             for (j, series) in &column.rows {
                 rows[*j].iter_mut().zip(series).for_each(|(r, s)| *r += x[at] * s);

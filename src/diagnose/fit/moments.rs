@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector, SymmetricEigen};
 use super::regulariser::Regulariser;
 use crate::diagnose::windows::windowed_data::{BLOCKS, Column, WindowedData};
 use crate::identify::dot;
+use crate::numerics::parallel::{parallel, threads};
 
 /// Products of a joint's columns with each other and with the torque, over one part of the data.
 #[derive(Debug, Clone)]
@@ -109,7 +110,7 @@ impl Reduced {
 impl Moments {
     /// Of these columns and the torque `y` (per joint, masked), in the parts `block` (one number
     /// below [`BLOCKS`] a window).
-    pub fn new(scene: &WindowedData<'_>, block: &[usize], y: &[Vec<f64>], columns: &[Column]) -> Self {
+    pub fn new(scene: &WindowedData<'_>, block: &[usize], y: &[Vec<f64>], columns: &[&Column]) -> Self {
         let mut pieces: Vec<(Range<usize>, usize)> = Vec::new();
         for (w, &part) in block.iter().enumerate() {
             match pieces.last_mut() {
@@ -143,7 +144,7 @@ impl Moments {
     }
 
     /// The same equations with further unknowns behind the others.
-    pub fn with(&self, more: &[Column]) -> Self {
+    pub fn with(&self, more: &[&Column]) -> Self {
         let mut all = Self { unknowns: self.unknowns + more.len(), ..self.clone() };
         for (c, column) in more.iter().enumerate() {
             for (j, series) in &column.rows {
@@ -163,9 +164,8 @@ impl Moments {
                     let cut: Vec<&[f64]> = joint.series.iter().map(|s| &s[range.clone()]).collect();
                     let y = &self.y[j][range.clone()];
                     for i in old..n {
-                        for k in 0..=i {
-                            part.gram[(i, k)] += dot(cut[i], cut[k]);
-                        }
+                        let found = products(cut[i], &cut[..=i]);
+                        found.iter().enumerate().for_each(|(k, product)| part.gram[(i, k)] += product);
                         part.with_y[i] += dot(cut[i], y);
                     }
                 }
@@ -343,7 +343,7 @@ impl Moments {
         &self,
         whole: &Solution,
         fixed: &[usize],
-        limit: impl Fn(&DVector<f64>, &DMatrix<f64>) -> Option<(Vec<usize>, DVector<f64>)>,
+        limit: impl Fn(&DVector<f64>, &DMatrix<f64>) -> Option<(Vec<usize>, DVector<f64>)> + Sync,
     ) -> Vec<Vec<f64>> {
         let held = self.held();
         let solve = |matrix: &DMatrix<f64>, rhs: &DVector<f64>| {
@@ -364,31 +364,30 @@ impl Moments {
     ///
     /// # Errors
     /// Those of the solver.
-    pub fn cross_validated_by<E>(
+    pub fn cross_validated_by<E: Send>(
         &self,
         whole: &Solution,
         weights: &[f64],
         out: &[usize],
         fixed: &[usize],
-        solve: impl Fn(&DMatrix<f64>, &DVector<f64>) -> Result<DVector<f64>, E>,
+        solve: impl Fn(&DMatrix<f64>, &DVector<f64>) -> Result<DVector<f64>, E> + Sync,
     ) -> Result<Vec<Vec<f64>>, E> {
-        (0..self.parts())
-            .map(|part| {
-                let sums = self.sums(|b| b != part);
-                let (mut matrix, mut rhs) = self.assemble(&sums, weights);
-                for &k in fixed {
-                    rhs.axpy(-whole.x[k], &matrix.column(k), 1.0);
-                }
-                for &k in out.iter().chain(fixed) {
-                    matrix.row_mut(k).fill(0.0);
-                    matrix.column_mut(k).fill(0.0);
-                    rhs[k] = 0.0;
-                }
-                let mut x = solve(&matrix, &rhs)?;
-                fixed.iter().for_each(|&k| x[k] = whole.x[k]);
-                Ok(self.residuals(&self.sums(|b| b == part), &x))
-            })
-            .collect()
+        let without = |part: usize| {
+            let sums = self.sums(|b| b != part);
+            let (mut matrix, mut rhs) = self.assemble(&sums, weights);
+            for &k in fixed {
+                rhs.axpy(-whole.x[k], &matrix.column(k), 1.0);
+            }
+            for &k in out.iter().chain(fixed) {
+                matrix.row_mut(k).fill(0.0);
+                matrix.column_mut(k).fill(0.0);
+                rhs[k] = 0.0;
+            }
+            let mut x = solve(&matrix, &rhs)?;
+            fixed.iter().for_each(|&k| x[k] = whole.x[k]);
+            Ok(self.residuals(&self.sums(|b| b == part), &x))
+        };
+        parallel(threads(), self.parts(), without).into_iter().collect()
     }
 
     /// Residual series of each joint, zero where a window is not used.
@@ -430,14 +429,15 @@ impl Moments {
                     .filter_map(|(i, t)| t.rows.iter().find(|r| r.0 == j).map(|r| (i, &r.1)))
                     .collect();
                 let joint = &self.joints[j];
+                let others: Vec<&[f64]> = joint.series.iter().map(|s| &s[..]).collect();
+                let own: Vec<&[f64]> = here.iter().map(|h| &h.1[..]).collect();
+                let of = |with: &[&[f64]]| -> Vec<f64> { own.iter().flat_map(|o| products(o, with)).collect() };
                 TrialJoint {
                     joint: j,
                     terms: here.iter().map(|h| h.0).collect(),
-                    cross: DMatrix::from_fn(joint.columns.len(), here.len(), |i, k| {
-                        dot(&joint.series[i][..], here[k].1)
-                    }),
-                    gram: DMatrix::from_fn(here.len(), here.len(), |i, k| dot(here[i].1, here[k].1)),
-                    with_y: DVector::from_fn(here.len(), |i, _| dot(here[i].1, &self.y[j])),
+                    cross: DMatrix::from_vec(others.len(), own.len(), of(&others)),
+                    gram: DMatrix::from_vec(own.len(), own.len(), of(&own)),
+                    with_y: DVector::from_vec(of(&[&self.y[j][..]])),
                 }
             })
             .collect();
@@ -488,6 +488,13 @@ impl Moments {
         let rss = self.whole.iter().enumerate().map(sum).collect();
         Gain { x: x.iter().copied().collect(), rss }
     }
+}
+
+/// Inner products of a series with others, in the widest registers of this processor: the bits are
+/// those of any other.
+#[multiversion::multiversion(targets("x86_64+avx2"))]
+fn products(one: &[f64], others: &[&[f64]]) -> Vec<f64> {
+    others.iter().map(|other| dot(one, other)).collect()
 }
 
 /// Normal matrix of some unknowns, all others refitted, from the inverse of the whole.
@@ -643,7 +650,7 @@ impl Moments {
     /// The same equations and solution with further columns, of unknowns that are at their best
     /// value already: zero.
     pub fn beside(&self, at: &Solution, more: &[Column]) -> (Self, Solution) {
-        let moments = self.with(more);
+        let moments = self.with(&more.iter().collect::<Vec<&Column>>());
         let (matrix, _) = moments.assemble(&moments.whole, &at.weights);
         let x = at.x.clone().resize_vertically(moments.unknowns, 0.0);
         let solution = Solution { x, inverse: pseudo_inverse(&matrix), unlimited: None, ..at.clone() };

@@ -19,7 +19,7 @@ pub struct Payload;
 /// parameters that they belong to.
 pub(super) fn body_columns(scene: &WindowedData<'_>, row: usize) -> [Vec<Vec<f64>>; 10] {
     let base = scene.plant.base_parameters();
-    let rows = scene.base_rows();
+    let rows = scene.base_rows(&vec![true; scene.dof()]);
     std::array::from_fn(|which| {
         let standard = 10 * row + which;
         let factor: Vec<f64> =

@@ -1,12 +1,11 @@
 //! Candidates: every cause in every place with its best shape, by what it gains with everything
 //! else refitted.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use super::judge::SURE;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, near};
 use crate::diagnose::fit::moments::Gain;
 use crate::diagnose::hypotheses::{Hypothesis, Sign, UNIT, at_edge, causes};
+use crate::numerics::parallel::{parallel, threads};
 
 /// A cause in a place with its best shape.
 #[derive(Clone)]
@@ -81,29 +80,21 @@ pub fn candidates(
     for cause in causes() {
         tasks.extend(cause.places(&tested.scene).into_iter().filter(|p| wanted(cause, p)).map(|p| (cause, p)));
     }
-    let next = AtomicUsize::new(0);
-    let work = || {
-        let mut found: Vec<(usize, Candidate)> = Vec::new();
-        loop {
-            let at = next.fetch_add(1, Ordering::Relaxed);
-            let Some((cause, place)) = tasks.get(at) else { return found };
-            let shapes = cause.grid(&tested.scene, place, &fitted.residual);
-            let tried = shapes.iter().filter_map(|shape| evaluate(tested, fitted, *cause, place, shape));
-            found.extend(best_of(tested, fitted, tried).map(|b| (at, b)));
-        }
+    let best = |at: usize| {
+        let (cause, place) = &tasks[at];
+        let shapes = cause.grid(&tested.scene, place, &fitted.residual);
+        let tried = shapes.iter().filter_map(|shape| evaluate(tested, fitted, *cause, place, shape));
+        best_of(tested, fitted, tried)
     };
-    let threads = std::thread::available_parallelism().map_or(1, |n| n.get()).min(4);
-    let mut all: Vec<(usize, Candidate)> = std::thread::scope(|scope| {
-        let handles: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-        handles.into_iter().flat_map(|h| h.join().unwrap_or_default()).collect()
-    });
-    all.sort_by_key(|a| a.0);
-    let mut all: Vec<Candidate> = all.into_iter().map(|a| a.1).collect();
+    let mut all: Vec<Candidate> = parallel(threads(), tasks.len(), best).into_iter().flatten().collect();
     all.sort_by(|a, b| b.score.total_cmp(&a.score));
-    let refined = all.len().min(10);
-    for candidate in &mut all[..refined] {
-        refine(tested, fitted, candidate);
-    }
+    let refined = |at: usize| {
+        let mut candidate = all[at].clone();
+        refine(tested, fitted, &mut candidate);
+        candidate
+    };
+    let first = parallel(threads(), all.len().min(10), refined);
+    all.splice(..first.len(), first);
     all.retain(|c| !at_edge(c.cause, &c.shape));
     all.sort_by(|a, b| b.score.total_cmp(&a.score));
     simplest_first(&mut all, fitted);

@@ -2,7 +2,7 @@
 //! the plain refit beside which both have to hold on each validating log.
 
 use super::excess::{by_log, excess, with_excess};
-use super::measure::Meter;
+use super::measure::{Measured, Meter};
 use super::model_choice::LeftOut;
 use super::prune::Pruned;
 use super::refine_and_select::{Selected, Session};
@@ -12,6 +12,7 @@ use crate::diagnose::findings::structure::{Structure, structure};
 use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
 use crate::diagnose::run::{DiagnoseError, Settings};
 use crate::diagnose::windows::recording::Recording;
+use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::identify::ConsistentError;
 use crate::model::PerturbableArm;
 
@@ -75,8 +76,18 @@ impl<'a> Session<'a> {
     /// Part of a model's residual that is not noise. `torque`: root mean square of each joint's, N
     /// m.
     pub(in crate::diagnose) fn left(&self, model: &Selected<'_>, torque: &[f64]) -> Vec<Structure> {
-        let found = structure(&model.tested.scene, &model.fitted.residual, self.noise, torque);
-        with_excess(found, excess(model, self.noise))
+        self.left_of(&model.tested.scene, &model.fitted.residual, [&model.after_fit, &model.after], torque)
+    }
+
+    /// The same of a residual, per joint and window, and of errors on fitted and validating logs.
+    pub(in crate::diagnose) fn left_of(
+        &self,
+        scene: &WindowedData<'_>,
+        residual: &[Vec<f64>],
+        errors: [&Measured; 2],
+        torque: &[f64],
+    ) -> Vec<Structure> {
+        with_excess(structure(scene, residual, self.noise, torque), excess(errors, self.noise))
     }
 
     /// The models that were searched.

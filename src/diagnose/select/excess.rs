@@ -46,9 +46,9 @@ fn swift(measured: &Measured, j: usize) -> f64 {
 
 /// Joints that the model misses by more than the floor explains, on fitted and validating logs
 /// alike. `floor`: error of each joint's torque where a model is right, N m.
-pub(in crate::diagnose) fn excess(model: &Selected<'_>, floor: &[f64]) -> Vec<Structure> {
+pub(in crate::diagnose) fn excess([fit, validate]: [&Measured; 2], floor: &[f64]) -> Vec<Structure> {
     let joint = |j: usize| {
-        let least = |of: &dyn Fn(&Measured) -> f64| of(&model.after).min(of(&model.after_fit));
+        let least = |of: &dyn Fn(&Measured) -> f64| of(validate).min(of(fit));
         let rms = least(&|m| swift(m, j)).max(least(&|m| m.steady[j]) * EXCESS / ABOUT_REVERSALS);
         (rms > EXCESS * floor[j]).then(|| Structure {
             joint: j,

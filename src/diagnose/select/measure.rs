@@ -19,6 +19,24 @@ pub(in crate::diagnose) struct Measured {
     pub(in crate::diagnose) view: View,
     /// Whether this data can show each of the chosen causes.
     pub(in crate::diagnose) shown: Vec<bool>,
+    /// Samples at which each joint moves.
+    moves: Vec<Vec<bool>>,
+}
+
+impl Measured {
+    /// Takes a torque on one joint, N m, out of what is missed.
+    pub(in crate::diagnose) fn explain(&mut self, joint: usize, torque: &[f64]) {
+        let error = &mut self.error[joint];
+        error.iter_mut().zip(torque).for_each(|(e, t)| *e -= t);
+        self.rms[joint] = root_mean_square(error);
+        self.steady[joint] = where_it_moves(error, &self.moves[joint]);
+    }
+}
+
+/// Root mean square of an error where the joint moves; of all of it where that is less than half.
+fn where_it_moves(error: &[f64], moves: &[bool]) -> f64 {
+    let moving: Vec<f64> = error.iter().zip(moves).filter(|(_, moves)| **moves).map(|(e, _)| *e).collect();
+    root_mean_square(if 2 * moving.len() < error.len() { error } else { &moving })
 }
 
 pub(in crate::diagnose) const RAW: f64 = 1e9;
@@ -76,16 +94,11 @@ impl<'a> Meter<'a> {
         }
         let rms = error.iter().map(|e| root_mean_square(e)).collect();
         let scene = &self.fine.scene;
-        let steady = (0..error.len())
-            .map(|j| {
-                let moves = scene.own[j].iter().flat_map(|own| own.moves.iter().copied());
-                let moving = error[j].iter().zip(moves).filter(|(_, moves)| *moves);
-                let moving: Vec<f64> = moving.map(|(e, _)| *e).collect();
-                root_mean_square(if 2 * moving.len() < error[j].len() { &error[j] } else { &moving })
-            })
-            .collect();
+        let moves: Vec<Vec<bool>> =
+            scene.own.iter().map(|own| own.iter().flat_map(|own| own.moves.iter().copied()).collect()).collect();
+        let steady = error.iter().zip(&moves).map(|(error, moves)| where_it_moves(error, moves)).collect();
         let (time, runs, view) = (scene.time.clone(), scene.runs.clone(), View::of(scene));
-        Measured { rms, steady, error, time, runs, view, shown: Vec::new() }
+        Measured { rms, steady, error, time, runs, view, moves, shown: Vec::new() }
     }
 }
 

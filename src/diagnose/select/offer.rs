@@ -4,10 +4,10 @@
 use super::contenders::Refit;
 use super::excess::WORSE;
 use super::measure::taken_of;
-use super::model_choice::LeftOut;
+use super::model_choice::{LeftOut, Paired};
 use super::refine_and_select::{Selected, Session};
 use crate::diagnose::findings::evidence;
-use crate::diagnose::findings::result::Offered;
+use crate::diagnose::findings::result::{Cause, Offered};
 use crate::diagnose::fit::model::Mode;
 use crate::identify::ConsistentError;
 
@@ -20,6 +20,17 @@ pub(in crate::diagnose) struct Choice<'a> {
     /// [`Diagnosis::file_holds`](crate::diagnose::findings::result::Diagnosis::file_holds).
     pub(in crate::diagnose) file_holds: bool,
     pub(in crate::diagnose) model: Selected<'a>,
+    /// Where it has other links than the file: the best model of the file's links.
+    pub(in crate::diagnose) rival: Option<Rival>,
+}
+
+/// The best model of the file's links, beside one with other links.
+pub(in crate::diagnose) struct Rival {
+    /// By how much less the other one errs on left-out stretches.
+    pub(in crate::diagnose) gain: Paired,
+    /// Whether this errs more than a plain refit on a validating log.
+    pub(in crate::diagnose) refuted: bool,
+    pub(in crate::diagnose) causes: Vec<Cause>,
 }
 
 /// Which of the nested models it is.
@@ -72,12 +83,20 @@ impl<'a> Session<'a> {
         };
         let mut model = models.swap_remove(at);
         let offered = offer(&model);
+        let rival = self.rival(&model, &models, refitted);
         if let Some(sentence) = self.holding(&unchanged, &model) {
             let differ = self.changed(&model, self.noise);
             said.push(sentence);
             let mut why = std::mem::take(&mut model.why);
             why.extend(said);
-            return Ok(Choice { offered: Offered::File, why, changed: differ, file_holds: true, model: unchanged });
+            return Ok(Choice {
+                offered: Offered::File,
+                why,
+                changed: differ,
+                file_holds: true,
+                model: unchanged,
+                rival: None,
+            });
         }
         let what = match offered {
             Offered::Extended => "the extended model predicts better than the file",
@@ -87,7 +106,15 @@ impl<'a> Session<'a> {
         let mut why = std::mem::take(&mut model.why);
         why.extend(said);
         let changed = if self.own_validation { self.changed(&model, self.noise) } else { Vec::new() };
-        Ok(Choice { offered, why, changed, file_holds: false, model })
+        Ok(Choice { offered, why, changed, file_holds: false, model, rival })
+    }
+
+    /// The model of the file's links beside one with other links.
+    fn rival(&self, model: &Selected<'_>, others: &[Selected<'_>], refit: &Refit<'_>) -> Option<Rival> {
+        let refitted = model.tested.mode == Mode::Refitted;
+        let other = others.iter().find(|m| refitted && m.tested.mode == Mode::Trusted)?;
+        let gain = model.left_out.less(&other.left_out, self.ground);
+        Some(Rival { gain, refuted: self.worse_than(other, refit), causes: other.causes.clone() })
     }
 
     /// The unchanged file, for the `best` of the other models is not worth having beside it.
@@ -110,7 +137,7 @@ impl<'a> Session<'a> {
             why.extend(said);
         }
         let changed = if self.own_validation { self.changed(&model, self.noise) } else { Vec::new() };
-        Choice { offered: Offered::File, why, changed, file_holds: false, model }
+        Choice { offered: Offered::File, why, changed, file_holds: false, model, rival: None }
     }
 
     /// Whether a model is worth having beside a simpler one (its errors on left-out stretches of the

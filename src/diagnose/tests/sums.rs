@@ -47,7 +47,7 @@ fn a_trial_is_a_refit_of_all() {
     // Nearly one of the others, so that what is taken off of it counts.
     let near: Vec<f64> = t0.iter().zip(&columns[0].rows[0].1).map(|(t, a)| 0.3 * t + a).collect();
     let more = Column { rows: vec![(0, near), (1, t1)] };
-    let moments = Moments::new(&scene, &scene.block, &y, &columns);
+    let moments = Moments::new(&scene, &scene.block, &y, &columns.iter().collect::<Vec<&Column>>());
     let found = moments.solve(None);
     let trial = moments.trial(&[&more]);
     let reduced = moments.reduced(&found, &trial).unwrap();

@@ -2,6 +2,7 @@
 
 use super::recording::Recording;
 use crate::data::signal::white_noise;
+use crate::identify::dot;
 
 /// Standard deviation of each joint's torque noise, N m, without a model. It comes from fourth
 /// differences of the raw samples, in which motion below a tenth of the sampling rate leaves
@@ -29,20 +30,16 @@ pub fn torque_noise(recordings: &[Recording], dof: usize) -> Vec<f64> {
 /// pair (Geyer 1992), at least 1.
 pub fn autocorrelation_time(residual: &[f64], live: &[bool]) -> f64 {
     let n = residual.len();
-    let variance: f64 = residual.iter().map(|e| e * e).sum::<f64>();
+    let masked: Vec<f64> = residual.iter().zip(live).map(|(e, live)| if *live { *e } else { 0.0 }).collect();
+    let variance = dot(&masked, &masked);
     let count = live.iter().filter(|l| **l).count() as f64;
     if variance == 0.0 || count < 20.0 {
         return 1.0;
     }
+    let used = Bits::of(live);
     let correlation = |lag: usize| {
-        let (mut sum, mut pairs) = (0.0, 0.0);
-        for w in 0..n - lag {
-            if live[w] && live[w + lag] {
-                sum += residual[w] * residual[w + lag];
-                pairs += 1.0;
-            }
-        }
-        if pairs < 10.0 { 0.0 } else { sum / pairs / (variance / count) }
+        let pairs = f64::from(used.pairs(lag));
+        if pairs < 10.0 { 0.0 } else { dot(&masked[..n - lag], &masked[lag..]) / pairs / (variance / count) }
     };
     let mut total = 1.0;
     let mut lag = 1;
@@ -55,6 +52,24 @@ pub fn autocorrelation_time(residual: &[f64], live: &[bool]) -> f64 {
         lag += 2;
     }
     total.clamp(1.0, count / 5.0)
+}
+
+/// Windows that are used, 64 to a word.
+struct Bits(Vec<u64>);
+
+impl Bits {
+    fn of(live: &[bool]) -> Self {
+        let word = |w: &[bool]| w.iter().enumerate().fold(0, |bits, (i, live)| bits | u64::from(*live) << i);
+        Self(live.chunks(64).map(word).collect())
+    }
+
+    /// Used windows for which the one `lag` later is used, too.
+    fn pairs(&self, lag: usize) -> u32 {
+        let (words, by) = (lag / 64, lag % 64);
+        let later = |k: usize| self.0.get(k + words).copied().unwrap_or(0);
+        let shifted = |k: usize| if by == 0 { later(k) } else { later(k) >> by | later(k + 1) << (64 - by) };
+        self.0.iter().enumerate().map(|(k, word)| (word & shifted(k)).count_ones()).sum()
+    }
 }
 
 #[cfg(test)]
@@ -75,5 +90,16 @@ mod tests {
         // (1 + a) / (1 - a)
         let found = autocorrelation_time(&series, &vec![true; series.len()]);
         assert!((found / 9.0 - 1.0).abs() < 0.25, "{found}");
+    }
+
+    #[test]
+    fn pairs_of_used_windows_are_counted() {
+        let mut random = Random::new(8);
+        let live: Vec<bool> = (0..1000).map(|_| random.uniform(0.0, 1.0) < 0.7).collect();
+        let used = Bits::of(&live);
+        for lag in [0, 1, 2, 63, 64, 65, 399] {
+            let counted = (0..live.len() - lag).filter(|&w| live[w] && live[w + lag]).count();
+            assert_eq!(used.pairs(lag) as usize, counted, "{lag}");
+        }
     }
 }

@@ -106,6 +106,123 @@ pub struct Slopes {
     pub acceleration: Vec<Vec<f64>>,
 }
 
+/// Windows of one stretch.
+struct Cut<'r> {
+    stretch: &'r Stretch,
+    /// Samples that are used.
+    span: std::ops::Range<usize>,
+    /// Samples of a window.
+    per: usize,
+    /// Number of its first window.
+    first: usize,
+    windows: usize,
+    /// When the recording began, s.
+    begin: f64,
+}
+
+/// The stretches that are long enough, in order.
+fn cuts(recordings: &[Recording], rate: f64) -> Vec<Cut<'_>> {
+    let mut all: Vec<Cut<'_>> = Vec::new();
+    let mut first = 0;
+    for recording in recordings {
+        for stretch in &recording.stretches {
+            let per = ((1.0 / (rate * stretch.period)).round() as usize).max(1);
+            let len = stretch.states.len;
+            let edge = edge(stretch, len);
+            let windows = len.saturating_sub(2 * edge) / per;
+            if windows > 0 {
+                let span = edge..edge + windows * per;
+                all.push(Cut { stretch, span, per, first, windows, begin: recording.begin });
+                first += windows;
+            }
+        }
+    }
+    all
+}
+
+impl Cut<'_> {
+    /// Middle of each window, s since the recording began.
+    fn time(&self) -> impl Iterator<Item = f64> + '_ {
+        let (start, period) = (self.stretch.start - self.begin, self.stretch.period);
+        let mid = 0.5 * (self.per - 1) as f64;
+        (0..self.windows).map(move |w| start + (self.span.start as f64 + (w * self.per) as f64 + mid) * period)
+    }
+
+    /// Torque of a joint, N m.
+    fn torque(&self, j: usize) -> Vec<f64> {
+        average(&self.stretch.of(&self.stretch.tau, j)[self.span.clone()], self.per)
+    }
+
+    /// Motion of a joint whose torque is late by `delay` s.
+    fn joint(&self, j: usize, delay: f64, signed: &SpeedSign) -> JointSeries {
+        let Self { stretch, span, .. } = self;
+        let (len, by) = (stretch.states.len, delay / stretch.period);
+        let at = |x: &[f64]| earlier(stretch.of(x, j), span.clone(), by);
+        let v = at(&stretch.states.dq);
+        let sticks = |k: usize| {
+            let then = (k as f64 - by).round().clamp(0.0, (len - 1) as f64) as usize;
+            !stretch.stuck.is_empty() && stretch.of(&stretch.stuck, j)[then]
+        };
+        let SpeedSign { zone, stands, .. } = *signed;
+        let share = stretch.band.share.chunks_exact(len).nth(j);
+        JointSeries {
+            q: at(&stretch.states.q),
+            a: at(&stretch.states.ddq),
+            load: vec![0.0; span.len()],
+            t: span.clone().map(|k| stretch.start - self.begin + (k as f64 - by) * stretch.period).collect(),
+            temperature: recorded(stretch, &stretch.temperature, j, span.clone(), 0.0),
+            motor: recorded(stretch, &stretch.motor, j, span.clone(), by),
+            band: stretch.band.of(j, share.map_or(Vec::new(), |share| earlier(share, span.clone(), by))),
+            period: stretch.period,
+            moves: span.clone().zip(&v).map(|(k, v)| v.abs() > zone && (stands || !sticks(k))).collect(),
+            sign: v.iter().map(|v| signed.of(*v)).collect(),
+            v,
+            first: self.first,
+            windows: self.windows,
+            per: self.per,
+        }
+    }
+}
+
+/// The sign of a joint's velocity, where that says something.
+struct SpeedSign {
+    /// Speed below which it is noise, rad/s.
+    zone: f64,
+    /// Whether the joint stands most of the time.
+    stands: bool,
+    /// Whether every sample counts.
+    all: bool,
+}
+
+impl SpeedSign {
+    /// Where every sample counts, the sign is that of the file's laws, so that the measure is of
+    /// their output; of a joint that stands the sign is nothing but noise.
+    fn of(&self, v: f64) -> f64 {
+        let known = if self.all && !self.stands { v != 0.0 } else { v.abs() > self.zone };
+        if known { v.signum() } else { 0.0 }
+    }
+
+    /// Windows of a joint that are used.
+    fn live(&self, own: &JointSeries) -> Vec<bool> {
+        let one_way = |w: &[f64]| w.iter().all(|s| *s != 0.0) && w.iter().all(|s| *s == w[0]);
+        own.sign.chunks_exact(own.per).map(|w| self.all || self.stands || one_way(w)).collect()
+    }
+}
+
+/// Motion of all joints in the windows, `delay` s earlier.
+fn states_at(cuts: &[Cut<'_>], dof: usize, delay: f64) -> States {
+    let mut states = States { len: cuts.iter().map(|c| c.windows).sum(), ..States::default() };
+    for j in 0..dof {
+        for Cut { stretch, span, per, .. } in cuts {
+            let mean = |x: &[f64]| average(&earlier(stretch.of(x, j), span.clone(), delay / stretch.period), *per);
+            states.q.extend(mean(&stretch.states.q));
+            states.dq.extend(mean(&stretch.states.dq));
+            states.ddq.extend(mean(&stretch.states.ddq));
+        }
+    }
+    states
+}
+
 /// Data available to causes.
 pub struct WindowedData<'a> {
     /// The arm.
@@ -142,6 +259,8 @@ pub struct WindowedData<'a> {
     pub step: f64,
     /// Speed below which a joint's sign is noise, rad/s.
     pub velocity_noise_limit: Vec<f64>,
+    /// Whether a joint stands most of the time.
+    stands: Vec<bool>,
     /// By how much each joint's torque is taken to be late, s.
     pub delays: Vec<f64>,
     /// Rotor inertias of the file, kg m^2.
@@ -166,102 +285,18 @@ impl<'a> WindowedData<'a> {
     /// With `all`, every window counts, whatever the joint's speed.
     pub fn new(plant: &'a dyn PerturbableArm, recordings: &[Recording], rate: f64, delays: &[f64], all: bool) -> Self {
         let dof = plant.dof();
-        let mut distinct: Vec<f64> = Vec::new();
-        let seen: Vec<usize> = delays
-            .iter()
-            .map(|d| {
-                distinct.iter().position(|x| x == d).unwrap_or_else(|| {
-                    distinct.push(*d);
-                    distinct.len() - 1
-                })
-            })
-            .collect();
-        let dead = dead_zones(recordings, dof);
-        let (mut y, mut live) = (vec![Vec::new(); dof], vec![Vec::new(); dof]);
-        let mut parts: Vec<[Vec<Vec<f64>>; 3]> = vec![std::array::from_fn(|_| vec![Vec::new(); dof]); distinct.len()];
-        let (mut own, mut time, mut runs) = (vec![Vec::new(); dof], Vec::new(), Vec::new());
-        let mut step = 1.0 / rate;
+        let cuts = cuts(recordings, rate);
+        let len = cuts.last().map_or(0, |c| c.first + c.windows);
+        let step = cuts.last().map_or(1.0 / rate, |c| c.per as f64 * c.stretch.period);
         let period = longest_period(recordings);
-        for recording in recordings {
-            let begin = recording.begin;
-            for stretch in &recording.stretches {
-                let per = ((1.0 / (rate * stretch.period)).round() as usize).max(1);
-                step = per as f64 * stretch.period;
-                let len = stretch.states.len;
-                let edge = edge(stretch, len);
-                let windows = len.saturating_sub(2 * edge) / per;
-                if windows == 0 {
-                    continue;
-                }
-                let span = edge..edge + windows * per;
-                let first = time.len();
-                runs.push(first..first + windows);
-                let mid = 0.5 * (per - 1) as f64;
-                time.extend(
-                    (0..windows)
-                        .map(|w| stretch.start - begin + (edge as f64 + (w * per) as f64 + mid) * stretch.period),
-                );
-                for (part, delay) in parts.iter_mut().zip(&distinct) {
-                    let by = delay / stretch.period;
-                    for j in 0..dof {
-                        let series = [&stretch.states.q, &stretch.states.dq, &stretch.states.ddq];
-                        for (out, x) in part.iter_mut().zip(series) {
-                            out[j].extend(average(&earlier(stretch.of(x, j), span.clone(), by), per));
-                        }
-                    }
-                }
-                for j in 0..dof {
-                    let by = delays[j] / stretch.period;
-                    let v = earlier(stretch.of(&stretch.states.dq, j), span.clone(), by);
-                    let sticks = |k: usize| {
-                        let then = (k as f64 - by).round().clamp(0.0, (len - 1) as f64) as usize;
-                        !stretch.stuck.is_empty() && stretch.of(&stretch.stuck, j)[then]
-                    };
-                    let moves: Vec<bool> =
-                        span.clone().zip(&v).map(|(k, v)| v.abs() > dead[j].0 && (dead[j].1 || !sticks(k))).collect();
-                    // Where every sample counts, the sign is that of the file's laws, so that the
-                    // measure is of their output; of a joint that stands the sign is nothing but
-                    // noise.
-                    let sign: Vec<f64> = match all && !dead[j].1 {
-                        true => v.iter().map(|v| if *v == 0.0 { 0.0 } else { v.signum() }).collect(),
-                        false => v.iter().map(|v| if v.abs() > dead[j].0 { v.signum() } else { 0.0 }).collect(),
-                    };
-                    live[j]
-                        .extend(sign.chunks_exact(per).map(|w| {
-                            all || dead[j].1 || (w.iter().all(|s| *s != 0.0) && w.iter().all(|s| *s == w[0]))
-                        }));
-                    y[j].extend(average(&stretch.of(&stretch.tau, j)[span.clone()], per));
-                    own[j].push(JointSeries {
-                        q: earlier(stretch.of(&stretch.states.q, j), span.clone(), by),
-                        a: earlier(stretch.of(&stretch.states.ddq, j), span.clone(), by),
-                        load: vec![0.0; span.len()],
-                        t: span.clone().map(|k| stretch.start - begin + (k as f64 - by) * stretch.period).collect(),
-                        temperature: recorded(stretch, &stretch.temperature, j, span.clone(), 0.0),
-                        motor: recorded(stretch, &stretch.motor, j, span.clone(), by),
-                        band: {
-                            let own = stretch.band.share.chunks_exact(len).nth(j);
-                            stretch.band.of(j, own.map_or(Vec::new(), |share| earlier(share, span.clone(), by)))
-                        },
-                        period: stretch.period,
-                        v,
-                        sign,
-                        moves,
-                        first,
-                        windows,
-                        per,
-                    });
-                }
-            }
-        }
-        let len = time.len();
-        let states = parts
-            .into_iter()
-            .map(|[q, dq, ddq]| States { len, q: q.concat(), dq: dq.concat(), ddq: ddq.concat() })
-            .collect();
-        for (row, live) in y.iter_mut().zip(&live) {
-            row.iter_mut().zip(live).filter(|(_, l)| !**l).for_each(|(y, _)| *y = 0.0);
-        }
-        Self {
+        let dead = dead_zones(recordings, dof);
+        let time = cuts.iter().flat_map(Cut::time).collect();
+        let mut windowed = Self {
+            y: vec![Vec::new(); dof],
+            live: vec![Vec::new(); dof],
+            own: vec![Vec::new(); dof],
+            states: Vec::new(),
+            state_of_joint: Vec::new(),
             block: (0..len)
                 .map(|w| (w as f64 * step / PIECE.min(len as f64 * step / BLOCKS as f64)) as usize % BLOCKS)
                 .collect(),
@@ -271,24 +306,71 @@ impl<'a> WindowedData<'a> {
             beta: vec![0.0; plant.base_parameters().len()],
             standard: None,
             velocity_noise_limit: dead.iter().map(|d| d.0).collect(),
-            delays: delays.to_vec(),
+            stands: dead.iter().map(|d| d.1).collect(),
+            delays: vec![f64::NAN; dof],
             rotors: rotors(plant),
             rated: rated(plant, recordings),
             noise: torque_noise(recordings, dof).iter().map(|s| s / (step / period).max(1.0).sqrt()).collect(),
             period,
             all,
             slopes: vec![OnceLock::new(); dof],
+            runs: cuts.iter().map(|c| c.first..c.first + c.windows).collect(),
             plant,
             len,
-            y,
-            states,
-            state_of_joint: seen,
             time,
-            live,
-            runs,
-            own,
             step,
+        };
+        windowed.take_delays(&cuts, delays);
+        windowed
+    }
+
+    /// The same windows with torques taken as late by other delays, and the rigid model that goes
+    /// with that. `recordings`, `rate`: those of [`WindowedData::new`].
+    pub fn delayed_by(&mut self, recordings: &[Recording], rate: f64, delays: &[f64]) {
+        let before = std::mem::take(&mut self.delays);
+        self.delays.clone_from(&before);
+        self.take_delays(&cuts(recordings, rate), delays);
+        let moved: Vec<bool> = before.iter().zip(delays).map(|(a, b)| a != b).collect();
+        let fresh = self.torques_where(&self.beta, &moved, |_| {});
+        for (j, torque) in fresh.into_iter().enumerate().filter(|(j, _)| moved[*j]) {
+            self.rigid[j] = torque;
         }
+        self.model_changed();
+    }
+
+    /// Motion and torque of the joints whose delay is another than before.
+    fn take_delays(&mut self, cuts: &[Cut<'_>], delays: &[f64]) {
+        let dof = self.dof();
+        let mut distinct: Vec<f64> = Vec::new();
+        let of_joint: Vec<usize> = delays
+            .iter()
+            .map(|d| {
+                distinct.iter().position(|x| x == d).unwrap_or_else(|| {
+                    distinct.push(*d);
+                    distinct.len() - 1
+                })
+            })
+            .collect();
+        let mut before = std::mem::take(&mut self.states);
+        let states = distinct.iter().map(|delay| {
+            let known = self.delays.iter().zip(&self.state_of_joint).find(|(d, _)| *d == delay);
+            match known {
+                Some((_, &index)) => std::mem::take(&mut before[index]),
+                None => states_at(cuts, dof, *delay),
+            }
+        });
+        self.states = states.collect();
+        self.state_of_joint = of_joint;
+        for j in (0..dof).filter(|&j| self.delays[j] != delays[j]) {
+            let (zone, stands) = (self.velocity_noise_limit[j], self.stands[j]);
+            let signed = SpeedSign { zone, stands, all: self.all };
+            self.own[j] = cuts.iter().map(|cut| cut.joint(j, delays[j], &signed)).collect();
+            self.live[j] = self.own[j].iter().flat_map(|own| signed.live(own)).collect();
+            self.y[j] = cuts.iter().flat_map(|cut| cut.torque(j)).collect();
+            let series = self.y[j].iter_mut().zip(&self.live[j]);
+            series.filter(|(_, live)| !**live).for_each(|(y, _)| *y = 0.0);
+        }
+        self.delays = delays.to_vec();
     }
 
     /// Degrees of freedom.
@@ -382,22 +464,26 @@ impl<'a> WindowedData<'a> {
         column
     }
 
-    /// Entries of the base regressor that belong to each joint's torque: `(base parameter,
-    /// series)`.
-    pub fn base_rows(&self) -> Vec<Vec<(usize, Vec<f64>)>> {
+    /// Entries of the base regressor that belong to the torque of each `wanted` joint: `(base
+    /// parameter, series)`.
+    pub fn base_rows(&self, wanted: &[bool]) -> Vec<Vec<(usize, Vec<f64>)>> {
         let pattern = self.plant.base_pattern();
         let mut rows: Vec<Vec<(usize, Vec<f64>)>> = vec![Vec::new(); self.dof()];
         // Place of each entry among its row's, where the row takes them from these states.
         let mut places = vec![(0, 0); pattern.len()];
         for index in 0..self.states.len() {
+            let own = |row: usize| self.state_of_joint[row] == index && wanted[row];
+            if !(0..self.dof()).any(own) {
+                continue;
+            }
             for (place, &(row, column)) in places.iter_mut().zip(pattern) {
-                if self.state_of_joint[row] == index {
+                if own(row) {
                     *place = (row, rows[row].len());
                     rows[row].push((column, vec![0.0; self.len]));
                 }
             }
             self.base_parts(index, |entry, &(row, _), first, part| {
-                if self.state_of_joint[row] == index {
+                if own(row) {
                     let (row, at) = places[entry];
                     rows[row][at].1[first..first + part.len()].copy_from_slice(part);
                 }
@@ -408,16 +494,11 @@ impl<'a> WindowedData<'a> {
 
     /// Entries of the base regressor over the states of a delay, a part of the windows at a time:
     /// number and pattern of the entry, first window, values.
-    pub fn base_parts(&self, index: usize, take: impl FnMut(usize, &(usize, usize), usize, &[f64])) {
-        self.regressor_parts(&self.states[index], take);
-    }
-
-    /// The same over any states of the windows.
-    fn regressor_parts(&self, states: &States, mut take: impl FnMut(usize, &(usize, usize), usize, &[f64])) {
+    fn base_parts(&self, index: usize, mut take: impl FnMut(usize, &(usize, usize), usize, &[f64])) {
         let pattern = self.plant.base_pattern();
         let mut out = vec![0.0; pattern.len() * PART.min(self.len)];
         for first in (0..self.len).step_by(PART) {
-            let states = part_of(states, self.dof(), first..(first + PART).min(self.len));
+            let states = part_of(&self.states[index], self.dof(), first..(first + PART).min(self.len));
             let out = &mut out[..pattern.len() * states.len];
             self.plant.base_regressor(&states, out);
             for (entry, (part, at)) in out.chunks_exact(states.len).zip(pattern).enumerate() {
@@ -426,57 +507,42 @@ impl<'a> WindowedData<'a> {
         }
     }
 
-    /// Adds to each joint's torque what these base parameters give, `x` beside their numbers; the
-    /// series themselves are not held.
-    pub fn add_base(&self, wanted: &[usize], x: &[f64], to: &mut [Vec<f64>]) {
-        for index in 0..self.states.len() {
-            let mut at_once: Vec<(usize, usize)> = Vec::new();
-            let pattern = self.plant.base_pattern();
-            for (place, b) in wanted.iter().enumerate() {
-                at_once.extend((0..pattern.len()).filter(|&e| pattern[e].1 == *b).map(|e| (place, e)));
-            }
-            let mut parts = vec![Vec::new(); pattern.len()];
-            let mut add = |first: usize, parts: &[Vec<f64>]| {
-                for &(place, entry) in &at_once {
-                    let row = pattern[entry].0;
-                    if self.state_of_joint[row] != index {
-                        continue;
-                    }
-                    let series = parts[entry].iter().zip(&self.live[row][first..]);
-                    for (t, (s, live)) in to[row][first..].iter_mut().zip(series) {
-                        *t += x[place] * if *live { *s } else { 0.0 };
-                    }
-                }
-            };
-            self.base_parts(index, |entry, _, first, part| {
-                parts[entry] = part.to_vec();
-                if entry + 1 == pattern.len() {
-                    add(first, &parts);
-                }
-            });
-        }
-    }
-
-    /// Torque of the rigid model where each window's motion is first changed by `change` (states,
-    /// number of the delay).
-    pub fn rigid_with(&self, change: impl Fn(&mut States)) -> Vec<Vec<f64>> {
+    /// Torques of the rigid arm with these base parameters, N m, of the `wanted` joints, where each
+    /// window's motion is first changed by `change`; zero of the others.
+    fn torques_where(&self, base: &[f64], wanted: &[bool], change: impl Fn(&mut States)) -> Vec<Vec<f64>> {
         let mut rows = vec![vec![0.0; self.len]; self.dof()];
-        for (index, states) in self.states.iter().enumerate() {
-            let mut states = states.clone();
+        let mut out = vec![0.0; self.dof() * self.len];
+        let used = |index: &usize| self.state_of_joint.iter().zip(wanted).any(|(own, wanted)| own == index && *wanted);
+        for index in (0..self.states.len()).filter(used) {
+            let mut states = self.states[index].clone();
             change(&mut states);
-            self.regressor_parts(&states, |_, &(row, column), first, part| {
-                if self.state_of_joint[row] == index && self.beta[column] != 0.0 {
-                    rows[row][first..].iter_mut().zip(part).for_each(|(t, w)| *t += w * self.beta[column]);
-                }
-            });
+            self.plant.base_torques(&states, base, &mut out);
+            let own = rows.iter_mut().zip(out.chunks_exact(self.len.max(1))).zip(&self.state_of_joint);
+            own.filter(|(_, own)| **own == index).for_each(|((row, torque), _)| row.copy_from_slice(torque));
         }
         rows
+    }
+
+    /// Torques of the rigid arm with these base parameters, N m, of the `wanted` joints; zero of the
+    /// others.
+    pub fn base_torques(&self, base: &[f64], wanted: &[bool]) -> Vec<Vec<f64>> {
+        self.torques_where(base, wanted, |_| {})
+    }
+
+    /// Torque of the rigid model where each window's motion is first changed by `change`.
+    pub fn rigid_with(&self, change: impl Fn(&mut States)) -> Vec<Vec<f64>> {
+        self.torques_where(&self.beta, &vec![true; self.dof()], change)
     }
 
     /// Takes base parameters (friction entries zero) for the rigid model.
     pub fn set_model(&mut self, beta: Vec<f64>, standard: Option<Vec<f64>>) {
         (self.beta, self.standard) = (beta, standard);
         self.rigid = self.rigid_with(|_| {});
+        self.model_changed();
+    }
+
+    /// Brings up to date what follows from the rigid torques.
+    fn model_changed(&mut self) {
         self.slopes.fill(OnceLock::new());
         for (j, stretches) in self.own.iter_mut().enumerate() {
             for own in stretches {

@@ -91,8 +91,8 @@ pub fn calibrate_text(found: &Diagnosis, identified: &Identified<'_>, warnings: 
     for (number, c) in found.causes.iter().enumerate() {
         let _ = writeln!(text, "\n{}. {} {} (probability {:.2})", number + 1, c.cause, place(c), c.probability);
         let _ = writeln!(text, "   {}", c.evidence);
-        if let (Some(law), [joint]) = (&c.law, &c.joints[..]) {
-            let _ = writeln!(text, "   {}", for_the_file(*joint, law));
+        if let Some(sentence) = for_the_file(c) {
+            let _ = writeln!(text, "   {sentence}");
         }
         if !c.not_distinguished_from.is_empty() {
             let rivals = c.not_distinguished_from.join(", ");

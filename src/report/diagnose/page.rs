@@ -293,8 +293,8 @@ fn cause(body: &mut String, number: usize, c: &Cause, own_validation: bool) {
         c.probability,
         escape(c.evidence.trim_end_matches('.'))
     );
-    if let (Some(law), [joint]) = (&c.law, &c.joints[..]) {
-        let _ = writeln!(body, "<p class=note>{}</p>", escape(&for_the_file(*joint, law)));
+    if let Some(sentence) = for_the_file(c) {
+        let _ = writeln!(body, "<p class=note>{}</p>", escape(&sentence));
     }
     if !c.parameters.is_empty() {
         body.push_str(

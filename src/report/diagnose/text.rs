@@ -59,6 +59,7 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
         ),
         _ => "There is structure in the error that none of the known causes explains.".to_string(),
     };
+    let first = format!("{first}{}", by_formula(found));
     let first = match (found.has_links, found.verdict) {
         (false, Verdict::Explained | Verdict::PartlyExplained | Verdict::Unexplained) => {
             format!("{first} The file has no link parameters, so it does not predict the arm's own torque.")
@@ -69,6 +70,17 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
     let data =
         if found.own_validation { "logs that were not used" } else { "the last part of the logs, which was not used," };
     format!("{first} {}", headline(found, data))
+}
+
+/// A sentence on torques in closed form that the extended model has, if there are any.
+fn by_formula(found: &Diagnosis) -> String {
+    let lawful: Vec<String> =
+        found.causes.iter().filter(|c| c.has_law()).flat_map(|c| c.joints.iter().map(usize::to_string)).collect();
+    match lawful.len() {
+        0 => String::new(),
+        1 => format!(" A formula without a name takes part of it on joint {}.", lawful[0]),
+        _ => format!(" Formulas without a name take part of it on joints {}.", lawful.join(", ")),
+    }
 }
 
 /// The joint that was most wrong and what became of its error.
@@ -114,11 +126,17 @@ pub(super) fn place(c: &Cause) -> String {
     }
 }
 
-/// How a robot file carries a law that was found.
-pub(super) fn for_the_file(joint: usize, law: &str) -> String {
-    format!(
-        "To use it, write beside the drive of joint {joint} in the robot file: law: \"{law}\", unit: N m (N where it slides)"
-    )
+/// How a robot file carries a law that was found; empty where there is none.
+pub(super) fn for_the_file(c: &Cause) -> Option<String> {
+    let (Some(law), [joint]) = (&c.law, &c.joints[..]) else { return None };
+    Some(match c.in_extended {
+        true => {
+            format!("The extended model has it: `law` beside the drive of joint {joint} in the file that --out writes.")
+        }
+        false => format!(
+            "To use it, write beside the drive of joint {joint} in the robot file: law: \"{law}\", unit: N m (N where it slides)"
+        ),
+    })
 }
 
 /// The result for a terminal.
@@ -148,8 +166,8 @@ pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
     for (number, c) in found.causes.iter().enumerate() {
         let _ = writeln!(text, "\n{}. {} {} (probability {:.2})", number + 1, c.cause, place(c), c.probability);
         let _ = writeln!(text, "   {}", c.evidence);
-        if let (Some(law), [joint]) = (&c.law, &c.joints[..]) {
-            let _ = writeln!(text, "   {}", for_the_file(*joint, law));
+        if let Some(sentence) = for_the_file(c) {
+            let _ = writeln!(text, "   {sentence}");
         }
         let against = doubts(c);
         if !against.is_empty() {
