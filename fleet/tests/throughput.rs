@@ -1,5 +1,8 @@
 //! Raw logs of the simulator to factors: rates beside that of reading alone.
 
+#[cfg(feature = "cluster")]
+mod listening;
+
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -13,6 +16,8 @@ use datafusion::parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use denavit::data::log::Log;
 use denavit::robot::Robot;
 use denavit::simulate::{Control, Effects, Mode, Recording, Request, Sensors, Simulator, Trajectory};
+#[cfg(feature = "cluster")]
+use listening::Listening;
 
 const SECONDS: f64 = 60.0;
 const RATE: f64 = 500.0;
@@ -85,12 +90,13 @@ fn read(folder: &Path) -> (usize, u64, usize) {
 }
 
 /// Seconds of the command and, by the kernel's count, of its processors.
-fn factored(folder: &Path, words: &[&str]) -> (f64, f64) {
+fn factored(folder: &Path, workers: &str) -> (f64, f64) {
     let out = tempfile::tempdir().unwrap();
     let before = children();
     let start = Instant::now();
     let mut command = Command::new(env!("CARGO_BIN_EXE_denavit-fleet"));
-    command.arg("factor").arg(folder).arg("--robot").arg(robot_file()).arg("--out").arg(out.path()).args(words);
+    command.arg("factor").arg(folder).arg("--robot").arg(robot_file()).arg("--out").arg(out.path());
+    command.args(["--workers", workers, "--threads", "1"]);
     assert!(command.status().unwrap().success());
     (start.elapsed().as_secs_f64(), children() - before)
 }
@@ -123,12 +129,20 @@ fn measure(count: usize) {
         );
     };
     rate("reading alone, one thread", seconds, seconds);
-    for (what, words) in [
-        ("factors, one worker", ["--workers", "1", "--threads", "1"]),
-        ("factors, two workers", ["--workers", "2", "--threads", "1"]),
-    ] {
-        let (seconds, processor) = factored(folder.path(), &words);
+    for (what, workers) in [("factors, one process", "1"), ("factors, two processes", "2")] {
+        let (seconds, processor) = factored(folder.path(), workers);
         rate(what, seconds, processor);
+    }
+    #[cfg(feature = "cluster")]
+    for (what, workers) in [("factors, one worker by its address", 1), ("factors, two workers by their addresses", 2)] {
+        let workers: Vec<Listening> = (0..workers).map(|_| Listening::start("127.0.0.1:0")).collect();
+        let addresses: Vec<&str> = workers.iter().map(|worker| worker.address.as_str()).collect();
+        let theirs = || workers.iter().map(Listening::processor).sum::<f64>();
+        let before = theirs();
+        let (seconds, processor) = factored(folder.path(), &addresses.join(","));
+        rate(what, seconds, processor + theirs() - before);
+        println!("of it the asker: {processor:.1} s of processor time");
+        assert_eq!(workers.iter().map(Listening::done).sum::<usize>(), count);
     }
 }
 

@@ -1,11 +1,12 @@
 //! Runs that are killed and repeated: nothing is lost, nothing is there twice.
 
 #[cfg(feature = "cluster")]
-use std::io::{BufRead, BufReader};
+mod listening;
+
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 #[cfg(feature = "cluster")]
-use std::process::{Child, Output};
+use std::process::Output;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
@@ -13,6 +14,8 @@ use datafusion::arrow::array::AsArray;
 use datafusion::arrow::datatypes::Int64Type;
 use denavit_fleet::Fleet;
 use denavit_fleet::watch::TABLE;
+#[cfg(feature = "cluster")]
+use listening::Listening;
 
 const RECORDINGS: usize = 10;
 
@@ -97,47 +100,51 @@ fn a_killed_worker_loses_nothing_and_repeats_only_what_is_missing() {
     assert_eq!(contents(killed.path()).0, RECORDINGS as i64 + 1);
 }
 
-/// A worker that others reach by its address; it ends with the test.
-#[cfg(feature = "cluster")]
-struct Listening {
-    process: Child,
-    address: String,
-    log: tempfile::NamedTempFile,
+#[test]
+fn two_runs_of_one_folder_are_kept_apart() {
+    let [folder, out] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    logs(folder.path());
+    let first = factor(folder.path(), out.path(), "2").spawn().unwrap();
+    while rows(out.path()) == 0 {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    for workers in ["1", "2"] {
+        let second = factor(folder.path(), out.path(), workers).output().unwrap();
+        assert_eq!(second.status.code(), Some(1));
+        assert!(String::from_utf8_lossy(&second.stderr).contains("another run writes to"));
+    }
+    assert!(first.wait_with_output().unwrap().status.success());
+    assert_eq!(contents(out.path()).0, RECORDINGS as i64 + 1);
 }
 
-#[cfg(feature = "cluster")]
-impl Listening {
-    fn start(listen: &str) -> Self {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_denavit-fleet"));
-        // Elsewhere than the asker: what is sent must be enough.
-        command.args(["worker", "--threads", "1", "--listen", listen]).current_dir(std::env::temp_dir());
-        let log = tempfile::NamedTempFile::new().unwrap();
-        command.stdout(Stdio::piped()).stderr(log.reopen().unwrap());
-        let mut process = command.spawn().unwrap();
-        let mut line = String::new();
-        BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
-        let address = line.trim().strip_prefix("listening on ").expect("the address").to_string();
-        Self { process, address, log }
-    }
-
-    /// What it has done so far, by its log: recordings or robots.
-    fn done(&self) -> usize {
-        let log = std::fs::read_to_string(self.log.path()).unwrap();
-        let counts = log.lines().filter_map(|line| line.strip_suffix(" since the start")?.rsplit(' ').next());
-        counts.map(|count| count.parse::<usize>().unwrap()).max().unwrap_or(0)
-    }
-
-    fn kill(&mut self) {
-        assert!(Command::new("kill").args(["-9", &self.process.id().to_string()]).status().unwrap().success());
-        self.process.wait().unwrap();
-    }
-}
-
-#[cfg(feature = "cluster")]
-impl Drop for Listening {
-    fn drop(&mut self) {
-        let _ = self.process.kill();
-        let _ = self.process.wait();
+#[test]
+fn rows_that_were_left_beside_their_table_are_there_once() {
+    let [folder, out, kept] = [(); 3].map(|()| tempfile::tempdir().unwrap());
+    logs(folder.path());
+    let unfinished = out.path().join("unfinished");
+    let mut share = factor(folder.path(), out.path(), "1");
+    share.args(["--share", "1/1"]);
+    // `--share` and `--workers` exclude each other.
+    assert_eq!(share.output().unwrap().status.code(), Some(2));
+    let mut share = Command::new(env!("CARGO_BIN_EXE_denavit-fleet"));
+    share.arg("factor").arg(folder.path()).arg("--robot").arg(root().join("robots/kuka-iiwa14.yaml"));
+    assert!(share.arg("--out").arg(out.path()).args(["--share", "1/1"]).output().unwrap().status.success());
+    assert_eq!(rows(out.path()), RECORDINGS + 1);
+    let copy = |from: &Path, to: &Path, some: usize| {
+        let names = std::fs::read_dir(from).unwrap().map(|entry| entry.unwrap().file_name());
+        for name in names.filter(|name| name.to_string_lossy().ends_with(".row")).take(some) {
+            std::fs::copy(from.join(&name), to.join(&name)).unwrap();
+        }
+    };
+    copy(&unfinished, kept.path(), usize::MAX);
+    assert!(factor(folder.path(), out.path(), "1").output().unwrap().status.success());
+    let whole = contents(out.path());
+    assert_eq!(whole.0, RECORDINGS as i64 + 1);
+    // As if the run had been killed when the table was there, and some rows were removed or none.
+    for some in [usize::MAX, 4] {
+        copy(kept.path(), &unfinished, some);
+        assert!(factor(folder.path(), out.path(), "1").output().unwrap().status.success());
+        assert_eq!((rows(out.path()), contents(out.path())), (0, whole.clone()));
     }
 }
 
