@@ -302,7 +302,12 @@ impl Factor {
             }
             let fleet = Fleet::on(&present, self.threads.count());
             let (robot, name, day) = (Arc::clone(&table.robot), table.name.clone(), table.day);
-            match store.factor(&fleet, table, &known, Self::say).await {
+            let mut without = 0;
+            let said = |file: &str, why: &str| {
+                without += 1;
+                Self::say(file, why);
+            };
+            match store.factor(&fleet, table, &known, said).await {
                 Ok(written) => return Ok(all.and(written)),
                 Err(FleetError::Engine(why)) => {
                     let left = store.known(&name).await?.missing(files, By::Name);
@@ -316,7 +321,7 @@ impl Factor {
                         false => gone.join("; "),
                     };
                     say(&format!("{said}; once more, for {} recordings", left.len()));
-                    all.recordings += todo - left.len();
+                    all = all.and(Written { recordings: todo - left.len(), without });
                     table = RecordingsTable { robot, name, place: Place::Files(left), day };
                     asked = still;
                 }

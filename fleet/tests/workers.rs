@@ -247,3 +247,27 @@ fn sql_is_shared_by_workers_and_has_the_same_bits() {
     println!("recordings that each worker has read: {read:?}");
     assert!(matches!(read, [5, 6] | [6, 5]), "{read:?}");
 }
+
+#[cfg(feature = "cluster")]
+#[test]
+fn a_worker_of_another_version_is_named_and_gets_no_work() {
+    use datafusion_distributed::Worker;
+    use tonic::transport::Server;
+    use tonic::transport::server::TcpIncoming;
+    let [folder, out] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    logs(folder.path());
+    let runtime = tokio::runtime::Runtime::new().unwrap();
+    let listener = runtime.block_on(tokio::net::TcpListener::bind("127.0.0.1:0")).unwrap();
+    let older = listener.local_addr().unwrap().to_string();
+    let service = Worker::default().with_version("0.0.9").into_worker_server();
+    runtime.spawn(Server::builder().add_service(service).serve_with_incoming(TcpIncoming::from(listener)));
+    let done = factor(folder.path(), out.path(), &older).output().unwrap();
+    let why = format!("{older} is of version 0.0.9, this program of {}", env!("CARGO_PKG_VERSION"));
+    assert_eq!(done.status.code(), Some(1));
+    assert!(said(&done).contains(&why), "{}", said(&done));
+    // Beside one that fits.
+    let fitting = Listening::start("127.0.0.1:0");
+    let done = factor(folder.path(), out.path(), &format!("{older},{}", fitting.address)).output().unwrap();
+    assert!(done.status.success() && said(&done).contains(&why), "{}", said(&done));
+    assert_eq!((contents(out.path()).0, fitting.done()), (RECORDINGS as i64 + 1, RECORDINGS + 1));
+}
