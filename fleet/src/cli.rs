@@ -459,11 +459,16 @@ fn has_tables(path: &Path) -> std::io::Result<bool> {
     if !std::fs::metadata(path)?.is_dir() {
         return Ok(path.extension().is_some_and(|ending| ending == "parquet"));
     }
-    for entry in std::fs::read_dir(path)? {
-        let path = entry?.path();
-        // A link that leads nowhere is no table.
-        if has_tables(&path).unwrap_or(false) {
-            return Ok(true);
+    let mut folders = vec![path.to_path_buf()];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder)? {
+            let entry = entry?;
+            match entry.path() {
+                // Not by links, which may lead back.
+                folder if entry.file_type()?.is_dir() => folders.push(folder),
+                file if file.extension().is_some_and(|ending| ending == "parquet") => return Ok(true),
+                _ => {}
+            }
         }
     }
     Ok(false)
