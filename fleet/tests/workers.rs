@@ -13,6 +13,7 @@ use std::time::Duration;
 use datafusion::arrow::array::AsArray;
 use datafusion::arrow::datatypes::Int64Type;
 use denavit_fleet::Fleet;
+use denavit_fleet::store::Store;
 use denavit_fleet::watch::TABLE;
 #[cfg(feature = "cluster")]
 use listening::Listening;
@@ -104,16 +105,26 @@ fn a_killed_worker_loses_nothing_and_repeats_only_what_is_missing() {
 fn two_runs_of_one_folder_are_kept_apart() {
     let [folder, out] = [(); 2].map(|()| tempfile::tempdir().unwrap());
     logs(folder.path());
-    let first = factor(folder.path(), out.path(), "2").spawn().unwrap();
-    while rows(out.path()) == 0 {
-        std::thread::sleep(Duration::from_millis(5));
+    // As a run does that lasts.
+    let first = Store::new(out.path()).unwrap();
+    let claim = first.claim().unwrap();
+    let second = |words: &[&str]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_denavit-fleet"));
+        command.arg("factor").arg(folder.path()).arg("--robot").arg(root().join("robots/kuka-iiwa14.yaml"));
+        command.arg("--out").arg(out.path()).args(words).output().unwrap()
+    };
+    for words in [["--workers", "1"], ["--workers", "2"], ["--share", "1/2"]] {
+        let done = second(&words);
+        assert_eq!(done.status.code(), Some(1));
+        assert!(String::from_utf8_lossy(&done.stderr).contains("another run writes to"));
     }
-    for workers in ["1", "2"] {
-        let second = factor(folder.path(), out.path(), workers).output().unwrap();
-        assert_eq!(second.status.code(), Some(1));
-        assert!(String::from_utf8_lossy(&second.stderr).contains("another run writes to"));
-    }
-    assert!(first.wait_with_output().unwrap().status.success());
+    assert_eq!(rows(out.path()), 0);
+    // Shares go together, and no table is made beside them.
+    claim.shared().unwrap();
+    assert!(second(&["--share", "1/2"]).status.success());
+    assert_eq!(second(&["--workers", "1"]).status.code(), Some(1));
+    drop(claim);
+    assert!(second(&["--workers", "2"]).status.success());
     assert_eq!(contents(out.path()).0, RECORDINGS as i64 + 1);
 }
 
