@@ -14,6 +14,8 @@ use crate::calendar::{date, day};
 #[cfg(feature = "cluster")]
 use crate::cluster::{self, Workers};
 use crate::error::FleetError;
+pub use crate::output::say;
+use crate::output::{check, print, write};
 use crate::recordings::RecordingsTable;
 use crate::remote::{Place, RecordingFile, is_url};
 use crate::report;
@@ -221,18 +223,19 @@ impl Cli {
             Command::Factor(factor) => factor.run().await,
             Command::Watch(watch) => {
                 let watched = watch.watched().await?;
-                print!("{}", report::text(&watched));
-                Ok(())
+                print(&report::text(&watched))
             }
             Command::Report(report) => {
+                check(&report.out)?;
                 let watched = report.watch.watched().await?;
-                print!("{}", report::text(&watched));
-                write(&report.out, &report::page(&watched))
+                write(&report.out, &report::page(&watched))?;
+                print(&report::text(&watched))
             }
             Command::Sql(sql) => sql.run().await,
             #[cfg(feature = "cluster")]
             Command::Worker(worker) => {
-                cluster::serve(worker.listen, &worker.robot, |address| println!("listening on {address}")).await
+                let ready = |address| print(&format!("listening on {address}\n"));
+                cluster::serve(worker.listen, &worker.robot, ready).await
             }
         }
     }
@@ -240,42 +243,46 @@ impl Cli {
 
 impl Factor {
     async fn run(&self) -> Result<(), FleetError> {
-        let (store, fleet) = (Store::new(&self.out)?, Fleet::new(self.threads.count()));
+        let fleet = Fleet::new(self.threads.count());
         let robot = fleet.robots.open(&self.robot)?;
-        let name = self.name.clone().unwrap_or_else(|| robot.robot.name.clone());
         let all = self.files(&fleet).await?;
+        let store = Store::new(&self.out)?;
+        let claim = if self.share.is_some() { store.share()? } else { store.claim()? };
+        let name = self.name.clone().unwrap_or_else(|| robot.robot.name.clone());
         let (count, known) = (all.len(), store.known(&name).await?);
-        match &self.workers {
+        let mut said = match &self.workers {
             Sharing::Processes(1) => {
                 let files = known.missing(self.shared(all)?, By::Content);
                 let table = RecordingsTable { robot, name, place: Place::Files(files), day: self.day };
                 let written = store.factor(&fleet, table, &known, Self::say).await?;
-                println!("{}", done(count, written));
+                done(count, written)
             }
             Sharing::Processes(workers) => {
                 let missing = known.missing(all, By::Content);
                 let todo = missing.len();
+                claim.shared()?;
                 self.spread(*workers)?;
+                claim.alone()?;
                 let left = store.known(&name).await?.missing(missing, By::Content).len();
-                println!("{todo} of {count} recordings were missing, {left} still are");
+                format!("{todo} of {count} recordings were missing, {left} still are\n")
             }
             #[cfg(feature = "cluster")]
             Sharing::Workers(workers) => {
                 let files = known.missing(all, By::Name);
                 let table = RecordingsTable { robot, name, place: Place::Files(files), day: self.day };
-                println!("{}", done(count, self.by(workers, &store, table).await?));
+                done(count, self.by(workers, &store, table).await?)
             }
-        }
+        };
         if self.share.is_none()
             && let Some(table) = store.finish(&fleet).await?
         {
-            println!("wrote {}", visible(&table.display().to_string()));
+            said += &format!("wrote {}\n", visible(&table.display().to_string()));
         }
-        Ok(())
+        print(&said)
     }
 
     fn say(file: &str, why: &str) {
-        eprintln!("{}", visible(&format!("{file}: no factor: {why}")));
+        say(&format!("{file}: no factor: {why}"));
     }
 
     /// The table by these workers, and what one leaves undone by the others.
@@ -289,13 +296,18 @@ impl Factor {
             let todo = files.len();
             table.place = Place::Files(files.clone());
             let (present, absent) = asked.present().await?;
-            absent.iter().for_each(|why| eprintln!("{}", visible(why)));
+            absent.iter().for_each(|why| say(why));
             if todo == 0 {
                 return Ok(all);
             }
             let fleet = Fleet::on(&present, self.threads.count());
             let (robot, name, day) = (Arc::clone(&table.robot), table.name.clone(), table.day);
-            match store.factor(&fleet, table, &known, Self::say).await {
+            let mut without = 0;
+            let said = |file: &str, why: &str| {
+                without += 1;
+                Self::say(file, why);
+            };
+            match store.factor(&fleet, table, &known, said).await {
                 Ok(written) => return Ok(all.and(written)),
                 Err(FleetError::Engine(why)) => {
                     let left = store.known(&name).await?.missing(files, By::Name);
@@ -308,8 +320,8 @@ impl Factor {
                         true => cluster::first_line(&why.to_string()).to_string(),
                         false => gone.join("; "),
                     };
-                    eprintln!("{}", visible(&format!("{said}; once more, for {} recordings", left.len())));
-                    all.recordings += todo - left.len();
+                    say(&format!("{said}; once more, for {} recordings", left.len()));
+                    all = all.and(Written { recordings: todo - left.len(), without });
                     table = RecordingsTable { robot, name, place: Place::Files(left), day };
                     asked = still;
                 }
@@ -377,6 +389,7 @@ impl Watch {
             let text = format!("--false-alarms {}: a rate above 0 per robot and year", self.false_alarms);
             return Err(FleetError::Option(text));
         }
+        self.json.as_deref().map_or(Ok(()), check)?;
         let fleet = opened(Some(&self.factors), &self.robot, Fleet::new(self.threads.count())).await?;
         let settings = Sequential {
             reference_days: usize::from(self.reference),
@@ -412,15 +425,14 @@ impl Sql {
         let fleet = opened(self.factors.as_deref(), &self.robot, self.session().await?).await?;
         let batches = fleet.context.sql(&self.query).await?.collect().await?;
         let table = pretty_format_batches(&batches).map_err(|e| FleetError::Engine(e.into()))?;
-        println!("{table}");
-        Ok(())
+        print(&format!("{table}\n"))
     }
 
     async fn session(&self) -> Result<Fleet, FleetError> {
         #[cfg(feature = "cluster")]
         if let Some(workers) = &self.workers {
             let (present, absent) = workers.present().await?;
-            absent.iter().for_each(|why| eprintln!("{}", visible(why)));
+            absent.iter().for_each(|why| say(why));
             return Ok(Fleet::on(&present, self.threads.count()));
         }
         Ok(Fleet::new(self.threads.count()))
@@ -430,12 +442,36 @@ impl Sql {
 /// What a run did.
 fn done(count: usize, written: Written) -> String {
     let Written { recordings, without } = written;
-    format!("{recordings} of {count} recordings were missing and are read, {without} without a factor")
+    format!("{recordings} of {count} recordings were missing and are read, {without} without a factor\n")
 }
 
 /// A day on the command line.
 fn date_of(text: &str) -> Result<i32, FleetError> {
     day(text).ok_or_else(|| FleetError::Option(format!("{text} is no date such as 2026-11-23")))
+}
+
+fn unreadable(path: &Path) -> impl FnOnce(std::io::Error) -> FleetError + use<'_> {
+    move |source| FleetError::File { path: path.into(), verb: "read", source }
+}
+
+/// Whether a path is a table, or a folder with one at any depth.
+fn has_tables(path: &Path) -> std::io::Result<bool> {
+    if !std::fs::metadata(path)?.is_dir() {
+        return Ok(path.extension().is_some_and(|ending| ending == "parquet"));
+    }
+    let mut folders = vec![path.to_path_buf()];
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(folder)? {
+            let entry = entry?;
+            match entry.path() {
+                // Not by links, which may lead back.
+                folder if entry.file_type()?.is_dir() => folders.push(folder),
+                file if file.extension().is_some_and(|ending| ending == "parquet") => return Ok(true),
+                _ => {}
+            }
+        }
+    }
+    Ok(false)
 }
 
 /// A session with a table of factors and robots.
@@ -445,15 +481,11 @@ async fn opened(factors: Option<&Path>, robots: &[PathBuf], fleet: Fleet) -> Res
     }
     if let Some(path) = factors {
         let name = path.display().to_string();
-        if !is_url(&name) {
-            std::fs::metadata(path).map_err(|source| FleetError::File { path: path.into(), verb: "read", source })?;
+        if !is_url(&name) && !has_tables(path).map_err(unreadable(path))? {
+            let advice = "`denavit-fleet factor` makes them";
+            return Err(FleetError::Empty { path: path.into(), what: "tables of factors (.parquet)", advice });
         }
         fleet.factors(&name).await?;
     }
     Ok(fleet)
-}
-
-/// Writes a text.
-fn write(path: &Path, text: &str) -> Result<(), FleetError> {
-    std::fs::write(path, text).map_err(|source| FleetError::File { path: path.into(), verb: "written", source })
 }

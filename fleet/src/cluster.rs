@@ -182,7 +182,11 @@ impl Fleet {
 ///
 /// # Errors
 /// Where the address can't be listened on, or a robot file has mistakes.
-pub async fn serve(listen: SocketAddr, robots: &[PathBuf], ready: impl FnOnce(SocketAddr)) -> Result<(), FleetError> {
+pub async fn serve(
+    listen: SocketAddr,
+    robots: &[PathBuf],
+    ready: impl FnOnce(SocketAddr) -> Result<(), FleetError>,
+) -> Result<(), FleetError> {
     let known = Arc::new(Robots::default());
     for path in robots {
         known.open(path)?;
@@ -206,7 +210,7 @@ pub async fn serve(listen: SocketAddr, robots: &[PathBuf], ready: impl FnOnce(So
         }
     };
     let worker = Worker::from_session_builder(session).with_runtime_env(runtime).with_version(VERSION);
-    ready(listener.local_addr().map_err(deaf)?);
+    ready(listener.local_addr().map_err(deaf)?)?;
     let mut server = Server::builder().http2_keepalive_interval(Some(PING)).http2_keepalive_timeout(Some(SILENCE));
     let served = server.add_service(worker.into_worker_server()).serve_with_incoming(TcpIncoming::from(listener));
     served.await.map_err(|why| deaf(std::io::Error::other(why)))

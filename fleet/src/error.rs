@@ -19,14 +19,9 @@ pub enum FleetError {
         /// What the system says.
         source: std::io::Error,
     },
-    /// Mistakes in a robot file.
-    #[error("{path}: {problems}")]
-    Robot {
-        /// File.
-        path: PathBuf,
-        /// All of them.
-        problems: String,
-    },
+    /// All mistakes in a robot file, with their places.
+    #[error("{0}")]
+    Robot(String),
     /// A factor without its robot.
     #[error("a factor is of a robot file with SHA-256 {digest}, and no --robot has it; give that file")]
     UnknownRobot {
@@ -60,6 +55,12 @@ pub enum FleetError {
         /// What to do.
         advice: &'static str,
     },
+    /// A folder that another run writes.
+    #[error("another run writes to {path}; wait for its end, or give another folder")]
+    Busy {
+        /// Folder.
+        path: PathBuf,
+    },
     /// An option out of range.
     #[error("{0}")]
     Option(String),
@@ -84,7 +85,8 @@ impl FleetError {
     /// Exit status: 2 for wrong use or bad input, 1 otherwise.
     pub fn status(&self) -> u8 {
         match self {
-            Self::Worker { .. }
+            Self::Busy { .. }
+            | Self::Worker { .. }
             | Self::NoWorker { .. }
             | Self::File { verb: "written" | "started" | "listened on", .. } => 1,
             _ => 2,

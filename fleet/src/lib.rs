@@ -14,6 +14,7 @@ pub mod error;
 pub mod functions;
 pub mod merge;
 mod open;
+mod output;
 pub mod recordings;
 pub mod reference;
 mod remote;

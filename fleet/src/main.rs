@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use clap::Parser;
-use denavit_fleet::cli::Cli;
+use denavit_fleet::cli::{Cli, say};
 
 fn main() -> ExitCode {
     let cli = Cli::parse();
@@ -12,14 +12,14 @@ fn main() -> ExitCode {
     let runtime = match runtime {
         Ok(runtime) => runtime,
         Err(e) => {
-            eprintln!("denavit-fleet: threads can't be started: {e}");
+            say(&format!("denavit-fleet: threads can't be started: {e}"));
             return ExitCode::FAILURE;
         }
     };
     match runtime.block_on(cli.run()) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("denavit-fleet: {}", denavit::report::visible(&error.to_string()));
+            say(&format!("denavit-fleet: {error}"));
             ExitCode::from(error.status())
         }
     }

@@ -1,6 +1,7 @@
 //! A recording's file, from a folder or an object store, and its digest.
 
 use std::cell::RefCell;
+use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{BufReader, Read, Seek};
 use std::path::{Path, PathBuf};
@@ -45,13 +46,18 @@ pub fn recordings_below(path: &Path) -> std::io::Result<Vec<PathBuf>> {
     if std::fs::metadata(path)?.is_file() {
         return Ok(vec![path.into()]);
     }
-    let (mut found, mut folders) = (Vec::new(), vec![path.to_path_buf()]);
+    let (mut found, mut folders, mut met) = (Vec::new(), vec![path.to_path_buf()], BTreeSet::new());
     while let Some(folder) = folders.pop() {
+        // Links may lead back to it.
+        if !met.insert(std::fs::canonicalize(&folder)?) {
+            continue;
+        }
         for entry in std::fs::read_dir(&folder)? {
             let path = entry?.path();
             match std::fs::metadata(&path) {
                 Ok(meta) if meta.is_dir() => folders.push(path),
-                Ok(_) if is_recording(&path.to_string_lossy()) => found.push(path),
+                // No pipe or device, which may never end.
+                Ok(meta) if meta.is_file() && is_recording(&path.to_string_lossy()) => found.push(path),
                 // A link that leads nowhere is a recording that can't be read: a row says so.
                 Err(_) if is_recording(&path.to_string_lossy()) => found.push(path),
                 _ => {}

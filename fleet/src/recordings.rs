@@ -3,7 +3,6 @@
 //! The planner cuts files of rows into pieces and mixes them; a low-pass that runs forward and
 //! backward would see pieces. So the leaf of the plan deals out files, and a batch is a recording.
 
-use std::io::Write;
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -24,10 +23,10 @@ use datafusion::physical_plan::{
 };
 use denavit::identify::RecordingReader;
 use denavit::identify::recording::plain_preparation;
-use denavit::report::visible;
 use serde::{Deserialize, Serialize};
 
 use crate::open::row;
+use crate::output::say;
 use crate::remote::{Place, RecordingFile, fetched};
 use crate::robots::{KnownRobot, Robots};
 use crate::table::{SCHEMA, batch};
@@ -144,8 +143,7 @@ impl DoneForOthers {
     /// So many recordings or robots more.
     pub fn say(&self, count: usize, what: &str) {
         let all = self.0.fetch_add(count, Ordering::Relaxed) + count;
-        // Nobody may read the log.
-        let _ = writeln!(std::io::stderr(), "{}", visible(&format!("{count} {what}, {all} since the start")));
+        say(&format!("{count} {what}, {all} since the start"));
     }
 }
 

@@ -117,10 +117,7 @@ impl KnownRobot {
 
 /// The robot of a text.
 fn parsed(path: &Path, text: &[u8], tools: &Files<'_>) -> Result<Robot, FleetError> {
-    let mistakes = |problems: Problems| FleetError::Robot {
-        path: path.into(),
-        problems: problems.in_file(&path.display().to_string()).to_string(),
-    };
+    let mistakes = |problems: Problems| FleetError::Robot(problems.in_file(&path.display().to_string()).to_string());
     Robot::from_bytes(text, tools).map(|reading| reading.robot).map_err(mistakes)
 }
 

@@ -3,7 +3,8 @@
 //!
 //! A row is written beside its name and renamed, so it is there whole or not at all; its name is
 //! made of the recording's digest and the robot, so it is there once. A run that was killed, or a
-//! worker of it, is repeated by the same command: what is there is not read again.
+//! worker of it, is repeated by the same command: what is there is not read again. Runs of one folder
+//! are kept apart by a lock, for a table is made of all rows that are there.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -22,6 +23,7 @@ use tempfile::NamedTempFile;
 use crate::Fleet;
 use crate::error::FleetError;
 use crate::open::digest;
+use crate::output::unnamed;
 use crate::recordings::RecordingsTable;
 use crate::remote::RecordingFile;
 use crate::robots::hexadecimal;
@@ -29,12 +31,51 @@ use crate::robots::hexadecimal;
 /// Rows of recordings that are not in a table yet, below the folder.
 const UNFINISHED: &str = "unfinished";
 
+/// Endings of tables, and of rows that are in none yet.
+const TABLE: &str = ".parquet";
+const ROW: &str = ".row";
+
 /// Rows of a row group: some MB of factors.
 const GROUP: usize = 64;
 
 /// A folder of factors.
 #[derive(Debug, Clone)]
 pub struct Store(PathBuf);
+
+/// A folder that other runs keep away from. The system ends it with the process.
+#[derive(Debug)]
+pub struct Claim {
+    folder: PathBuf,
+    file: fs::File,
+}
+
+impl Claim {
+    /// For this run alone.
+    ///
+    /// # Errors
+    /// Where another run has the folder.
+    pub fn alone(&self) -> Result<(), FleetError> {
+        self.taken(self.file.try_lock())
+    }
+
+    /// For several runs that make no table.
+    ///
+    /// # Errors
+    /// Where a run has the folder for itself.
+    pub fn shared(&self) -> Result<(), FleetError> {
+        self.taken(self.file.try_lock_shared())
+    }
+
+    fn taken(&self, lock: Result<(), fs::TryLockError>) -> Result<(), FleetError> {
+        match lock {
+            Ok(()) => Ok(()),
+            Err(fs::TryLockError::WouldBlock) => Err(FleetError::Busy { path: self.folder.clone() }),
+            // A file system without locks keeps the rest of its promises.
+            Err(fs::TryLockError::Error(why)) if why.kind() == std::io::ErrorKind::Unsupported => Ok(()),
+            Err(fs::TryLockError::Error(why)) => Err(unwritable(&self.folder)(why)),
+        }
+    }
+}
 
 /// What one run did.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -65,6 +106,32 @@ impl Store {
         Ok(store)
     }
 
+    /// The folder for one run alone, until the claim is dropped.
+    ///
+    /// # Errors
+    /// Where another run has it.
+    pub fn claim(&self) -> Result<Claim, FleetError> {
+        let claim = self.lock()?;
+        claim.alone()?;
+        Ok(claim)
+    }
+
+    /// The folder for one of several runs which make no table.
+    ///
+    /// # Errors
+    /// Where a run has it for itself.
+    pub fn share(&self) -> Result<Claim, FleetError> {
+        let claim = self.lock()?;
+        claim.shared()?;
+        Ok(claim)
+    }
+
+    fn lock(&self) -> Result<Claim, FleetError> {
+        let path = self.0.join(UNFINISHED).join("lock");
+        let file = fs::OpenOptions::new().create(true).truncate(false).write(true).open(&path);
+        Ok(Claim { folder: self.0.clone(), file: file.map_err(unwritable(&path))? })
+    }
+
     /// What has a row of this robot.
     ///
     /// # Errors
@@ -72,10 +139,10 @@ impl Store {
     pub async fn known(&self, name: &str) -> Result<Known, FleetError> {
         let mut known = Known { robot: name.into(), ..Known::default() };
         if !self.tables()?.is_empty() {
-            known.add(&self.0, ".parquet").await?;
+            known.add(&self.0, TABLE).await?;
         }
         let folder = self.0.join(UNFINISHED);
-        if self.unfinished()?.is_empty() { Ok(known) } else { known.add(&folder, ".row").await.map(|()| known) }
+        if self.unfinished()?.is_empty() { Ok(known) } else { known.add(&folder, ROW).await.map(|()| known) }
     }
 
     /// Rows that are not in a table yet, sorted.
@@ -142,7 +209,7 @@ impl Store {
     /// Writes a row, whole or not at all.
     fn commit(&self, key: &str, row: &RecordBatch) -> Result<(), FleetError> {
         let folder = self.0.join(UNFINISHED);
-        let path = folder.join(format!("{key}.row"));
+        let path = folder.join(row_name(key));
         let mut writer = writer(&folder, row)?;
         writer.write(row).map_err(refused(&path))?;
         let file = writer.into_inner().map_err(refused(&path))?;
@@ -156,38 +223,50 @@ impl Store {
     /// Where it can't be written; the rows are then still there.
     pub async fn finish(&self, fleet: &Fleet) -> Result<Option<PathBuf>, FleetError> {
         let folder = self.0.join(UNFINISHED);
-        let rows = self.unfinished()?;
+        let (done, rows) = self.tabled().await?;
+        // Of a run that was killed below.
+        done.iter().try_for_each(|row| fs::remove_file(row).map_err(unwritable(row)))?;
         if rows.is_empty() {
             return Ok(None);
         }
-        let names: Vec<u8> = rows.iter().flat_map(|path| path.to_string_lossy().into_owned().into_bytes()).collect();
+        let names = rows.iter().filter_map(|path| path.file_name());
+        let names: Vec<u8> = names.flat_map(|name| name.to_string_lossy().into_owned().into_bytes()).collect();
         let name = &hexadecimal(&Sha256::digest(names))[..16];
-        // A run that was killed below has written this table already.
         let table = self.0.join(format!("factors-{name}.parquet"));
-        if !table.exists() {
-            let options = ParquetReadOptions::default().file_extension(".row");
-            let all = fleet.context.read_parquet(folder.display().to_string(), options).await?;
-            let mut stream =
-                all.sort_by(["day", "robot", "sha256", "file"].map(col).to_vec())?.execute_stream().await?;
-            let mut open = None;
-            while let Some(batch) = stream.next().await {
-                let batch = batch?;
-                let mut current = match open.take() {
-                    Some(current) => current,
-                    None => writer(&self.0, &batch)?,
-                };
-                current.write(&batch).map_err(refused(&table))?;
-                open = Some(current);
-            }
-            if let Some(open) = open {
-                let file = open.into_inner().map_err(refused(&table))?;
-                file.persist(&table).map_err(|e| unwritable(&table)(e.error))?;
-            }
+        let options = ParquetReadOptions::default().file_extension(ROW);
+        let all = fleet.context.read_parquet(folder.display().to_string(), options).await?;
+        let mut stream = all.sort_by(["day", "robot", "sha256", "file"].map(col).to_vec())?.execute_stream().await?;
+        let mut open = None;
+        while let Some(batch) = stream.next().await {
+            let batch = batch?;
+            let mut current = match open.take() {
+                Some(current) => current,
+                None => writer(&self.0, &batch)?,
+            };
+            current.write(&batch).map_err(refused(&table))?;
+            open = Some(current);
         }
-        for row in rows {
-            fs::remove_file(&row).map_err(unwritable(&row))?;
+        if let Some(open) = open {
+            let file = open.into_inner().map_err(refused(&table))?;
+            file.persist(&table).map_err(|e| unwritable(&table)(e.error))?;
         }
+        rows.iter().try_for_each(|row| fs::remove_file(row).map_err(unwritable(row)))?;
         Ok(Some(table))
+    }
+
+    /// The rows that are in a table already, and those that are not.
+    async fn tabled(&self) -> Result<(Vec<PathBuf>, Vec<PathBuf>), FleetError> {
+        let rows = self.unfinished()?;
+        if rows.is_empty() || self.tables()?.is_empty() {
+            return Ok((Vec::new(), rows));
+        }
+        let mut names = BTreeSet::new();
+        each_row(&self.0, TABLE, |robot, sha256, file| {
+            names.insert(row_name(&key(robot, sha256, file)));
+        })
+        .await?;
+        let known = |path: &PathBuf| path.file_name().is_some_and(|name| names.contains(&*name.to_string_lossy()));
+        Ok(rows.into_iter().partition(known))
     }
 }
 
@@ -199,6 +278,11 @@ pub struct Known {
     rows: BTreeSet<String>,
     /// Paths and URLs of the rows.
     files: BTreeSet<String>,
+}
+
+/// Name of the file of a row.
+fn row_name(key: &str) -> String {
+    format!("{key}{ROW}")
 }
 
 /// How a recording is known.
@@ -228,26 +312,40 @@ impl Known {
 
     /// Adds the robot's rows in a folder of Parquet files.
     async fn add(&mut self, folder: &Path, ending: &str) -> Result<(), FleetError> {
-        let context = Fleet::new(1).context;
-        let options = ParquetReadOptions::default().file_extension(ending);
-        let rows = context.read_parquet(folder.display().to_string(), options).await?;
-        let mut stream = rows.select(vec![col("robot"), col("sha256"), col("file")])?.execute_stream().await?;
-        while let Some(batch) = stream.next().await {
-            let batch = batch?;
-            let column = |k: usize| batch.column(k).as_string::<i32>();
-            for row in (0..batch.num_rows()).filter(|&row| column(0).value(row) == self.robot) {
-                let (digest, file) = (column(1), column(2).value(row));
-                self.rows.insert(key(&self.robot, (!digest.is_null(row)).then(|| digest.value(row)), file));
+        each_row(folder, ending, |robot, sha256, file| {
+            if robot == self.robot {
+                self.rows.insert(key(robot, sha256, file));
                 self.files.insert(file.into());
             }
-        }
-        Ok(())
+        })
+        .await
     }
+}
+
+/// Robot, digest and file of each row in a folder of Parquet files.
+async fn each_row(
+    folder: &Path,
+    ending: &str,
+    mut each: impl FnMut(&str, Option<&str>, &str),
+) -> Result<(), FleetError> {
+    let context = Fleet::new(1).context;
+    let options = ParquetReadOptions::default().file_extension(ending);
+    let rows = context.read_parquet(folder.display().to_string(), options).await?;
+    let mut stream = rows.select(vec![col("robot"), col("sha256"), col("file")])?.execute_stream().await?;
+    while let Some(batch) = stream.next().await {
+        let batch = batch?;
+        let column = |k: usize| batch.column(k).as_string::<i32>();
+        for row in 0..batch.num_rows() {
+            let digest = column(1);
+            each(column(0).value(row), (!digest.is_null(row)).then(|| digest.value(row)), column(2).value(row));
+        }
+    }
+    Ok(())
 }
 
 /// A Parquet file that has no name yet, for rows like these.
 fn writer(folder: &Path, like: &RecordBatch) -> Result<ArrowWriter<NamedTempFile>, FleetError> {
-    let file = NamedTempFile::new_in(folder).map_err(unwritable(folder))?;
+    let file = unnamed(folder).map_err(unwritable(folder))?;
     let properties = WriterProperties::builder()
         .set_compression(Compression::SNAPPY)
         .set_dictionary_enabled(false)

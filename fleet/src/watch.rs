@@ -311,7 +311,7 @@ impl Fleet {
             .await?;
         }
         let short = |(name, (count, _)): (String, (usize, _))| {
-            (name, format!("{count} days with a factor, where the reference takes {wanted}"))
+            (name, format!("days with a factor: {count}; the reference takes {wanted}"))
         };
         watched.untested.extend(open.into_iter().map(short));
         Ok(done)

@@ -100,6 +100,10 @@ fn a_damaged_file_is_a_row_with_its_reason() {
     std::fs::write(folder.path().join("cut.csv.gz"), &whole[..whole.len() / 2]).unwrap();
     std::fs::write(folder.path().join("no.parquet"), b"PAR1 and nothing else").unwrap();
     std::os::unix::fs::symlink("nowhere", folder.path().join("gone.csv")).unwrap();
+    // No recordings: a pipe that nobody writes, and links back.
+    assert!(std::process::Command::new("mkfifo").arg(folder.path().join("pipe.csv")).status().unwrap().success());
+    std::os::unix::fs::symlink(".", folder.path().join("back")).unwrap();
+    std::os::unix::fs::symlink(".", folder.path().join("again")).unwrap();
     let place = folder.path().display();
     let query = format!(
         "SELECT file, why, factor IS NULL AS empty, sha256 IS NULL FROM recordings('{place}', '{}') ORDER BY file",

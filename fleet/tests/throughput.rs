@@ -1,5 +1,8 @@
 //! Raw logs of the simulator to factors: rates beside that of reading alone.
 
+#[cfg(feature = "cluster")]
+mod listening;
+
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -13,6 +16,8 @@ use datafusion::parquet::arrow::arrow_reader::ParquetRecordBatchReaderBuilder;
 use denavit::data::log::Log;
 use denavit::robot::Robot;
 use denavit::simulate::{Control, Effects, Mode, Recording, Request, Sensors, Simulator, Trajectory};
+#[cfg(feature = "cluster")]
+use listening::Listening;
 
 const SECONDS: f64 = 60.0;
 const RATE: f64 = 500.0;
@@ -85,31 +90,32 @@ fn read(folder: &Path) -> (usize, u64, usize) {
 }
 
 /// Seconds of the command and, by the kernel's count, of its processors.
-fn factored(folder: &Path, words: &[&str]) -> (f64, f64) {
+fn factored(folder: &Path, workers: &str) -> (f64, f64) {
     let out = tempfile::tempdir().unwrap();
-    let before = children();
+    let before = processor()[1];
     let start = Instant::now();
     let mut command = Command::new(env!("CARGO_BIN_EXE_denavit-fleet"));
-    command.arg("factor").arg(folder).arg("--robot").arg(robot_file()).arg("--out").arg(out.path()).args(words);
+    command.arg("factor").arg(folder).arg("--robot").arg(robot_file()).arg("--out").arg(out.path());
+    command.args(["--workers", workers, "--threads", "1"]);
     assert!(command.status().unwrap().success());
-    (start.elapsed().as_secs_f64(), children() - before)
+    (start.elapsed().as_secs_f64(), processor()[1] - before)
 }
 
-/// Processor time of the ended children, s.
-fn children() -> f64 {
+/// Processor time of this process and of its ended children, s.
+fn processor() -> [f64; 2] {
     let stat = std::fs::read_to_string("/proc/self/stat").unwrap();
     let fields: Vec<f64> = stat.rsplit(')').next().unwrap().split_whitespace().filter_map(|f| f.parse().ok()).collect();
-    // Of proc(5): cutime and cstime are fields 16 and 17, in hundredths; here the state is left out.
-    (fields[12] + fields[13]) / 100.0
+    // Of proc(5): utime to cstime are fields 14 to 17, in hundredths; here the first three are left out.
+    [(fields[10] + fields[11]) / 100.0, (fields[12] + fields[13]) / 100.0]
 }
 
 fn measure(count: usize) {
     let folder = tempfile::tempdir().unwrap();
     recordings(folder.path(), count);
     read(folder.path());
-    let start = Instant::now();
+    let (start, before) = (Instant::now(), processor()[0]);
     let (rows, disk, numbers) = read(folder.path());
-    let seconds = start.elapsed().as_secs_f64();
+    let (seconds, alone) = (start.elapsed().as_secs_f64(), processor()[0] - before);
     let (disk, numbers) = (disk as f64 / 1e6, numbers as f64 / 1e6);
     assert_eq!(rows, count * ((SECONDS * RATE) as usize + 1));
     println!("{count} recordings, {rows} rows, {disk:.0} MB of Parquet, {numbers:.0} MB of numbers");
@@ -122,13 +128,21 @@ fn measure(count: usize) {
             count as f64 / seconds
         );
     };
-    rate("reading alone, one thread", seconds, seconds);
-    for (what, words) in [
-        ("factors, one worker", ["--workers", "1", "--threads", "1"]),
-        ("factors, two workers", ["--workers", "2", "--threads", "1"]),
-    ] {
-        let (seconds, processor) = factored(folder.path(), &words);
+    rate("reading alone, one thread", seconds, alone);
+    for (what, workers) in [("factors, one process", "1"), ("factors, two processes", "2")] {
+        let (seconds, processor) = factored(folder.path(), workers);
         rate(what, seconds, processor);
+    }
+    #[cfg(feature = "cluster")]
+    for (what, workers) in [("factors, one worker by its address", 1), ("factors, two workers by their addresses", 2)] {
+        let workers: Vec<Listening> = (0..workers).map(|_| Listening::start("127.0.0.1:0")).collect();
+        let addresses: Vec<&str> = workers.iter().map(|worker| worker.address.as_str()).collect();
+        let theirs = || workers.iter().map(Listening::processor).sum::<f64>();
+        let before = theirs();
+        let (seconds, processor) = factored(folder.path(), &addresses.join(","));
+        rate(what, seconds, processor + theirs() - before);
+        println!("of it the asker: {processor:.1} s of processor time");
+        assert_eq!(workers.iter().map(Listening::done).sum::<usize>(), count);
     }
 }
 

@@ -1,18 +1,22 @@
 //! Runs that are killed and repeated: nothing is lost, nothing is there twice.
 
 #[cfg(feature = "cluster")]
-use std::io::{BufRead, BufReader};
+mod listening;
+
 use std::io::{Read, Write};
 use std::path::{Path, PathBuf};
 #[cfg(feature = "cluster")]
-use std::process::{Child, Output};
+use std::process::Output;
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
 use datafusion::arrow::array::AsArray;
 use datafusion::arrow::datatypes::Int64Type;
 use denavit_fleet::Fleet;
+use denavit_fleet::store::Store;
 use denavit_fleet::watch::TABLE;
+#[cfg(feature = "cluster")]
+use listening::Listening;
 
 const RECORDINGS: usize = 10;
 
@@ -97,47 +101,61 @@ fn a_killed_worker_loses_nothing_and_repeats_only_what_is_missing() {
     assert_eq!(contents(killed.path()).0, RECORDINGS as i64 + 1);
 }
 
-/// A worker that others reach by its address; it ends with the test.
-#[cfg(feature = "cluster")]
-struct Listening {
-    process: Child,
-    address: String,
-    log: tempfile::NamedTempFile,
-}
-
-#[cfg(feature = "cluster")]
-impl Listening {
-    fn start(listen: &str) -> Self {
+#[test]
+fn two_runs_of_one_folder_are_kept_apart() {
+    let [folder, out] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    logs(folder.path());
+    // As a run does that lasts.
+    let first = Store::new(out.path()).unwrap();
+    let claim = first.claim().unwrap();
+    let second = |words: &[&str]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_denavit-fleet"));
-        // Elsewhere than the asker: what is sent must be enough.
-        command.args(["worker", "--threads", "1", "--listen", listen]).current_dir(std::env::temp_dir());
-        let log = tempfile::NamedTempFile::new().unwrap();
-        command.stdout(Stdio::piped()).stderr(log.reopen().unwrap());
-        let mut process = command.spawn().unwrap();
-        let mut line = String::new();
-        BufReader::new(process.stdout.take().unwrap()).read_line(&mut line).unwrap();
-        let address = line.trim().strip_prefix("listening on ").expect("the address").to_string();
-        Self { process, address, log }
+        command.arg("factor").arg(folder.path()).arg("--robot").arg(root().join("robots/kuka-iiwa14.yaml"));
+        command.arg("--out").arg(out.path()).args(words).output().unwrap()
+    };
+    for words in [["--workers", "1"], ["--workers", "2"], ["--share", "1/2"]] {
+        let done = second(&words);
+        assert_eq!(done.status.code(), Some(1));
+        assert!(String::from_utf8_lossy(&done.stderr).contains("another run writes to"));
     }
-
-    /// What it has done so far, by its log: recordings or robots.
-    fn done(&self) -> usize {
-        let log = std::fs::read_to_string(self.log.path()).unwrap();
-        let counts = log.lines().filter_map(|line| line.strip_suffix(" since the start")?.rsplit(' ').next());
-        counts.map(|count| count.parse::<usize>().unwrap()).max().unwrap_or(0)
-    }
-
-    fn kill(&mut self) {
-        assert!(Command::new("kill").args(["-9", &self.process.id().to_string()]).status().unwrap().success());
-        self.process.wait().unwrap();
-    }
+    assert_eq!(rows(out.path()), 0);
+    // Shares go together, and no table is made beside them.
+    claim.shared().unwrap();
+    assert!(second(&["--share", "1/2"]).status.success());
+    assert_eq!(second(&["--workers", "1"]).status.code(), Some(1));
+    drop(claim);
+    assert!(second(&["--workers", "2"]).status.success());
+    assert_eq!(contents(out.path()).0, RECORDINGS as i64 + 1);
 }
 
-#[cfg(feature = "cluster")]
-impl Drop for Listening {
-    fn drop(&mut self) {
-        let _ = self.process.kill();
-        let _ = self.process.wait();
+#[test]
+fn rows_that_were_left_beside_their_table_are_there_once() {
+    let [folder, out, kept] = [(); 3].map(|()| tempfile::tempdir().unwrap());
+    logs(folder.path());
+    let unfinished = out.path().join("unfinished");
+    let mut share = factor(folder.path(), out.path(), "1");
+    share.args(["--share", "1/1"]);
+    // `--share` and `--workers` exclude each other.
+    assert_eq!(share.output().unwrap().status.code(), Some(2));
+    let mut share = Command::new(env!("CARGO_BIN_EXE_denavit-fleet"));
+    share.arg("factor").arg(folder.path()).arg("--robot").arg(root().join("robots/kuka-iiwa14.yaml"));
+    assert!(share.arg("--out").arg(out.path()).args(["--share", "1/1"]).output().unwrap().status.success());
+    assert_eq!(rows(out.path()), RECORDINGS + 1);
+    let copy = |from: &Path, to: &Path, some: usize| {
+        let names = std::fs::read_dir(from).unwrap().map(|entry| entry.unwrap().file_name());
+        for name in names.filter(|name| name.to_string_lossy().ends_with(".row")).take(some) {
+            std::fs::copy(from.join(&name), to.join(&name)).unwrap();
+        }
+    };
+    copy(&unfinished, kept.path(), usize::MAX);
+    assert!(factor(folder.path(), out.path(), "1").output().unwrap().status.success());
+    let whole = contents(out.path());
+    assert_eq!(whole.0, RECORDINGS as i64 + 1);
+    // As if the run had been killed when the table was there, and some rows were removed or none.
+    for some in [usize::MAX, 4] {
+        copy(kept.path(), &unfinished, some);
+        assert!(factor(folder.path(), out.path(), "1").output().unwrap().status.success());
+        assert_eq!((rows(out.path()), contents(out.path())), (0, whole.clone()));
     }
 }
 
@@ -239,4 +257,28 @@ fn sql_is_shared_by_workers_and_has_the_same_bits() {
     let read = [first.done(), second.done()];
     println!("recordings that each worker has read: {read:?}");
     assert!(matches!(read, [5, 6] | [6, 5]), "{read:?}");
+}
+
+#[cfg(feature = "cluster")]
+#[test]
+fn a_worker_of_another_version_is_named_and_gets_no_work() {
+    use datafusion_distributed::Worker;
+    use tonic::transport::Server;
+    use tonic::transport::server::TcpIncoming;
+    let [folder, out] = [(); 2].map(|()| tempfile::tempdir().unwrap());
+    logs(folder.path());
+    let runtime = tokio::runtime::Runtime::new().unwrap();
+    let listener = runtime.block_on(tokio::net::TcpListener::bind("127.0.0.1:0")).unwrap();
+    let older = listener.local_addr().unwrap().to_string();
+    let service = Worker::default().with_version("0.0.9").into_worker_server();
+    runtime.spawn(Server::builder().add_service(service).serve_with_incoming(TcpIncoming::from(listener)));
+    let done = factor(folder.path(), out.path(), &older).output().unwrap();
+    let why = format!("{older} is of version 0.0.9, this program of {}", env!("CARGO_PKG_VERSION"));
+    assert_eq!(done.status.code(), Some(1));
+    assert!(said(&done).contains(&why), "{}", said(&done));
+    // Beside one that fits.
+    let fitting = Listening::start("127.0.0.1:0");
+    let done = factor(folder.path(), out.path(), &format!("{older},{}", fitting.address)).output().unwrap();
+    assert!(done.status.success() && said(&done).contains(&why), "{}", said(&done));
+    assert_eq!((contents(out.path()).0, fitting.done()), (RECORDINGS as i64 + 1, RECORDINGS + 1));
 }

@@ -18,12 +18,12 @@ use datafusion::physical_plan::stream::RecordBatchReceiverStreamBuilder;
 use datafusion::physical_plan::{
     DisplayAs, DisplayFormatType, ExecutionPlan, Partitioning, PlanProperties, ReplaceChildrenOptions,
 };
-use denavit::report::visible;
 use serde::{Deserialize, Serialize};
 
 use super::Workers;
 use crate::Fleet;
 use crate::error::FleetError;
+use crate::output::say;
 use crate::recordings::DoneForOthers;
 use crate::remote::is_url;
 use crate::robots::RobotFile;
@@ -203,7 +203,7 @@ impl Fleet {
         let mut asked = workers.clone();
         loop {
             let (present, absent) = asked.present().await?;
-            absent.iter().for_each(|why| eprintln!("{}", visible(why)));
+            absent.iter().for_each(|why| say(why));
             let fleet = Self::on(&present, 1);
             let rows = fleet.context.read_table(Arc::new(WatchTable(parts.clone())))?.collect().await;
             match rows {
@@ -223,7 +223,7 @@ impl Fleet {
                     if left == present {
                         return Err(why.into());
                     }
-                    eprintln!("{}", visible(&format!("{}; once more without", gone.join("; "))));
+                    say(&format!("{}; once more without", gone.join("; ")));
                     asked = left;
                 }
             }
