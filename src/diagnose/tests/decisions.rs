@@ -262,7 +262,7 @@ fn a_spring_is_as_stiff_as_its_column_is_large() {
     let recordings = made([2e-3; 2], 1, &|j, k| body[k][j]);
     let mut tested = tested(&plant, &recordings);
     let before = tested.fit(&mut []);
-    let mut score = |by: f64| {
+    let score = |by: f64| {
         let shape = [by * truth[0], truth[1]];
         evaluate(&tested, &before, hypothesis(EffectKind::JointElasticity), &[0], &shape).unwrap().score
     };
