@@ -2,6 +2,7 @@
 
 mod battery;
 mod columns;
+mod decisions;
 mod mechanisms;
 mod sums;
 mod world;

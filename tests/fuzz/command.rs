@@ -1,4 +1,4 @@
-//! Hostile tables for the command, as a process of 2 GB at most: states, poses, motions. It ends
+//! Hostile files for the command, as a process of 2 GB at most: states, poses, motions, bundles. It ends
 //! with 0, 1 or 2 and within time, and says why where it fails.
 
 use std::path::Path;
@@ -74,4 +74,15 @@ fn played_motions() {
 fn checked_motions() {
     let verb = "excite robots/planar2r.yaml --check TABLE --json OUT";
     feed("checked", verb, &table("t,q1,q2,dq1,dq2,ddq1,ddq2", 12), 60);
+}
+
+/// Archives: a run that is packed by itself, and what the bytes of that may become.
+#[test]
+fn bundles() {
+    let archive = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fuzz-bundle-seed.zip");
+    let verb = ["check", "robots/planar2r.yaml"];
+    let mut command = Command::new(env!("CARGO_BIN_EXE_denavit"));
+    command.arg("bundle").arg(&archive).arg("--").args(verb).current_dir(env!("CARGO_MANIFEST_DIR"));
+    assert!(command.output().unwrap().status.success());
+    feed("bundle", "replay TABLE", &fs::read(&archive).unwrap(), 60);
 }

@@ -136,7 +136,7 @@ fn what_was_once_a_problem() {
     println!("fuzz corpus: {count} inputs");
 }
 
-const TARGETS: [(&str, Run); 11] = [
+const TARGETS: [(&str, Run); 12] = [
     ("robot", targets::robot),
     ("tool", targets::tool),
     ("simulation", targets::simulation),
@@ -148,6 +148,7 @@ const TARGETS: [(&str, Run); 11] = [
     ("trajectory", targets::trajectory),
     ("plan", targets::plan),
     ("factor", targets::factor),
+    ("identified", targets::identified),
 ];
 
 #[test]
@@ -258,4 +259,9 @@ fn plans() {
 #[test]
 fn factors() {
     fuzz("factor", targets::factor, mutated, seeds("tests/fuzz/seeds/factor", &["bin"]), 20000);
+}
+
+#[test]
+fn uncertainties() {
+    fuzz("identified", targets::identified, mutated, seeds("tests/fuzz/seeds/identified", &["json"]), 5000);
 }

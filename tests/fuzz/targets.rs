@@ -10,7 +10,9 @@ use denavit::data::log::{
 use denavit::data::signal::{Prepare, each_motion};
 use denavit::exchange::{ImportOptions, ModelFormat, export, import};
 use denavit::identify::RecordingFactor;
-use denavit::report::{plan_of_json, trajectory_of_json};
+use denavit::model::Arm;
+use denavit::model::interpreted::Interpreted;
+use denavit::report::{plan_of_json, trajectory_of_json, uncertainty_of_json};
 use denavit::simulate::{Request, SimulationFile};
 use dh_codegen::robot::{Problems, Robot, Tool, files_of_runs, no_files};
 
@@ -216,6 +218,27 @@ pub fn trajectory(bytes: &[u8]) -> String {
 pub fn plan(bytes: &[u8]) -> String {
     let Ok(value) = serde_json::from_slice(bytes) else { return "no JSON".into() };
     plan_of_json(&value).map_or_else(said, |_| "read".into())
+}
+
+static PLANAR_ARM: LazyLock<Interpreted> = LazyLock::new(|| Interpreted::new(&PLANAR, &[]));
+
+/// What an identification says of its uncertainty. What can be read is a covariance: finite, its
+/// diagonal not negative, no entry larger than the two on the diagonal allow.
+pub fn identified(bytes: &[u8]) -> String {
+    let Ok(value) = serde_json::from_slice(bytes) else { return "no JSON".into() };
+    let base = PLANAR_ARM.base_parameters();
+    match uncertainty_of_json(&value, base, PLANAR_ARM.dof()) {
+        Ok(known) => {
+            let (n, c) = (base.len(), &known.covariance);
+            assert!(c.len() == n * n && c.iter().chain(&known.noise).all(|x| x.is_finite()), "{c:?}");
+            for (i, k) in (0..n).flat_map(|i| (0..n).map(move |k| (i, k))) {
+                let most = (c[i * n + i] * c[k * n + k]).sqrt();
+                assert!(c[i * n + i] >= 0.0 && c[i * n + k].abs() <= 1.001 * most + 1e-300, "{i} {k} {c:?}");
+            }
+            format!("read: {}", known.open.len())
+        }
+        Err(e) => said(e),
+    }
 }
 
 /// The factors of a recording; what can be read is written as it was.

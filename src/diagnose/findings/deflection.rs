@@ -150,4 +150,21 @@ mod tests {
         let against: Vec<f64> = turned.iter().map(|d| -d).collect();
         assert_eq!(spring(&against, &torque, &live), None);
     }
+
+    /// The compliance of 300 records with other noise spreads as its deviation says.
+    #[test]
+    fn a_compliance_is_as_uncertain_as_it_says() {
+        let mut random = crate::numerics::prng::Random::new(4);
+        let torque: Vec<f64> = (0..400).map(|k| 20.0 * (0.05 * f64::from(k)).sin()).collect();
+        let live = vec![true; 400];
+        let (mut squares, mut stated) = (0.0, 0.0);
+        for _ in 0..300 {
+            let turned: Vec<f64> = torque.iter().map(|f| f / 1500.0 + random.uniform(-2e-3, 2e-3)).collect();
+            let [slope, std] = spring(&turned, &torque, &live).unwrap().compliance;
+            squares += (slope - 1.0 / 1500.0).powi(2);
+            stated += std * std;
+        }
+        let ratio = (squares / stated).sqrt();
+        assert!((ratio - 1.0).abs() < 0.15, "{ratio}");
+    }
 }

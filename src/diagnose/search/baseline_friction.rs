@@ -90,7 +90,7 @@ pub fn reconsider(
 
 /// Whether a candidate says more than plain friction with this score and number of terms. What
 /// needs as many unknowns and explains hardly more is no better a name.
-fn is_better(candidate: &Candidate, plain: f64, terms: usize, memory: f64) -> bool {
+pub(in crate::diagnose) fn is_better(candidate: &Candidate, plain: f64, terms: usize, memory: f64) -> bool {
     let unknowns = unknowns(candidate.cause, &candidate.shape, candidate.gain.x.len());
     let margin = match terms > 0 && unknowns >= terms as f64 {
         true => (10.0 * memory).max(0.015 * candidate.score),

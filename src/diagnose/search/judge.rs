@@ -87,7 +87,13 @@ impl Judge<'_> {
     /// Twice the gain in log-likelihood, in independent windows, less the cost of the unknowns and
     /// of the choice; `None` where it is not enough. [`THROUGHOUT`] where correlated windows count
     /// for too few and the errors of stretches, or innovations, decide.
-    fn support(&self, before: &Fitted, after: &Fitted, trial: &[Chosen], unknowns: f64) -> Option<f64> {
+    pub(in crate::diagnose) fn support(
+        &self,
+        before: &Fitted,
+        after: &Fitted,
+        trial: &[Chosen],
+        unknowns: f64,
+    ) -> Option<f64> {
         let counts = &before.solution.counts;
         let windows = || counts.iter().zip(&after.memory).map(|(n, m)| n / m);
         let gain: f64 = logs(&before.solution.rss, &after.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();
@@ -198,16 +204,16 @@ pub(in crate::diagnose) fn stands(tested: &ModelUnderTest<'_>, j: usize) -> bool
 /// is not refuted by earlier causes, found beside that error, that still have to change. A tenth up
 /// to six tenths of the error, a half from nine tenths on. A body acts on many joints, each with
 /// errors of its own: half of what it explains.
-fn bearable(cause: &dyn Hypothesis, predicted: f64) -> f64 {
+pub(in crate::diagnose) fn bearable(cause: &dyn Hypothesis, predicted: f64) -> f64 {
     let most = 0.1 + 0.4 * ((predicted - 0.6) / 0.3).clamp(0.0, 1.0);
     if cause.within_links() { most.max(0.5 * predicted) } else { most }
 }
 
 /// Result of leaving parts of the data out of the fit in turn.
-struct Confirmation {
+pub(in crate::diagnose) struct Confirmation {
     /// Share of the parts that the larger model predicts better, parts weighted by what they gain
     /// or lose.
-    confirmed: f64,
+    pub(in crate::diagnose) confirmed: f64,
     /// The largest share of a joint's error that it takes.
     predicted: f64,
     /// The largest share by which a joint's error grows.
@@ -216,7 +222,7 @@ struct Confirmation {
     stirred: f64,
 }
 
-fn confirmation(before: &Fitted, after: &Fitted, stands: &[bool]) -> Confirmation {
+pub(in crate::diagnose) fn confirmation(before: &Fitted, after: &Fitted, stands: &[bool]) -> Confirmation {
     let (a, b) = (before.moments.cross_validated(&before.solution), after.moments.cross_validated(&after.solution));
     let weights = &after.solution.weights;
     let (mut won, mut lost) = (0.0, 0.0);

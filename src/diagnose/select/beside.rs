@@ -73,7 +73,7 @@ impl Without {
 
 /// The largest share of a joint's squared error within a span of samples that is gone with a cause
 /// (`errors` without it and with it), by a torque that is more than half of the noise.
-fn share_within(span: Range<usize>, errors: [&Measured; 2], noise: &[f64]) -> f64 {
+pub(in crate::diagnose) fn share_within(span: Range<usize>, errors: [&Measured; 2], noise: &[f64]) -> f64 {
     let joint = |(j, noise): (usize, &f64)| {
         let [a, b] = errors.map(|m| m.error[j].get(span.clone()).map_or(0.0, |e| root_mean_square(e).powi(2)));
         if a - b > (0.5 * noise).powi(2) { 1.0 - b / a } else { 0.0 }

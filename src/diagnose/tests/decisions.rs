@@ -1,0 +1,333 @@
+//! What the search and the selection decide on made-up torques whose truth is known: noise, an
+//! effect in some stretches, one that holds throughout.
+
+use nalgebra::DMatrix;
+
+use super::columns::{PERIOD, recording};
+use super::mechanisms::{Bodies, bare, planar};
+use crate::diagnose::Recording;
+use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};
+use crate::diagnose::fit::moments::Gain;
+use crate::diagnose::fit::uncertainty::Uncertainty;
+use crate::diagnose::hypotheses::{Estimate, Hypothesis, causes, hypothesis};
+use crate::diagnose::search::SearchSettings;
+use crate::diagnose::search::baseline_friction::is_better;
+use crate::diagnose::search::candidate::{Candidate, evaluate};
+use crate::diagnose::search::judge::{Judge, bearable, confirmation};
+use crate::diagnose::select::beside::share_within;
+use crate::diagnose::select::measure::Meter;
+use crate::diagnose::windows::windowed_data::WindowedData;
+use crate::model::perturbable_robot::PerturbableRobot;
+use crate::numerics::prng::Random;
+use dh_codegen::robot::EffectKind;
+
+/// The planar arm's own torques on the made-up motion, with noise and what is added at a joint and
+/// a sample.
+fn made(noise: [f64; 2], seed: u64, more: &dyn Fn(usize, usize) -> f64) -> [Recording; 1] {
+    let robot = planar();
+    let bodies = Bodies::of(&bare(&robot));
+    let mut random = Random::new(seed);
+    let mut recordings = [recording()];
+    let stretch = &mut recordings[0].stretches[0];
+    let len = stretch.states.len;
+    for k in 0..len {
+        let of = |x: &[f64]| [x[k], x[len + k]];
+        let state = [of(&stretch.states.q), of(&stretch.states.dq), of(&stretch.states.ddq)];
+        let rigid = bodies.torques(&state);
+        for j in 0..2 {
+            let drive = &robot.joints[j].drive;
+            let (viscous, dry) = (drive.viscous_friction.unwrap(), drive.coulomb_friction.unwrap());
+            let v = state[1][j];
+            let gauss = (0..12).map(|_| random.uniform(0.0, 1.0)).sum::<f64>() - 6.0;
+            stretch.tau[j * len + k] = rigid[j] + viscous * v + dry * v.signum() + noise[j] * gauss + more(j, k);
+        }
+    }
+    stretch.torque_noise = noise.to_vec();
+    recordings
+}
+
+fn tested<'a>(plant: &'a PerturbableRobot, recordings: &'a [Recording]) -> ModelUnderTest<'a> {
+    ModelUnderTest::new(plant, recordings, 1.0 / PERIOD, Mode::Trusted, &[0.0; 2], false)
+}
+
+fn chosen(effect: EffectKind, place: &[usize], shape: &[f64]) -> Chosen {
+    Chosen { cause: hypothesis(effect), place: place.to_vec(), shape: shape.to_vec(), x: Vec::new() }
+}
+
+/// The sample of each window.
+fn samples(scene: &WindowedData<'_>) -> Vec<usize> {
+    scene.time.iter().map(|t| (t / PERIOD).round() as usize).collect()
+}
+
+/// So fast a ripple that from sample to sample it is nearly white.
+const ORDER: f64 = 200.0;
+
+fn ripple(k: usize) -> f64 {
+    let stretch = &recording().stretches[0];
+    0.3 * (ORDER * stretch.states.q[k]).cos()
+}
+
+/// What holds in each stretch is a cause; what turns about in one of six is none, though it takes
+/// nearly half of the error.
+#[test]
+fn a_cause_holds_in_most_stretches() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let noise = [0.05; 2];
+    let quiet = made(noise, 1, &|_, _| 0.0);
+    let scene = WindowedData::new(&plant, &quiet, 1.0 / PERIOD, &[0.0; 2], false);
+    let mut block = vec![0; quiet[0].stretches[0].states.len];
+    samples(&scene).into_iter().zip(&scene.block).for_each(|(k, b)| block[k] = *b);
+    for (sign, holds) in [(1.0, true), (-1.0, false)] {
+        let at = |j: usize, k: usize| if j == 0 { ripple(k) * if block[k] == 2 { sign } else { 1.0 } } else { 0.0 };
+        let recordings = made(noise, 1, &at);
+        let mut tested = tested(&plant, &recordings);
+        let before = tested.fit(&mut []);
+        let mut trial = [chosen(EffectKind::TorqueRipple, &[0], &[ORDER])];
+        let after = tested.fit(&mut trial);
+        let settings = SearchSettings::default();
+        let judge = Judge { tested: &tested, noise: &noise, settings: &settings, accepted: &[], tried: 1 };
+        assert!(judge.matters(trial[0].cause, &before, &after));
+        assert_eq!(judge.judge(&before, &after, &trial).is_some(), holds, "{sign}");
+    }
+}
+
+/// Noise gives each unknown something, and a cause of ten unknowns ten times as much: it must pay
+/// for them.
+#[test]
+fn noise_is_no_cause_whatever_the_number_of_unknowns() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let noise = [0.05, 0.03];
+    let settings = SearchSettings::default();
+    for seed in 1..=8 {
+        let recordings = made(noise, seed, &|_, _| 0.0);
+        let mut tested = tested(&plant, &recordings);
+        let before = tested.fit(&mut []);
+        let found = evaluate(&tested, &before, hypothesis(EffectKind::TorqueRipple), &[0], &[ORDER]).unwrap();
+        assert!(found.score < 0.0, "{seed}: {}", found.score);
+        let mut trial = [chosen(EffectKind::Payload, &[], &[])];
+        let after = tested.fit(&mut trial);
+        let judge = Judge { tested: &tested, noise: &noise, settings: &settings, accepted: &[], tried: 1 };
+        let unknowns = trial[0].x.len() as f64;
+        assert!(unknowns >= 4.0, "{unknowns}");
+        assert_eq!(judge.support(&before, &after, &trial, unknowns), None, "{seed}");
+    }
+    let recordings = made(noise, 1, &|j, k| if j == 0 { ripple(k) } else { 0.0 });
+    let mut tested = tested(&plant, &recordings);
+    let before = tested.fit(&mut []);
+    let found = evaluate(&tested, &before, hypothesis(EffectKind::TorqueRipple), &[0], &[ORDER]).unwrap();
+    assert!(found.score > 1000.0 && (found.gain.x[0] - 0.3).abs() < 0.01, "{} {:?}", found.score, found.gain.x);
+}
+
+/// A body that the quiet joint shows in each stretch; the other joint's noise is a thousand times
+/// as large and says nothing.
+#[test]
+fn stretches_count_by_the_noise_of_their_joints() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let noise = [10.0, 0.01];
+    let quiet = made([0.0; 2], 1, &|_, _| 0.0);
+    let scene = tested(&plant, &quiet);
+    let terms = scene.family(hypothesis(EffectKind::Payload), &[], &[]);
+    let both = terms.iter().find(|t| t.column.rows.len() == 2).unwrap();
+    let mut body = vec![[0.0; 2]; quiet[0].stretches[0].states.len];
+    for (j, series) in &both.column.rows {
+        samples(&scene.scene).into_iter().zip(series).for_each(|(k, torque)| body[k][*j] = 0.01 * torque);
+    }
+    for seed in 1..=4 {
+        let recordings = made(noise, seed, &|j, k| body[k][j]);
+        let mut tested = tested(&plant, &recordings);
+        let before = tested.fit(&mut []);
+        let after = tested.fit(&mut [chosen(EffectKind::Payload, &[], &[])]);
+        let found = confirmation(&before, &after, &[false; 2]).confirmed;
+        assert!(found > 0.95, "{seed}: {found}");
+    }
+}
+
+/// The more a cause explains of one joint the more it may make another worse; a body by half of it.
+#[test]
+fn what_is_borne_on_other_joints() {
+    let ripple = hypothesis(EffectKind::TorqueRipple);
+    for (predicted, most) in [(0.2, 0.1), (0.6, 0.1), (0.75, 0.3), (0.9, 0.5), (1.0, 0.5)] {
+        assert!((bearable(ripple, predicted) - most).abs() < 1e-9, "{predicted}");
+    }
+    let body = hypothesis(EffectKind::Payload);
+    for (predicted, most) in [(0.5, 0.25), (0.75, 0.375), (0.9, 0.5)] {
+        assert!((bearable(body, predicted) - most).abs() < 1e-9, "{predicted}");
+    }
+}
+
+/// Scores count windows, of which as many as the residual's memory are one.
+#[test]
+fn a_score_within_the_memory_is_no_better() {
+    let of = |x: usize, score: f64| {
+        let Chosen { cause, place, shape, .. } = chosen(EffectKind::TorqueRipple, &[0], &[ORDER]);
+        Candidate { cause, place, shape, gain: Gain { x: vec![0.1; x], rss: vec![1.0; 2] }, score }
+    };
+    for memory in [1.0, 20.0] {
+        // In the place of nothing.
+        assert!(!is_better(&of(2, 100.0 + memory), 100.0, 0, memory));
+        assert!(is_better(&of(2, 100.0 + 10.0 * memory), 100.0, 0, memory));
+        // As many unknowns as what it replaces: by more.
+        assert!(!is_better(&of(2, 100.0 + 8.0 * memory), 100.0, 2, memory));
+        assert!(is_better(&of(2, 100.0 + 20.0 * memory), 100.0, 2, memory));
+    }
+}
+
+#[test]
+fn a_share_within_a_span_is_of_that_span() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let recordings = made([0.05; 2], 1, &|_, _| 0.0);
+    let tested = tested(&plant, &recordings);
+    let meter = Meter::new(&plant, &recordings, &tested);
+    let span = 100..200;
+    let of = |inside: f64| {
+        let target = meter.fine.target();
+        let missed = target.iter().enumerate().map(|(j, y)| {
+            let wrong = |(k, y): (usize, &f64)| y - if j == 0 && span.contains(&k) { inside } else { 0.2 };
+            y.iter().enumerate().map(wrong).collect()
+        });
+        meter.errors(missed.collect())
+    };
+    let noise = [0.2; 2];
+    for (without, with, share) in [(2.0, 1.0, 0.75), (0.2, 0.1, 0.75), (0.2, 0.19, 0.0), (1.0, 2.0, 0.0)] {
+        let found = share_within(span.clone(), [&of(without), &of(with)], &noise);
+        assert!((found - share).abs() < 1e-9, "{without} {with}: {found}");
+    }
+}
+
+/// Over the speeds of this motion a slow fall of friction is hardly distinct from another at another
+/// speed: with its speed known it would stand out, with that unknown it does not.
+#[test]
+fn a_size_that_goes_with_its_shape_does_not_stand_out() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let recordings = made([0.05; 2], 3, &|_, _| 0.0);
+    let mut tested = tested(&plant, &recordings);
+    let mut all = [chosen(EffectKind::StribeckFriction, &[0], &[3.0, 2.0])];
+    let fitted = tested.fit(&mut all);
+    let at = fitted.first[0];
+    let known = fitted.covariance()[(at, at)].sqrt();
+    let mut of = |size: f64| {
+        all[0].x = vec![size * known];
+        let uncertainty = Uncertainty::of(&tested, &fitted, &all);
+        let whole = uncertainty.covariance[(at, at)].sqrt();
+        (uncertainty.stands_out(&tested, &fitted, 0, &all[0]), whole / known)
+    };
+    // Six deviations with the speed known, less than two and a half with it unknown.
+    let (out, wider) = of(6.0);
+    assert!(wider > 2.5 && out < 0.0, "{wider} {out}");
+    let (out, wider) = of(100.0 * wider);
+    assert!(wider > 2.5 && out > 0.0, "{wider} {out}");
+    // Less than four and a half with the speed known is nothing, whatever else.
+    assert!(of(4.0).0 < 0.0);
+}
+
+/// Friction that would drive the joint ends at none; an offset may have either sign.
+#[test]
+fn friction_does_not_drive() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let velocity = |k: usize| recording().stretches[0].states.dq[k];
+    let recordings = made([0.01; 2], 2, &|j, k| if j == 0 { -0.4 * velocity(k) - 0.5 } else { -0.5 });
+    let mut tested = tested(&plant, &recordings);
+    let fitted = tested.fit(&mut []);
+    let of = |x: &nalgebra::DVector<f64>| [0, 2, 5].map(|k| x[fitted.friction + k]);
+    let free = of(&fitted.solution.x);
+    assert!((free[0] + 0.4).abs() < 0.01, "{free:?}");
+    let moved = tested.possible(&mut [], &fitted).unwrap();
+    let [viscous, offset, other] = of(&moved.solution.x);
+    // The file has 0.1.
+    assert!((viscous + 0.1).abs() < 1e-4, "{viscous}");
+    assert!((offset + 0.5).abs() < 0.1 && (other + 0.5).abs() < 0.01, "{offset} {other}");
+}
+
+/// A spring has its size in its shape: a stiffness whose column must be scaled to fit is another's.
+#[test]
+fn a_spring_is_as_stiff_as_its_column_is_large() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let truth = [300.0, 2.0];
+    let quiet = made([0.0; 2], 1, &|_, _| 0.0);
+    let mut body = vec![[0.0; 2]; quiet[0].stretches[0].states.len];
+    {
+        let scene = tested(&plant, &quiet);
+        let terms = scene.family(hypothesis(EffectKind::JointElasticity), &[0], &truth);
+        for (j, series) in &terms[0].column.rows {
+            samples(&scene.scene).into_iter().zip(series).for_each(|(k, torque)| body[k][*j] = *torque);
+        }
+    }
+    let recordings = made([2e-3; 2], 1, &|j, k| body[k][j]);
+    let mut tested = tested(&plant, &recordings);
+    let before = tested.fit(&mut []);
+    let score = |by: f64| {
+        let shape = [by * truth[0], truth[1]];
+        evaluate(&tested, &before, hypothesis(EffectKind::JointElasticity), &[0], &shape).unwrap().score
+    };
+    let right = score(1.0);
+    assert!([0.5, 0.7, 1.4, 2.0].into_iter().all(|by| score(by) < right), "{right}");
+    let mut all = [chosen(EffectKind::JointElasticity, &[0], &[1.3 * truth[0], truth[1]])];
+    tested.polish(&mut all);
+    assert!((all[0].shape[0] / truth[0] - 1.0).abs() < 0.03, "{:?}", all[0].shape);
+}
+
+/// What is found beside the file's numbers, under the names that the file has for the whole.
+#[test]
+fn names_of_the_file_are_of_the_whole() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let recordings = made([0.05; 2], 1, &|_, _| 0.0);
+    let scene = WindowedData::new(&plant, &recordings, 1.0 / PERIOD, &[0.004, 0.0], false);
+    let named = |effect: EffectKind, shape: &[f64], x: f64| {
+        let cause: &dyn Hypothesis = hypothesis(effect);
+        let shape_std = shape.iter().map(|_| None).collect();
+        let covariance = DMatrix::identity(4, 4) * 1e-4;
+        let found = Estimate {
+            scene: &scene,
+            place: &[0],
+            shape,
+            shape_std,
+            terms: &[],
+            x: &[x],
+            levels: [0.2, 0.5, 0.1],
+            covariance,
+        };
+        let all = cause.named(&found);
+        (all[0].symbol.name(), all[0].value)
+    };
+    // A sensor that shows 5 % more, one that is 3 ms later than was known, a friction of 0.8 at rest.
+    for (found, name, value) in [
+        (named(EffectKind::TorqueGainError, &[], 0.05), "GT", 1.05),
+        (named(EffectKind::TimeDelay, &[1e-3], 0.003), "TD", 0.007),
+        (named(EffectKind::StribeckFriction, &[0.3, 2.0], 0.3), "FS", 0.8),
+    ] {
+        assert!(found.0 == name && (found.1 - value).abs() < 1e-12, "{found:?}");
+    }
+}
+
+/// A cable pulls where it is taut and hangs on the other side.
+#[test]
+fn a_cable_pulls_on_its_side() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let recordings = [recording()];
+    let scene = WindowedData::new(&plant, &recordings, 1.0 / PERIOD, &[0.0; 2], false);
+    let cable = causes().find(|c| c.effect() == EffectKind::JointSpring && c.shape().len() == 2).unwrap();
+    let rest = 0.1;
+    for (form, (low, high, powers)) in
+        [(0.0, 1.0, 1), (-1.0, 0.0, 1), (0.0, 1.0, 2), (-1.0, 0.0, 2), (-1.0, 1.0, 2)].into_iter().enumerate()
+    {
+        let terms = cable.terms(&scene, &[0], &[rest, form as f64]);
+        assert_eq!(terms.len(), powers);
+        for (term, power) in terms.iter().zip([1, 3]) {
+            let (_, series) = &term.column.rows[0];
+            for w in (0..scene.len).filter(|w| scene.live[0][*w]) {
+                let x = scene.own[0][0].q[w] - rest;
+                let wanted = x.clamp(low, high).powi(power);
+                assert!((series[w] - wanted).abs() < 1e-9, "{form} {w}: {} {wanted}", series[w]);
+            }
+        }
+    }
+}
