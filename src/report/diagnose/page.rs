@@ -164,7 +164,7 @@ fn in_short(body: &mut String, found: &Diagnosis, warnings: &Warnings) {
         let _ = write!(
             rows,
             "<tr><th>{}<td>{joints}<td>{:.2}<td class=words>{}</tr>",
-            escape(&words(c.cause)),
+            escape(&c.law.iter().fold(words(c.cause), |cause, law| format!("{cause}: {law}"))),
             c.probability,
             escape(&against)
         );

@@ -72,15 +72,15 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
     format!("{first} {}", headline(found, data))
 }
 
-/// A sentence on torques in closed form that the extended model has, if there are any.
+/// Sentences on torques in closed form that the extended model has.
 fn by_formula(found: &Diagnosis) -> String {
-    let lawful: Vec<String> =
-        found.causes.iter().filter(|c| c.has_law()).flat_map(|c| c.joints.iter().map(usize::to_string)).collect();
-    match lawful.len() {
-        0 => String::new(),
-        1 => format!(" A formula without a name takes part of it on joint {}.", lawful[0]),
-        _ => format!(" Formulas without a name take part of it on joints {}.", lawful.join(", ")),
-    }
+    let sentence = |c: &Cause| {
+        let (joint, law) = (*c.joints.first()?, c.law.as_ref().filter(|_| c.has_law())?);
+        let [before, after] = [&c.rms_before, &c.rms_after].map(|rms| rms.get(joint - 1).copied().unwrap_or(0.0));
+        let share = digits(100.0 * (1.0 - (after / before).powi(2)), 2);
+        Some(format!(" On joint {joint} a formula takes {share} % of the squared error: {law}."))
+    };
+    found.causes.iter().filter_map(sentence).collect()
 }
 
 /// The joint that was most wrong and what became of its error.
