@@ -4,6 +4,8 @@ mod battery;
 mod columns;
 mod decisions;
 mod mechanisms;
+mod sizes;
 mod sums;
+mod windows;
 mod world;
 mod written;

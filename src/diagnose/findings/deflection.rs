@@ -32,6 +32,14 @@ struct Spring {
     share: f64,
 }
 
+impl Spring {
+    /// Stiffness, N m/rad, and its standard deviation.
+    fn stiffness(&self) -> [f64; 2] {
+        let [compliance, std] = self.compliance;
+        [1.0 / compliance, std / (compliance * compliance)]
+    }
+}
+
 /// Line through deflections (rad) over torques (N m) at the windows that are `live`.
 fn spring(deflection: &[f64], torque: &[f64], live: &[bool]) -> Option<Spring> {
     let at = || (0..live.len()).filter(|&w| live[w]);
@@ -95,10 +103,9 @@ fn cause(model: &Selected<'_>, j: usize, found: &Spring, left: f64, noise: &[f64
     let before = model.after_fit.rms.clone();
     let mut after = before.clone();
     after[j] *= left.sqrt();
-    let [compliance, std] = found.compliance;
-    let stiffness = 1.0 / compliance;
+    let [stiffness, std] = found.stiffness();
     let hypothesis = by_name(effects::JointElasticity::NAME);
-    let spring = Named::new(effects::JointElasticity::KE, stiffness, Some(stiffness * std / compliance));
+    let spring = Named::new(effects::JointElasticity::KE, stiffness, Some(std));
     let spring = spring.of_joint(Some(j + 1));
     Cause {
         cause: effects::JointElasticity::NAME,
@@ -115,7 +122,7 @@ fn cause(model: &Selected<'_>, j: usize, found: &Spring, left: f64, noise: &[f64
             100.0 * found.share,
             spring.symbol,
             short(stiffness),
-            short(stiffness * std / compliance),
+            short(std),
             short(before[j]),
             short(after[j])
         ),
@@ -151,20 +158,25 @@ mod tests {
         assert_eq!(spring(&against, &torque, &live), None);
     }
 
-    /// The compliance of 300 records with other noise spreads as its deviation says.
+    /// Compliance and stiffness of 300 records with other noise spread as their deviations say.
     #[test]
-    fn a_compliance_is_as_uncertain_as_it_says() {
+    fn a_spring_is_as_uncertain_as_it_says() {
         let mut random = crate::numerics::prng::Random::new(4);
         let torque: Vec<f64> = (0..400).map(|k| 20.0 * (0.05 * f64::from(k)).sin()).collect();
         let live = vec![true; 400];
-        let (mut squares, mut stated) = (0.0, 0.0);
+        let (mut squares, mut stated) = ([0.0; 2], [0.0; 2]);
         for _ in 0..300 {
             let turned: Vec<f64> = torque.iter().map(|f| f / 1500.0 + random.uniform(-2e-3, 2e-3)).collect();
-            let [slope, std] = spring(&turned, &torque, &live).unwrap().compliance;
-            squares += (slope - 1.0 / 1500.0).powi(2);
-            stated += std * std;
+            let found = spring(&turned, &torque, &live).unwrap();
+            for (k, truth) in [1.0 / 1500.0, 1500.0].into_iter().enumerate() {
+                let [value, std] = [found.compliance, found.stiffness()][k];
+                squares[k] += (value - truth).powi(2);
+                stated[k] += std * std;
+            }
         }
-        let ratio = (squares / stated).sqrt();
-        assert!((ratio - 1.0).abs() < 0.15, "{ratio}");
+        for k in 0..2 {
+            let ratio = f64::sqrt(squares[k] / stated[k]);
+            assert!((ratio - 1.0).abs() < 0.15, "{k}: {ratio}");
+        }
     }
 }

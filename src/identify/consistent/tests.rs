@@ -15,7 +15,7 @@ use crate::identify::{
 };
 use crate::model::interpreted::Interpreted;
 use crate::model::rigid_body::random::Family;
-use crate::model::{Inertial, LinkExtents, StandardParameter, States};
+use crate::model::{DriveTerm, Inertial, LinkExtents, StandardParameter, States};
 use crate::numerics::prng::Random;
 
 /// A random robot with possible bodies, and its standard parameters.
@@ -414,7 +414,8 @@ fn the_announced_uncertainty_elsewhere_is_honest() {
 }
 
 /// Errors that go together: of a covariance `s s'` the announced uncertainty is the torque of `s`
-/// itself, root mean square over the range.
+/// itself, root mean square over the range. Errors of all parameters, and of viscous and dry
+/// friction alone, whose columns have the same sign.
 #[test]
 fn the_uncertainty_of_errors_that_go_together() {
     let (robot, arm) = file("planar2r");
@@ -424,12 +425,12 @@ fn the_uncertainty_of_errors_that_go_together() {
     let mut found = solve(&arm, &logs, &[], &IdentifySettings::default()).unwrap();
     let b = found.parameters.len();
     let mut random = Random::new(12);
-    let error: Vec<f64> = random.vector(b, 0.1);
-    for (parameter, error) in found.parameters.iter_mut().zip(&error) {
-        parameter.std = error.abs();
-    }
-    found.correlation = (0..b * b).map(|e| (error[e / b] * error[e % b]).signum()).collect();
-    let announced = crate::identify::extrapolation(&arm, &arm, &found).torque_std;
+    let every: Vec<f64> = random.vector(b, 0.1);
+    let friction = |p: &crate::model::BaseParameter| {
+        matches!(p.leader, StandardParameter::Drive(_, DriveTerm::FV | DriveTerm::FC))
+    };
+    let dry: Vec<f64> = arm.base_parameters().iter().map(|p| if friction(p) { 0.1 } else { 0.0 }).collect();
+    assert_eq!(dry.iter().filter(|e| **e > 0.0).count(), 2 * n);
     const LEN: usize = 40_000;
     let mut states = States { len: LEN, ..States::default() };
     let ranges: Vec<[f64; 3]> = arm.ranges();
@@ -444,15 +445,22 @@ fn the_uncertainty_of_errors_that_go_together() {
     }
     let mut entries = vec![0.0; arm.base_pattern().len() * LEN];
     arm.base_regressor(&states, &mut entries);
-    let mut torque = vec![0.0; n * LEN];
-    for (k, &(row, column)) in arm.base_pattern().iter().enumerate() {
-        for s in 0..LEN {
-            torque[row * LEN + s] += entries[k * LEN + s] * error[column];
+    for error in [every, dry] {
+        for (parameter, error) in found.parameters.iter_mut().zip(&error) {
+            parameter.std = error.abs();
         }
-    }
-    for j in 0..n {
-        let rms = (torque[j * LEN..(j + 1) * LEN].iter().map(|t| t * t).sum::<f64>() / LEN as f64).sqrt();
-        assert!((announced[j] / rms - 1.0).abs() < 0.05, "joint {}: {} {rms}", j + 1, announced[j]);
+        found.correlation = (0..b * b).map(|e| (error[e / b] * error[e % b]).signum()).collect();
+        let announced = crate::identify::extrapolation(&arm, &arm, &found).torque_std;
+        let mut torque = vec![0.0; n * LEN];
+        for (k, &(row, column)) in arm.base_pattern().iter().enumerate() {
+            for s in 0..LEN {
+                torque[row * LEN + s] += entries[k * LEN + s] * error[column];
+            }
+        }
+        for j in 0..n {
+            let rms = (torque[j * LEN..(j + 1) * LEN].iter().map(|t| t * t).sum::<f64>() / LEN as f64).sqrt();
+            assert!((announced[j] / rms - 1.0).abs() < 0.05, "joint {}: {} {rms}", j + 1, announced[j]);
+        }
     }
 }
 

@@ -1,0 +1,206 @@
+//! What the windows hold against the motion's own formula, the textbook arm's torques and sums by
+//! hand.
+
+use super::columns::{PERIOD, recording};
+use super::mechanisms::planar;
+use crate::diagnose::fit::moments::Moments;
+use crate::diagnose::fit::regulariser::Regulariser;
+use crate::diagnose::hypotheses::hypothesis;
+use crate::diagnose::windows::windowed_data::{BLOCKS, Column, WindowedData, dead_zones};
+use crate::model::perturbable_robot::PerturbableRobot;
+use crate::model::{Change, PerturbableArm};
+use crate::numerics::prng::Random;
+use dh_codegen::robot::EffectKind;
+use nalgebra::{DMatrix, DVector};
+
+/// Lengths of the links, m; acceleration of gravity, m/s^2.
+const L1: f64 = 0.5;
+const L2: f64 = 0.4;
+const G: f64 = 9.81;
+
+/// Angles of both joints, rad, and the velocity of the first, rad/s, at a time.
+fn motion(t: f64) -> ([f64; 2], f64) {
+    let first = 0.8 * (2.3 * t).sin();
+    ([first, 0.5 * first], 0.8 * 2.3 * (2.3 * t).cos())
+}
+
+fn windows<'a>(plant: &'a PerturbableRobot, recordings: &[crate::diagnose::Recording], delay: f64) -> WindowedData<'a> {
+    WindowedData::new(plant, recordings, 1.0 / PERIOD, &[delay; 2], false)
+}
+
+/// A torque that is late by 0.1 s goes with the motion of 0.1 s before: positions, times, and
+/// whether the joint stuck then.
+#[test]
+fn a_late_torque_goes_with_the_motion_before() {
+    let plant = PerturbableRobot::new(&planar());
+    let mut recordings = [recording()];
+    let len = recordings[0].stretches[0].states.len;
+    let sticks = |t: f64| (2.9999..3.5001).contains(&t);
+    recordings[0].stretches[0].stuck = (0..2 * len).map(|k| sticks((k % len) as f64 * PERIOD)).collect();
+    let delay = 0.1;
+    let scene = windows(&plant, &recordings, delay);
+    let own = &scene.own[0][0];
+    let states = &scene.states[scene.state_of_joint[0]];
+    let mut stuck = 0;
+    for w in 0..scene.len {
+        let then = scene.time[w] - delay;
+        let (q, v) = motion(then);
+        assert!((own.t[w] - then).abs() < 1e-9, "{w}: {} {then}", own.t[w]);
+        assert!((own.q[w] - q[0]).abs() < 1e-6 && (states.q[w] - q[0]).abs() < 1e-6, "{w}: {} {}", own.q[w], q[0]);
+        assert!((states.q[scene.len + w] - q[1]).abs() < 1e-6, "{w}");
+        if v.abs() > 0.05 {
+            assert_eq!(own.moves[w], !sticks(then), "{w} {then}");
+            stuck += usize::from(sticks(then));
+        }
+    }
+    assert!(stuck > 80, "{stuck}");
+}
+
+/// Three standard deviations of the velocity, or a hundredth of the fastest: 1.84 and 0.92 rad/s.
+#[test]
+fn a_velocity_within_its_noise_has_no_sign() {
+    let mut recordings = [recording()];
+    let zone = |noise: f64, recordings: &mut [crate::diagnose::Recording; 1]| {
+        recordings[0].stretches[0].velocity_noise = vec![noise; 2];
+        dead_zones(recordings, 2)
+    };
+    let quiet = zone(1e-6, &mut recordings);
+    assert!((quiet[0].0 - 0.0184).abs() < 1e-12 && (quiet[1].0 - 0.0092).abs() < 1e-12, "{quiet:?}");
+    let noisy = zone(0.05, &mut recordings);
+    assert!(noisy.iter().all(|(zone, stands)| (zone - 0.15).abs() < 1e-12 && !stands), "{noisy:?}");
+    // Noise of which three deviations are as fast as the joint: it stands.
+    let all = zone(0.7, &mut recordings);
+    assert!(all.iter().all(|(zone, stands)| (zone - 2.1).abs() < 1e-12 && *stands), "{all:?}");
+}
+
+/// The base turned about its z is the first joint's offset; of the textbook arm only gravity sees
+/// it: `-G ((L1^2 / 2 + L2 L1) sin q1 + L2^2 / 2 sin(q1 + q2))` on the first joint, the last term
+/// alone on the second.
+#[test]
+fn a_change_of_the_arm_by_its_size() {
+    let plant = PerturbableRobot::new(&planar());
+    let recordings = [recording()];
+    let scene = windows(&plant, &recordings, 0.0);
+    let standard = plant.given().unwrap().to_vec();
+    for scale in [1e-5, -1e-5] {
+        let change = Change::Row { row: 0, alpha: 0.0, d: 0.0, theta: scale, r: 0.0 };
+        let found = scene.changed(&change, &standard, scale);
+        for w in 0..scene.len {
+            let ([q1, q2], _) = motion(scene.time[w]);
+            let elbow = -G * 0.5 * L2 * L2 * (q1 + q2).sin();
+            let shoulder = elbow - G * (0.5 * L1 * L1 + L2 * L1) * q1.sin();
+            assert!((found[0][w] - shoulder).abs() < 1e-4, "{w}: {} {shoulder}", found[0][w]);
+            assert!((found[1][w] - elbow).abs() < 1e-4, "{w}: {} {elbow}", found[1][w]);
+        }
+    }
+}
+
+/// A wrench on the arm takes its power from the motors: a force at the last frame, which stands at
+/// the elbow, by the first joint's lever, a moment about z on both. In the last frame's axes the
+/// lever turns with the second joint.
+#[test]
+fn a_push_takes_what_its_lever_says() {
+    let plant = PerturbableRobot::new(&planar());
+    let recordings = [recording()];
+    let scene = windows(&plant, &recordings, 0.0);
+    let span = 200..600;
+    let ends = [span.start, span.end].map(|w| w as f64 * scene.step);
+    for base in [0.0, 1.0] {
+        let terms = hypothesis(EffectKind::ExternalContact).terms(&scene, &[], &[ends[0], ends[1], base]);
+        assert_eq!(terms.len(), 3);
+        for w in 0..scene.len {
+            let ([q1, q2], _) = motion(scene.time[w]);
+            let lever = if base == 1.0 { [-q1.sin(), q1.cos()] } else { [q2.sin(), q2.cos()] }.map(|x| L1 * x);
+            for (term, by) in [[lever[0], 0.0], [lever[1], 0.0], [1.0, 1.0]].into_iter().enumerate() {
+                for (j, by) in by.into_iter().enumerate() {
+                    let acts = span.contains(&w) && scene.live[j][w];
+                    let wanted = if acts { -by } else { 0.0 };
+                    let row = terms[term].column.rows.iter().find(|(row, _)| *row == j);
+                    let value = row.map_or(0.0, |(_, series)| series[w]);
+                    assert!((value - wanted).abs() < 1e-9, "{base} {term} {j} {w}: {value} {wanted}");
+                }
+            }
+        }
+    }
+}
+
+/// A push that only doubles the square of the residual, for 124 of 1140 windows: one of the lengths
+/// that are tried (30 and always a third more), at one of the starts (every 15 windows). By its sum
+/// of squares alone a longer part of the log would have more.
+#[test]
+fn a_weak_push_is_looked_for_where_it_is() {
+    let plant = PerturbableRobot::new(&planar());
+    let recordings = [recording()];
+    let scene = windows(&plant, &recordings, 0.0);
+    assert_eq!(scene.len, 1140);
+    let pushed = 600..724;
+    let size = |w: usize| if pushed.contains(&w) { 2.0_f64.sqrt() } else { 1.0 };
+    let row: Vec<f64> = (0..scene.len).map(|w| if w % 2 == 0 { size(w) } else { -size(w) }).collect();
+    let grid = hypothesis(EffectKind::ExternalContact).grid(&scene, &[], &[row.clone(), row]);
+    let [start, end] = [0, 1].map(|k| (grid[0][k] / scene.step).round() as usize);
+    assert_eq!([start, end], [pushed.start, pushed.end]);
+    assert_eq!([grid[0][2], grid[1][2]], [0.0, 1.0]);
+}
+
+/// Random columns on joint 1: the first, and one of which it is a part.
+fn two_columns(scene: &WindowedData<'_>) -> [Vec<f64>; 2] {
+    let mut random = Random::new(21);
+    let mut series = || -> Vec<f64> { (0..scene.len).map(|_| random.uniform(-1.0, 1.0)).collect() };
+    let (a, more) = (series(), series());
+    let b = a.iter().zip(&more).map(|(a, b)| 0.7 * a + b).collect();
+    [a, b]
+}
+
+/// A prior is further equations: `root P (x - mean) = 0` below those of the data.
+#[test]
+fn a_prior_is_further_equations() {
+    let plant = PerturbableRobot::new(&planar());
+    let recordings = [recording()];
+    let scene = windows(&plant, &recordings, 0.0);
+    let [a, b] = two_columns(&scene);
+    let y: Vec<f64> = a.iter().zip(&b).enumerate().map(|(w, (a, b))| a - 2.0 * b + (w as f64).sin()).collect();
+    let columns = [Column::on(0, a.clone()), Column::on(0, b.clone())];
+    let all = [y.clone(), vec![0.0; scene.len]];
+    let mut moments = Moments::new(&scene, &scene.block, &all, &columns.iter().collect::<Vec<&Column>>());
+    let (root, mean) = ([30.0, 50.0], [3.0, 1.0]);
+    moments.regularised_by(Regulariser {
+        precision: DMatrix::from_diagonal(&DVector::from_vec(root.map(|r| r * r).to_vec())),
+        mean: DVector::from_vec(mean.to_vec()),
+        spread: DMatrix::zeros(2, 2),
+    });
+    let found = moments.solve(None);
+    let (n, weight) = (scene.len, found.weights[0].sqrt());
+    let design = DMatrix::from_fn(n + 2, 2, |row, k| match row.checked_sub(n) {
+        Some(at) => f64::from(u8::from(at == k)) * root[k],
+        None => weight * [&a, &b][k][row],
+    });
+    let right = DVector::from_fn(n + 2, |row, _| match row.checked_sub(n) {
+        Some(at) => root[at] * mean[at],
+        None => weight * y[row],
+    });
+    let x = design.svd(true, true).solve(&right, 1e-12).unwrap();
+    assert!((&found.x - &x).norm() < 1e-9, "{} {x}", found.x);
+    // Neither the prior's values nor those of the data.
+    assert!((x[0] - 3.0).abs() > 0.1 && (x[0] - 1.0).abs() > 0.1, "{x}");
+}
+
+/// A term that half of the parts give half as much again, and the others half: `1 / (1 + 0.5^2)`.
+/// What stands beside it goes with it, and takes no part.
+#[test]
+fn a_size_that_changes_recurs_less() {
+    let plant = PerturbableRobot::new(&planar());
+    let recordings = [recording()];
+    let scene = windows(&plant, &recordings, 0.0);
+    let [a, b] = two_columns(&scene);
+    let columns = [Column::on(0, a.clone()), Column::on(0, b.clone())];
+    for (off, wanted) in [(0.0, 1.0), (0.5, 0.8), (2.0, 0.2)] {
+        let factor = |w: usize| if scene.block[w].is_multiple_of(2) { 1.0 + off } else { 1.0 - off };
+        let y: Vec<f64> = (0..scene.len).map(|w| 2.0 * factor(w) * a[w] + 3.0 * b[w]).collect();
+        let all = [y, vec![0.0; scene.len]];
+        let moments = Moments::new(&scene, &scene.block, &all, &columns.iter().collect::<Vec<&Column>>());
+        let found = moments.at(&moments.solve(None), DVector::from_vec(vec![2.0, 3.0]));
+        let recurs = moments.recurrence(&found, &[0]);
+        assert!((recurs - wanted).abs() < 1e-9, "{off}: {recurs} {wanted}");
+    }
+    assert!((0..BLOCKS).all(|part| scene.block.contains(&part)));
+}
