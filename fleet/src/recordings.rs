@@ -133,7 +133,7 @@ pub(crate) struct Parts {
 
 /// Recordings at once on each worker, in a session that has workers.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct OfEachWorker(pub usize);
+pub(crate) struct OfEachWorker(#[cfg_attr(not(feature = "cluster"), expect(dead_code))] pub usize);
 
 /// What this process has done for others, which its log says; in the sessions of a worker.
 #[derive(Debug, Default)]
