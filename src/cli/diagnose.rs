@@ -224,7 +224,7 @@ impl Diagnose {
         let causes: Vec<String> = found
             .causes
             .iter()
-            .filter(|c| c.in_extended && (c.cause != "unknown" || c.law.is_some()))
+            .filter(|c| c.has_law() || c.in_extended && c.cause != "unknown")
             .map(sentence)
             .collect();
         let text = file.rewritten(&robot, path, &provenance.run(causes.clone()));

@@ -19,7 +19,7 @@ pub struct States {
 }
 
 impl States {
-    /// Positions, velocities and accelerations of each joint.
+    /// Positions, velocities and accelerations of each joint, base to tip, `len` samples each.
     pub fn by_joint(&self) -> Vec<[&[f64]; 3]> {
         let row = |j: usize| [&self.q, &self.dq, &self.ddq].map(|x| &x[j * self.len..(j + 1) * self.len]);
         (0..self.q.len().checked_div(self.len).unwrap_or(0)).map(row).collect()
@@ -146,7 +146,8 @@ pub trait Arm: Sync {
     /// `out[k * len + s]`. `tau = W_b beta` (Khalil and Dombre, equation 12.21).
     fn base_regressor(&self, states: &States, out: &mut [f64]);
 
-    /// Torques from base parameters (`B`), joint-major like the states: `W_b beta`.
+    /// Torques from base parameters (`B`), N m (N for a prismatic joint), joint-major like the states:
+    /// `W_b beta` (Khalil and Dombre, equation 12.21).
     fn base_torques(&self, states: &States, base: &[f64], out: &mut [f64]) {
         let pattern = self.base_pattern();
         let mut entries = vec![0.0; pattern.len() * states.len];

@@ -51,15 +51,14 @@ pub(in crate::diagnose) struct Errors<'a> {
 }
 
 /// A law of one joint's torque.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug)]
 pub(in crate::diagnose) struct Formula {
     /// Joint, from 0.
     pub joint: usize,
     /// The law, N m or N: `0.42*sign(dq2)*cos(2*q1)`, joints from 1.
     pub text: String,
-    /// Root mean square of the joint's error without and with it on the fitted logs, N m or N.
-    pub fit: [f64; 2],
-    /// The same on data that were not fitted.
+    /// Root mean square of the joint's error without and with it on data that were not fitted, N m or
+    /// N.
     pub validate: [f64; 2],
     /// Share of the halves of the data that chose the least stable of its terms.
     pub stability: f64,
@@ -233,11 +232,16 @@ fn text(terms: &[Term], x: &[f64]) -> String {
     text
 }
 
+/// Torque of a law at a sample, N m or N.
+fn torque(terms: &[Term], x: &[f64], motion: &[[&[f64]; 3]], k: usize) -> f64 {
+    terms.iter().zip(x).map(|(term, x)| x * value(term, motion, k)).sum()
+}
+
 /// Error with a law, root mean square without and with it, and its size by what the data ask for.
 fn measured(terms: &[Term], x: &[f64], data: Errors<'_>) -> ([f64; 2], f64) {
     let (mut before, mut after, mut pull, mut own) = (0.0, 0.0, 0.0, 0.0);
     for (k, e) in data.error.iter().enumerate() {
-        let law: f64 = terms.iter().zip(x).map(|(term, x)| x * value(term, data.motion, k)).sum();
+        let law = torque(terms, x, data.motion, k);
         before += e * e;
         after += (e - law).powi(2);
         pull += e * law;
@@ -273,13 +277,11 @@ pub(in crate::diagnose) fn formula(j: usize, fit: Errors<'_>, validate: Errors<'
     let chosen = needed(&whole, stable.iter().flat_map(|&g| members[g].clone()).collect());
     let x: Vec<f64> = fitted(&whole, &chosen).0.iter().map(|x| rounded(*x)).collect();
     let law: Vec<Term> = chosen.iter().map(|&t| terms[t].clone()).collect();
-    let ([fit_before, fit_after], _) = measured(&law, &x, fit);
     let ([before, after], size) = measured(&law, &x, validate);
     let holds = after * after < (1.0 - GAIN) * before * before && (HOLDS[0]..HOLDS[1]).contains(&size);
     holds.then(|| Formula {
         joint: j,
         text: text(&law, &x),
-        fit: [fit_before, fit_after],
         validate: [before, after],
         stability: least as f64 / HALVES as f64,
         terms: law,
@@ -291,8 +293,7 @@ impl Formula {
     /// Torque along a motion of all joints, N m or N.
     pub(in crate::diagnose) fn along(&self, motion: &[[&[f64]; 3]]) -> Vec<f64> {
         let len = motion.first().map_or(0, |joint| joint[0].len());
-        let at = |k: usize| self.terms.iter().zip(&self.x).map(|(term, x)| x * value(term, motion, k)).sum();
-        (0..len).map(at).collect()
+        (0..len).map(|k| torque(&self.terms, &self.x, motion, k)).collect()
     }
 
     /// A sentence with figures; `on` names the data that were not fitted.

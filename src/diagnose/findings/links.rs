@@ -252,10 +252,9 @@ fn of_joints(joints: &[usize]) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::findings::nameless::nameless;
 
     fn cause(name: &'static str, joints: &[usize], probability: f64) -> Cause {
-        Cause { cause: name, joints: joints.to_vec(), probability, ..nameless() }
+        Cause { joints: joints.to_vec(), probability, ..Cause::blank(name, "") }
     }
 
     /// A model of other links that errs hardly less than one of the file's with a spring: the link is

@@ -13,7 +13,7 @@ use dh_codegen::robot::effects;
 impl Session<'_> {
     /// Adds formulas for the structure that is `left` to the causes, takes them out of the `errors`
     /// of the offered model, on fitted and validating logs, and returns what they leave. Where the
-    /// unchanged file is offered (`file_holds`) they are told only. `torque`: root mean square of each
+    /// unchanged file is offered (`file_holds`) they are only reported. `torque`: root mean square of each
     /// joint's, N m.
     pub(in crate::diagnose) fn explained_by_formulas(
         &self,
@@ -102,7 +102,7 @@ pub(in crate::diagnose) fn unknown(
 
 /// Adds the laws of errors that have no name as causes, and takes them out of what the model
 /// misses; `left`: the structure of these errors. `floor`: noise of each joint's torque, N m.
-/// `offered`: whether the offered model has the laws; else they are told only.
+/// `offered`: whether the offered model has the laws; else they are only reported.
 fn with_formulas(
     causes: &mut Vec<Cause>,
     left: &[Structure],
@@ -152,26 +152,7 @@ fn with_formulas(
 }
 
 /// What entries of errors without a name have in common.
-pub(super) fn nameless() -> Cause {
-    Cause {
-        cause: "unknown",
-        support: MOST_MARGIN,
-        margin: MOST_MARGIN,
-        share: 0.0,
-        recurrence: 1.0,
-        joints: Vec::new(),
-        probability: 0.0,
-        parameters: Vec::new(),
-        keys: Vec::new(),
-        evidence: String::new(),
-        rms_before: Vec::new(),
-        rms_after: Vec::new(),
-        interval: [f64::NAN; 2],
-        on: "fit",
-        not_distinguished_from: Vec::new(),
-        shown_by: "a longer recording with slow and fast motion of the named joints",
-        law: None,
-        in_extended: true,
-        curve: None,
-    }
+fn nameless() -> Cause {
+    let blank = Cause::blank("unknown", "a longer recording with slow and fast motion of the named joints");
+    Cause { support: MOST_MARGIN, margin: MOST_MARGIN, ..blank }
 }

@@ -134,25 +134,9 @@ pub(in crate::diagnose) fn quiet(tested: &ModelUnderTest<'_>, fitted: &Fitted) -
             let hypothesis: &'static dyn Hypothesis = [&VISCOUS, &COULOMB, &OFFSET][k % 3];
             let item = Item { hypothesis, place: vec![k / 3], accepted: None, friction: vec![k] };
             Cause {
-                cause: hypothesis.name(),
                 joints: vec![k / 3 + 1],
-                probability: 0.0,
                 keys: friction_values(tested, fitted, &covariance, &item),
-                parameters: Vec::new(),
-                support: 0.0,
-                margin: 0.0,
-                share: 0.0,
-                recurrence: 1.0,
-                evidence: String::new(),
-                rms_before: Vec::new(),
-                rms_after: Vec::new(),
-                interval: [f64::NAN; 2],
-                on: "fit",
-                not_distinguished_from: Vec::new(),
-                shown_by: hypothesis.shown_by(),
-                law: None,
-                in_extended: true,
-                curve: None,
+                ..Cause::blank(hypothesis.name(), hypothesis.shown_by())
             }
         })
         .collect()

@@ -114,6 +114,31 @@ pub struct Cause {
 }
 
 impl Cause {
+    /// One of which nothing is known but its name and the experiment that would show it.
+    pub(in crate::diagnose) fn blank(cause: &'static str, shown_by: &'static str) -> Self {
+        Self {
+            cause,
+            shown_by,
+            joints: Vec::new(),
+            probability: 0.0,
+            parameters: Vec::new(),
+            keys: Vec::new(),
+            support: 0.0,
+            margin: 0.0,
+            share: 0.0,
+            recurrence: 1.0,
+            evidence: String::new(),
+            rms_before: Vec::new(),
+            rms_after: Vec::new(),
+            interval: [f64::NAN; 2],
+            on: "fit",
+            not_distinguished_from: Vec::new(),
+            law: None,
+            in_extended: true,
+            curve: None,
+        }
+    }
+
     /// Whether it is a torque in closed form that the offered model has.
     pub fn has_law(&self) -> bool {
         self.law.is_some() && self.in_extended

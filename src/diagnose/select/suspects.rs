@@ -76,27 +76,7 @@ mod tests {
     use super::*;
 
     fn cause(cause: &'static str, joints: &[usize], probability: f64) -> Cause {
-        Cause {
-            cause,
-            joints: joints.to_vec(),
-            probability,
-            parameters: Vec::new(),
-            keys: Vec::new(),
-            support: 0.0,
-            margin: 0.0,
-            share: 0.0,
-            recurrence: 1.0,
-            evidence: String::new(),
-            rms_before: Vec::new(),
-            rms_after: Vec::new(),
-            interval: [f64::NAN; 2],
-            on: "validate",
-            in_extended: true,
-            not_distinguished_from: Vec::new(),
-            shown_by: "",
-            law: None,
-            curve: None,
-        }
+        Cause { joints: joints.to_vec(), probability, on: "validate", ..Cause::blank(cause, "") }
     }
 
     #[test]

@@ -327,8 +327,7 @@ impl<'a> WindowedData<'a> {
     /// The same windows with torques taken as late by other delays, and the rigid model that goes
     /// with that. `recordings`, `rate`: those of [`WindowedData::new`].
     pub fn delayed_by(&mut self, recordings: &[Recording], rate: f64, delays: &[f64]) {
-        let before = std::mem::take(&mut self.delays);
-        self.delays.clone_from(&before);
+        let before = self.delays.clone();
         self.take_delays(&cuts(recordings, rate), delays);
         let moved: Vec<bool> = before.iter().zip(delays).map(|(a, b)| a != b).collect();
         let fresh = self.torques_where(&self.beta, &moved, |_| {});
