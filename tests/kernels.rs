@@ -107,6 +107,61 @@ fn packs_and_packed_outputs_are_the_same_numbers() {
     }
 }
 
+/// Every instruction set of this processor has the bits of the plain functions, for one state and
+/// for eight; so do angles beyond the range of the short reduction.
+#[test]
+fn instruction_sets_agree() {
+    macro_rules! agree {
+        ($module:ident) => {{
+            use arm::runtime::dispatch::Level;
+            use $module as arm;
+            let list = |lane: usize, k: u64, n: usize| numbers(lane as u64 * 10 + k, n);
+            let state = |lane: usize, k: u64| -> [f64; arm::DOF] { list(lane, k, arm::DOF).try_into().unwrap() };
+            let mut qs: [[f64; arm::DOF]; 8] = core::array::from_fn(|lane| state(lane, 1));
+            (qs[3][1], qs[6][0]) = (7e5, -3e8);
+            let eights = |k: u64| {
+                core::array::from_fn::<[f64; 8], { arm::DOF }, _>(|j| {
+                    core::array::from_fn(|lane| if k == 1 { qs[lane][j] } else { state(lane, k)[j] })
+                })
+            };
+            let beta: [f64; arm::BASE] = list(0, 4, arm::BASE).try_into().unwrap();
+            let betas = beta.map(|b| [b; 8]);
+            for level in [Level::Build, Level::V3, Level::V4] {
+                let mut regressors = [[[0.0; 8]; arm::BASE]; arm::DOF];
+                arm::dispatch::eight::base_regressor(level, &eights(1), &eights(2), &eights(3), &mut regressors);
+                let mut torques = [[0.0; 8]; arm::DOF];
+                arm::dispatch::eight::inverse_dynamics_base(
+                    level,
+                    &eights(1),
+                    &eights(2),
+                    &eights(3),
+                    &betas,
+                    &mut torques,
+                );
+                for (lane, q) in qs.iter().enumerate() {
+                    let (dq, ddq) = (state(lane, 2), state(lane, 3));
+                    let bits = |x: &[f64]| x.iter().map(|x| x.to_bits()).collect::<Vec<u64>>();
+                    let plain = arm::base_regressor(q, &dq, &ddq);
+                    let one = arm::dispatch::base_regressor(level, q, &dq, &ddq);
+                    assert_eq!(bits(one.as_flattened()), bits(plain.as_flattened()), "{level:?}");
+                    let lane_of: Vec<f64> = regressors.as_flattened().iter().map(|x| x[lane]).collect();
+                    assert_eq!(bits(&lane_of), bits(plain.as_flattened()), "{level:?}, state {lane} of eight");
+                    let plain = arm::inverse_dynamics_base(q, &dq, &ddq, &beta);
+                    assert_eq!(bits(&arm::dispatch::inverse_dynamics_base(level, q, &dq, &ddq, &beta)), bits(&plain));
+                    assert_eq!(bits(&torques.map(|x| x[lane])), bits(&plain), "{level:?}, state {lane} of eight");
+                    let plain = arm::forward_dynamics(q, &dq, &ddq, &beta);
+                    assert_eq!(bits(&arm::dispatch::forward_dynamics(level, q, &dq, &ddq, &beta)), bits(&plain));
+                }
+            }
+            Level::highest()
+        }};
+    }
+    let shipped = agree!(kuka_lwr4);
+    let other = agree!(ur10e);
+    let on_runtime = agree!(puma560);
+    assert_eq!((shipped as u8, shipped as u8), (other as u8, on_runtime as u8));
+}
+
 /// f32 runs the same text.
 #[test]
 fn single_precision_is_close() {

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use crate::arm::chain::{Group, Inputs};
 use crate::arm::{Argument, Function, Kernel, Model};
 use crate::runtime::Scalar;
-use crate::sym::Evaluator;
+use crate::sym::{Column, Evaluator};
 
 /// States and parameters of a batch, joint-major: sample `s` of joint `j` at `j * len + s`. Unused
 /// parts may be empty.
@@ -109,12 +109,7 @@ impl Interpreter {
     }
 
     fn run_on(&self, kernel: &Kernel, evaluator: &Evaluator, batch: &Batch<'_>, out: &mut [f64]) {
-        let arguments = kernel.function.arguments();
-        let takes = |a| arguments.contains(&a);
-        let turns = takes(Argument::Configuration).then_some(self.offsets.as_slice());
-        let parameters =
-            takes(Argument::StandardParameters) || takes(Argument::BaseParameters) || takes(Argument::Seeds);
-        let columns = Columns::new(kernel.inputs, batch, turns, parameters);
+        let columns = Columns::new(kernel.inputs, batch, &self.offsets);
         evaluator.run(batch.len, |i| columns.input(i), out);
     }
 
@@ -174,51 +169,28 @@ impl Interpreter {
 pub(crate) struct Columns<'a> {
     inputs: Inputs,
     batch: &'a Batch<'a>,
-    sin: Vec<f64>,
-    cos: Vec<f64>,
-    parameters: Vec<Vec<f64>>,
+    offsets: &'a [f64],
 }
 
 impl<'a> Columns<'a> {
-    /// Sines and cosines where the offsets of the angles are given, parameters where they are read.
-    pub(crate) fn new(inputs: Inputs, batch: &'a Batch<'a>, offsets: Option<&[f64]>, parameters: bool) -> Self {
-        let len = batch.len;
-        let (sin, cos) = match offsets {
-            Some(offsets) => {
-                let angles = (0..inputs.dof * len).map(|k| batch.q[k] + offsets[k / len.max(1)]);
-                sines_and_cosines(&angles.collect::<Vec<f64>>())
-            }
-            None => (Vec::new(), Vec::new()),
-        };
-        let parameters = if parameters { batch.parameters } else { &[] };
-        Self { inputs, batch, sin, cos, parameters: parameters.iter().map(|&p| vec![p; len]).collect() }
+    /// `offsets` of the angles, for a kernel that reads sines and cosines.
+    pub(crate) fn new(inputs: Inputs, batch: &'a Batch<'a>, offsets: &'a [f64]) -> Self {
+        Self { inputs, batch, offsets }
     }
 
     /// Of every sample.
-    pub(crate) fn input(&self, index: usize) -> &[f64] {
+    pub(crate) fn input(&self, index: usize) -> Column<'a> {
         let (group, at) = self.inputs.locate(index);
-        let source: &[f64] = match group {
-            Group::Position => self.batch.q,
-            Group::Sine => &self.sin,
-            Group::Cosine => &self.cos,
-            Group::Velocity => self.batch.dq,
-            Group::Acceleration => self.batch.ddq,
-            Group::Torque => self.batch.tau,
-            Group::Parameter => return &self.parameters[at],
-        };
-        &source[at * self.batch.len..(at + 1) * self.batch.len]
+        let Batch { len, q, dq, ddq, tau, parameters } = *self.batch;
+        let of = |source: &'a [f64]| &source[at * len..(at + 1) * len];
+        match group {
+            Group::Position => Column::Each(of(q)),
+            Group::Sine => Column::Sine(of(q), self.offsets[at]),
+            Group::Cosine => Column::Cosine(of(q), self.offsets[at]),
+            Group::Velocity => Column::Each(of(dq)),
+            Group::Acceleration => Column::Each(of(ddq)),
+            Group::Torque => Column::Each(of(tau)),
+            Group::Parameter => Column::Same(parameters[at]),
+        }
     }
-}
-
-/// Of any number of angles, with the runtime's own polynomials.
-fn sines_and_cosines(angles: &[f64]) -> (Vec<f64>, Vec<f64>) {
-    let (mut sin, mut cos) = (Vec::with_capacity(angles.len()), Vec::with_capacity(angles.len()));
-    for chunk in angles.chunks(8) {
-        let mut eight = [0.0; 8];
-        eight[..chunk.len()].copy_from_slice(chunk);
-        let (s, c) = f64::sin_cos_all(&eight);
-        sin.extend_from_slice(&s[..chunk.len()]);
-        cos.extend_from_slice(&c[..chunk.len()]);
-    }
-    (sin, cos)
 }

@@ -4,7 +4,7 @@ use crate::arm::Kernel;
 use crate::arm::adjoint::by_states;
 use crate::arm::chain::{Group, Inputs};
 use crate::interpret::{Batch, Columns};
-use crate::sym::{Evaluator, Ex, Graph, Operand, Tape};
+use crate::sym::{Column, Evaluator, Ex, Graph, Operand, Tape};
 
 /// The adjoint of a kernel, ready to run.
 pub struct Pullback {
@@ -64,10 +64,13 @@ impl Pullback {
         if len == 0 {
             return;
         }
-        let columns = Columns::new(self.inputs, batch, Some(&self.offsets), true);
+        let columns = Columns::new(self.inputs, batch, &self.offsets);
         let mut out = vec![0.0; self.outputs.len() * len];
         let seed = |k: usize| &seeds[k * len..(k + 1) * len];
-        let column = |i: usize| if i >= self.first_seed { seed(i - self.first_seed) } else { columns.input(i) };
+        let column = |i: usize| match i.checked_sub(self.first_seed) {
+            Some(k) => Column::Each(seed(k)),
+            None => columns.input(i),
+        };
         self.evaluator.run(len, column, &mut out);
         for (&(part, joint), column) in self.outputs.iter().zip(out.chunks(len)) {
             let target = [&mut to.q, &mut to.dq, &mut to.ddq][part].iter_mut().skip(joint * len);

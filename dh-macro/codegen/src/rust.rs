@@ -2,6 +2,7 @@
 //! mechanics.
 
 mod comment;
+mod dispatch;
 mod documentation;
 mod drive;
 mod front;

@@ -18,7 +18,7 @@ mod vec3;
 
 pub use adjoint::adjoint;
 pub use call::Call;
-pub use eval::{Evaluator, LANES};
+pub use eval::{Column, Evaluator};
 pub use formula::{Fold, Formula};
 pub use graph::{Ex, Graph, Node, Op};
 pub use tape::{Instruction, Kind, Operand, OperationCount, Section, Tape};

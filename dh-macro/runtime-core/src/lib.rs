@@ -22,6 +22,9 @@
 
 #![no_std]
 
+#[cfg(feature = "dispatch")]
+extern crate std;
+
 pub mod drive;
 pub mod elementary;
 // A negated comparison is true of NaN too, and is meant to be; a reference to a closure is a type

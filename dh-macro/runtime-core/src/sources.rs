@@ -48,7 +48,9 @@ pub const FILES: &[Source] = &[
     ("robot.rs", include_str!("robot.rs"), ""),
     ("runtime.rs", include_str!("runtime.rs"), ""),
     ("runtime/block.rs", include_str!("runtime/block.rs"), ""),
+    ("runtime/dispatch.rs", include_str!("runtime/dispatch.rs"), ""),
     ("runtime/pack.rs", include_str!("runtime/pack.rs"), ""),
+    ("runtime/registers.rs", include_str!("runtime/registers.rs"), ""),
     ("runtime/scalar.rs", include_str!("runtime/scalar.rs"), ""),
     ("runtime/sincos.rs", include_str!("runtime/sincos.rs"), ""),
 ];

@@ -1,5 +1,6 @@
 //! Registers, the only `unsafe` of the runtime, against one number at a time. Runs under Miri:
-//! `cargo +nightly miri test -p denavit-runtime-core --test registers`.
+//! `cargo +nightly miri test -p denavit-runtime-core --features dispatch --test registers`, once more
+//! with `RUSTFLAGS="-C target-feature=+avx2,+bmi1,+bmi2,+lzcnt"`.
 
 use denavit_runtime_core::runtime::{Block, Pack, Scalar, square_root};
 
@@ -94,4 +95,71 @@ fn a_block_picks_and_puts() {
     let mut all = [0.0; 8];
     (0..Block::COUNT).for_each(|k| Block::constant(4.0).store(k, &mut all));
     assert_eq!(all, [4.0; 8]);
+}
+
+#[cfg(feature = "dispatch")]
+mod dispatched {
+    use super::{A, B, bits, each};
+    use denavit_runtime_core::runtime::Scalar;
+    use denavit_runtime_core::runtime::dispatch::{Level, Numbers, Set, Work, eights, sines_and_cosines};
+
+    /// Operations on numbers of one kind.
+    #[inline(always)]
+    fn computed<V: Numbers>(into: &mut Vec<[u64; 8]>) {
+        let mut all = [[0.0; 8]; 6];
+        for k in (0..8).step_by(V::WIDTH) {
+            let (a, b) = (V::load(&A[k..]), V::load(&B[k..]));
+            let results = [a + b, a - b, a * b, a / b, -a, a.sign()];
+            for (row, result) in all.iter_mut().zip(results) {
+                result.store(&mut row[k..]);
+            }
+        }
+        into.extend(all.map(bits));
+    }
+
+    /// All that a set has: registers of each width, sines, lists of eights.
+    struct Everything;
+
+    impl Work for Everything {
+        type Result = Vec<[u64; 8]>;
+        #[inline(always)]
+        fn run<S: Set>(self) -> Self::Result {
+            let mut found = Vec::new();
+            computed::<S::One>(&mut found);
+            computed::<S::Eight>(&mut found);
+            computed::<S::Many>(&mut found);
+            // Not as many as a register holds.
+            let (sines, cosines) = sines_and_cosines::<S, 11>(&std::array::from_fn(|k| k as f64 - 4.7));
+            found.extend([&sines, &cosines].map(|x| bits(std::array::from_fn(|k| x[k + 3]))));
+            for eight in eights::<S, 2>(&[A, B]) {
+                let mut out = [0.0; 8];
+                eight.store(&mut out);
+                found.push(bits(out));
+            }
+            found
+        }
+    }
+
+    /// A level that the processor lacks is the highest that it has.
+    #[test]
+    fn every_level_computes_as_single_numbers_do() {
+        let plain = [
+            each(|a, b| a + b),
+            each(|a, b| a - b),
+            each(|a, b| a * b),
+            each(|a, b| a / b),
+            each(|a, _| -a),
+            each(|a, _| a.sign()),
+        ];
+        let angles: [f64; 11] = std::array::from_fn(|k| k as f64 - 4.7);
+        let (sines, cosines) = f64::sin_cos_all(&angles);
+        let expected: Vec<_> = (0..3)
+            .flat_map(|_| plain)
+            .chain([sines, cosines].map(|x| bits(std::array::from_fn(|k| x[k + 3]))))
+            .chain([A, B].map(bits))
+            .collect();
+        for level in [Level::Build, Level::V3, Level::V4] {
+            assert_eq!(level.run(Everything), expected, "{level:?} of {:?}", Level::highest());
+        }
+    }
 }

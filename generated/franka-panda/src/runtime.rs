@@ -3,7 +3,10 @@
 // A robot whose postures need no blocks, and a derived one, leave some of it unused.
 #[allow(dead_code)]
 mod block;
+#[cfg(feature = "dispatch")]
+pub mod dispatch;
 mod pack;
+mod registers;
 mod scalar;
 mod sincos;
 

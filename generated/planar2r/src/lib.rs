@@ -7,7 +7,9 @@
 //! Jacobians are in the world frame: frame 0 of the table where the robot file has no `base`.
 //! Tensors are about the frame's origin. Nothing is allocated; nothing but `core` is used. Kernels
 //! (module `kernel`) take sines and cosines (`Trig`); the functions here take `q`. All are generic
-//! over `runtime::Scalar`: `f64`, `f32` and packs of states run the same text.
+//! over `runtime::Scalar`: `f64`, `f32` and packs of states run the same text. With the feature
+//! `dispatch` (needs `std`) module `dispatch` has them for `f64` with the instructions of the
+//! processor at hand.
 //!
 //! ```
 //! use planar2r as arm;
@@ -60,10 +62,12 @@
 #![warn(missing_docs)]
 #![allow(clippy::all)]
 
-#[cfg(test)]
+#[cfg(any(test, feature = "dispatch"))]
 extern crate std;
 
 pub mod constants;
+#[cfg(feature = "dispatch")]
+pub mod dispatch;
 pub mod ik;
 mod implementations;
 pub mod kernel;

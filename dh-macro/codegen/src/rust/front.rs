@@ -158,7 +158,7 @@ for (row, tau) in regressor.iter().zip(tau) {{
     }
 }
 
-const UNITS: &str = "SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Poses and Jacobians are in the world frame: frame 0 of the table where the robot file has no `base`. Tensors are about the frame's origin. Nothing is allocated; nothing but `core` is used. Kernels (module `kernel`) take sines and cosines (`Trig`); the functions here take `q`. All are generic over `runtime::Scalar`: `f64`, `f32` and packs of states run the same text.
+const UNITS: &str = "SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Poses and Jacobians are in the world frame: frame 0 of the table where the robot file has no `base`. Tensors are about the frame's origin. Nothing is allocated; nothing but `core` is used. Kernels (module `kernel`) take sines and cosines (`Trig`); the functions here take `q`. All are generic over `runtime::Scalar`: `f64`, `f32` and packs of states run the same text. With the feature `dispatch` (needs `std`) module `dispatch` has them for `f64` with the instructions of the processor at hand.
 ";
 
 /// A text as the comment of a module.

@@ -218,7 +218,7 @@ impl File<'_> {
         let of = if self.kernel.shape.len() == 2 { "Row and column" } else { "First index, and the rest row-major," };
         let list: Vec<String> = places.chunks(10).map(|c| format!("    {},", c.join(", "))).collect();
         format!(
-            "/// Entries that are not structurally zero.\npub const NONZEROS: usize = {};\n\n/// {of} of each of them, in the order of [`packed`].\npub const PATTERN: [(usize, usize); NONZEROS] = [\n{}\n];\n\n/// Place of entry `k` in the row-major result.\nconst fn place(k: usize) -> usize {{\n    PATTERN[k].0 * {row} + PATTERN[k].1\n}}\n\n",
+            "/// Entries that are not structurally zero.\npub const NONZEROS: usize = {};\n\n/// {of} of each of them, in the order of [`packed`].\npub const PATTERN: [(usize, usize); NONZEROS] = [\n{}\n];\n\n/// Place of entry `k` in the row-major result.\npub(crate) const fn place(k: usize) -> usize {{\n    PATTERN[k].0 * {row} + PATTERN[k].1\n}}\n\n",
             self.nonzeros.len(),
             list.join("\n")
         )
@@ -287,7 +287,7 @@ impl File<'_> {
     fn entries(&self, context: &Context<'_>) -> String {
         let put = if self.nonzeros.is_empty() { "_" } else { "mut put" };
         let mut text = format!(
-            "#[allow(non_snake_case, clippy::all)]\n#[inline(always)]\nfn entries<S: {}>({}, {put}: impl FnMut(usize, S)) {{\n",
+            "#[allow(non_snake_case, clippy::all)]\n#[inline(always)]\npub(crate) fn entries<S: {}>({}, {put}: impl FnMut(usize, S)) {{\n",
             bound(self.kernel),
             self.signature()
         );

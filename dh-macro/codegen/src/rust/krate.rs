@@ -8,7 +8,7 @@ use super::comment::wrapped;
 use super::front::Front;
 use super::kernel_file::{self, Context};
 use super::numbers::{Gravity, Numbers};
-use super::{drive, implementations, manifest, parameters, shell, shipped, tests_file, words};
+use super::{dispatch, drive, implementations, manifest, parameters, shell, shipped, tests_file, words};
 use crate::arm::{Function, Inverse, Kernel, Model};
 use crate::interpret::Interpreter;
 use crate::robot::Robot;
@@ -68,7 +68,7 @@ pub(super) fn parts(robot: &Robot, source: &str, further: &[Function], runtime: 
         base: &base,
         kernels: &kernels,
     };
-    let mut files = BTreeMap::new();
+    let mut files = BTreeMap::from([("dispatch.rs".to_string(), dispatch::print(&model, &context))]);
     if !constants.is_empty() {
         files.insert("constants.rs".to_string(), words::module(&constants));
     }
@@ -121,7 +121,7 @@ pub fn krate_on(robot: &Robot, source: &str, further: &[Function], runtime: &Run
         parts.files.into_iter().map(|(path, text)| (format!("src/{path}"), text)).collect();
     files.insert(
         "src/lib.rs".into(),
-        format!("{}\n#![no_std]\n#![deny(unsafe_code)]\n#![warn(missing_docs)]\n#![allow(clippy::all)]\n\n#[cfg(test)]\nextern crate std;\n\n{}", parts.crate_root, parts.root),
+        format!("{}\n#![no_std]\n#![deny(unsafe_code)]\n#![warn(missing_docs)]\n#![allow(clippy::all)]\n\n#[cfg(any(test, feature = \"dispatch\"))]\nextern crate std;\n\n{}", parts.crate_root, parts.root),
     );
     files.insert("README.md".into(), parts.readme);
     files.extend(LICENCES.map(|(path, text)| (path.to_string(), text.to_string())));

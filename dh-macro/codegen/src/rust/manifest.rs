@@ -18,13 +18,15 @@ const LIST: [&str; 2] = ["files = [", "]"];
 pub(super) fn print(robot: &str, runtime: &Runtime, files: &BTreeMap<String, String>) -> String {
     let name = crate_name(robot);
     let description = words::toml(&format!("Closed-form kinematics and dynamics of {robot}"));
-    let (place, dependencies) = match runtime {
-        Runtime::Shipped => ("A folder of its own: copy it anywhere.", String::new()),
-        Runtime::Crate(line) => ("It runs on denavit-runtime.", format!("denavit-runtime = {line}\n")),
+    let (place, dependencies, dispatch) = match runtime {
+        Runtime::Shipped => ("A folder of its own: copy it anywhere.", String::new(), ""),
+        Runtime::Crate(line) => {
+            ("It runs on denavit-runtime.", format!("denavit-runtime = {line}\n"), "\"denavit-runtime/dispatch\"")
+        }
     };
     let list: String = files.keys().map(|path| format!("    {},\n", words::toml(path))).collect();
     format!(
-        "{MARK} {place}\n[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\nlicense = \"MIT OR Apache-2.0\"\ndescription = {description}\nreadme = \"README.md\"\npublish = false\n\n# Files of the generator: the next run removes those that it no longer writes.\n[package.metadata.denavit]\n{}\n{list}{}\n\n[dependencies]\n{dependencies}\n[workspace]\n",
+        "{MARK} {place}\n[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\nlicense = \"MIT OR Apache-2.0\"\ndescription = {description}\nreadme = \"README.md\"\npublish = false\n\n# Files of the generator: the next run removes those that it no longer writes.\n[package.metadata.denavit]\n{}\n{list}{}\n\n[features]\n# Module `dispatch`: instructions that the processor picks at run time. Needs `std`.\ndispatch = [{dispatch}]\n\n[dependencies]\n{dependencies}\n[workspace]\n",
         LIST[0], LIST[1]
     )
 }

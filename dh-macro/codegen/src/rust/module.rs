@@ -1,7 +1,7 @@
 //! The same text as one module: what the macro expands to.
 
-use super::implementations;
 use super::krate::{Runtime, parts};
+use super::{dispatch, implementations};
 use crate::robot::Robot;
 
 /// Expansion of the macro.
@@ -26,8 +26,10 @@ pub fn module(robot: &Robot, source: &str) -> String {
 /// The robot as a module, with a choice of the runtime.
 pub fn module_on(robot: &Robot, source: &str, runtime: &Runtime) -> Module {
     let parts = parts(robot, source, &[], runtime);
-    let root = parts.root.replace("#[cfg(test)]\nmod tests;\n", "");
-    let body = inlined(&root, "", &|path| parts.files.get(path).cloned());
+    // Features are those of the crate that the module stands in.
+    let plain = |text: &str| text.replace(dispatch::DECLARED, "");
+    let root = plain(&parts.root).replace("#[cfg(test)]\nmod tests;\n", "");
+    let body = inlined(&root, "", &|path| parts.files.get(path).map(|text| plain(text)));
     Module { body: format!("{}\n{body}", parts.module), scalar: parts.scalar }
 }
 

@@ -26,6 +26,7 @@ fn modules(context: &Context<'_>, runtime: &Runtime) -> String {
     let shipped = *runtime == Runtime::Shipped;
     let own = [
         ("pub mod constants", !context.constants.is_empty()),
+        (super::dispatch::DECLARED.trim_end().trim_end_matches(';'), true),
         ("pub mod drive", effects && shipped),
         ("pub mod elementary", effects && shipped),
         ("pub mod ik", shipped),

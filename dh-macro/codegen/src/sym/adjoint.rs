@@ -101,7 +101,7 @@ pub fn adjoint<'g>(graph: &'g Graph, tape: &Tape, wanted: &[usize], seeds: &[Ex<
 
 #[cfg(test)]
 mod tests {
-    use super::super::Evaluator;
+    use super::super::{Column, Evaluator};
     use super::*;
 
     #[test]
@@ -115,7 +115,7 @@ mod tests {
         let run = Evaluator::new(&Tape::new(&h, &[by[&0], by[&1]]));
         let inputs = [1.5, 0.25, 2.0, 3.0, 5.0].map(|v| [v]);
         let mut out = [0.0; 2];
-        run.run(1, |i| &inputs[i], &mut out);
+        run.run(1, |i| Column::Each(&inputs[i]), &mut out);
         let (x, y) = (1.5, 0.25_f64);
         let square = (x - y) * (x - y);
         assert!((out[0] - (2.0 * (-y * y / square) + 3.0 * (-2.0 * x))).abs() < 1e-14);

@@ -1,109 +1,31 @@
 //! Runs a tape on f64, many states at a time: the meaning of a tape.
 
+mod program;
+
+use program::{NOWHERE, Operation, Program};
+
 use super::order::just_in_time;
-use super::tape::{Instruction, Kind, Operand, Tape};
+use super::tape::{Kind, Tape};
 use crate::elementary::Real;
+use crate::runtime::dispatch::{Level, Numbers, Set, Work};
 
-/// States that are carried through the tape together.
-pub const LANES: usize = 64;
-
-/// One value of every state of a tile, on lines of the cache of its own.
+/// An input of every state of a batch.
 #[derive(Debug, Clone, Copy)]
-#[repr(align(64))]
-struct Lane([f64; LANES]);
-
-/// What a step computes of its operands `a b c d`. Products that are read once are computed where
-/// they are read, with the rounding that they have by themselves: half of the steps, each of which
-/// costs a visit, go away.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Operation {
-    Plain(Kind),
-    /// `a b + c`
-    MulAdd,
-    /// `c + a b`
-    AddMul,
-    /// `a b - c`
-    MulSub,
-    /// `c - a b`
-    SubMul,
-    /// `a b + c d`
-    MulAddMul,
-    /// `a b - c d`
-    MulSubMul,
+pub enum Column<'a> {
+    /// A value of each state.
+    Each(&'a [f64]),
+    /// The same value for all.
+    Same(f64),
+    /// The sine of each state's angle and this offset.
+    Sine(&'a [f64], f64),
+    /// The cosine.
+    Cosine(&'a [f64], f64),
 }
 
-#[derive(Debug, Clone, Copy)]
-struct Step {
-    operation: Operation,
-    operands: [u32; 4],
-    out: u32,
-}
-
-/// Before its values have slots.
-struct Fused {
-    /// Step of the tape that it ends with.
-    at: usize,
-    operation: Operation,
-    operands: Vec<Operand>,
-}
-
-/// The steps in this order, products that are read once within their readers.
-fn fused(tape: &Tape, order: &[usize], roots: &[Operand]) -> Vec<Fused> {
-    let mut readers = vec![0u32; tape.code.len()];
-    let operands = order.iter().flat_map(|&at| [tape.code[at].a, tape.code[at].b]);
-    for operand in operands.chain(roots.iter().copied()) {
-        if let Operand::Temp(t) = operand {
-            readers[t as usize] += 1;
-        }
-    }
-    // A product that is added to itself counts as read twice.
-    let product = |operand: Operand| match operand {
-        Operand::Temp(t) if tape.code[t as usize].kind == Kind::Mul && readers[t as usize] == 1 => Some(t as usize),
-        _ => None,
-    };
-    let factors = |t: usize| [tape.code[t].a, tape.code[t].b];
-    let mut inside = vec![false; tape.code.len()];
-    let mut steps: Vec<Fused> = Vec::with_capacity(order.len());
-    for &at in order {
-        let Instruction { kind, a, b } = tape.code[at];
-        let parts = match kind {
-            Kind::Add | Kind::Sub => [product(a), product(b)],
-            _ => [None, None],
-        };
-        parts.into_iter().flatten().for_each(|t| inside[t] = true);
-        let add = kind == Kind::Add;
-        let (operation, operands) = match parts {
-            [Some(x), Some(y)] => {
-                let operation = if add { Operation::MulAddMul } else { Operation::MulSubMul };
-                (operation, [factors(x), factors(y)].concat())
-            }
-            [Some(x), None] => {
-                let operation = if add { Operation::MulAdd } else { Operation::MulSub };
-                (operation, [&factors(x)[..], &[b]].concat())
-            }
-            [None, Some(y)] => {
-                let operation = if add { Operation::AddMul } else { Operation::SubMul };
-                (operation, [&factors(y)[..], &[a]].concat())
-            }
-            [None, None] => (Operation::Plain(kind), vec![a, b]),
-        };
-        steps.push(Fused { at, operation, operands });
-    }
-    steps.retain(|step| !inside[step.at]);
-    steps
-}
-
-/// A tape made ready to run: temporaries share slots as soon as they are no longer needed.
+/// A tape made ready to run.
 #[derive(Debug, Clone)]
 pub struct Evaluator {
-    steps: Vec<Step>,
-    constants: Vec<(u32, f64)>,
-    inputs: Vec<(u32, usize)>,
-    /// For each output: the slot it is in, and after which step it can be read (it may be
-    /// overwritten later).
-    outputs: Vec<(usize, u32, usize)>,
-    slots: usize,
-    output_count: usize,
+    program: Program,
 }
 
 impl Evaluator {
@@ -113,98 +35,42 @@ impl Evaluator {
         Self::of(tape, &all)
     }
 
-    /// Some outputs of a tape, in this order. Of two orders of the steps it takes the one that
-    /// needs fewer slots: what fits into the nearest cache runs faster.
+    /// Some outputs of a tape, in this order. Of two orders of the steps it takes the one that goes
+    /// to memory less often.
     pub fn of(tape: &Tape, wanted: &[usize]) -> Self {
-        let late = Self::in_order(tape, wanted, &just_in_time(tape, wanted));
-        let in_order = Self::in_order(tape, wanted, &(0..tape.code.len()).collect::<Vec<_>>());
-        if (late.steps.len(), late.slots) < (in_order.steps.len(), in_order.slots) { late } else { in_order }
-    }
-
-    /// Gives every operand a slot. `order`: steps of the tape, readers behind what they read.
-    fn in_order(tape: &Tape, wanted: &[usize], order: &[usize]) -> Self {
-        let roots: Vec<Operand> = wanted.iter().map(|&o| tape.outputs[o]).collect();
-        let order = fused(tape, order, &roots);
-        // Constants and inputs are loaded once, before the first step: they get their slots before
-        // any temporary does.
-        let mut slots = Slots::default();
-        let mut pinned = Pinned::default();
-        for operand in order.iter().flat_map(|step| &step.operands).chain(&roots) {
-            pinned.slot(*operand, &mut slots);
-        }
-        // Last reader of each temporary (by its place in the order), so that its slot can be used
-        // again.
-        let mut last = vec![0usize; tape.code.len()];
-        for (place, step) in order.iter().enumerate() {
-            step.operands.iter().filter_map(temporary).for_each(|t| last[t] = place);
-        }
-        let mut at_step: Vec<Vec<usize>> = vec![Vec::new(); tape.code.len()];
-        let mut outputs = Vec::with_capacity(roots.len());
-        for (index, output) in roots.iter().enumerate() {
-            match temporary(output) {
-                Some(t) => at_step[t].push(index),
-                None => outputs.extend(pinned.slot(*output, &mut slots).map(|slot| (0, slot, index))),
-            }
-        }
-        let mut place = vec![0u32; tape.code.len()];
-        let mut steps = Vec::with_capacity(order.len());
-        for (now, Fused { at, operation, operands }) in order.iter().enumerate() {
-            let mut read = [0; 4];
-            for (slot, operand) in read.iter_mut().zip(operands) {
-                *slot = match temporary(operand) {
-                    Some(t) => place[t],
-                    None => pinned.slot(*operand, &mut slots).unwrap_or(0),
-                };
-            }
-            for (k, operand) in operands.iter().enumerate() {
-                if let Some(t) = temporary(operand)
-                    && last[t] == now
-                    && !operands[..k].contains(operand)
-                {
-                    slots.release(place[t]);
-                }
-            }
-            let out = slots.take();
-            place[*at] = out;
-            steps.push(Step { operation: *operation, operands: read, out });
-            outputs.extend(at_step[*at].iter().map(|&index| (now + 1, out, index)));
-            if last[*at] == 0 && !at_step[*at].is_empty() {
-                slots.release(out); // an output that nothing else reads
-            }
-        }
-        outputs.sort_unstable();
-        let Pinned { constants, inputs } = pinned;
-        Self { steps, constants, inputs, outputs, slots: slots.count as usize, output_count: roots.len() }
+        let late = Program::new(tape, wanted, &just_in_time(tape, wanted));
+        let in_order = Program::new(tape, wanted, &(0..tape.code.len()).collect::<Vec<_>>());
+        Self { program: if late.traffic() < in_order.traffic() { late } else { in_order } }
     }
 
     /// Number of values that come out per state.
     pub fn outputs(&self) -> usize {
-        self.output_count
+        self.program.output_count
     }
 
-    /// Runs `len` states. Input `i` of state `s` is `inputs(i)[s]`; output `o` of state `s` goes to
-    /// `out[o * len + s]`.
+    /// Runs `len` states with the widest registers of this processor: input `i` is `inputs(i)`,
+    /// output `o` of state `s` goes to `out[o * len + s]`.
     ///
     /// # Panics
     /// If `out` is shorter than `outputs() * len` or an input column than `len`.
-    pub fn run<'a>(&self, len: usize, inputs: impl Fn(usize) -> &'a [f64], out: &mut [f64]) {
-        let mut slots: Vec<Lane> = vec![Lane([0.0; LANES]); self.slots];
-        for &(slot, value) in &self.constants {
-            slots[slot as usize] = Lane([value; LANES]);
-        }
-        let mut start = 0;
-        while start < len {
-            let width = LANES.min(len - start);
-            for &(slot, index) in &self.inputs {
-                slots[slot as usize].0[..width].copy_from_slice(&inputs(index)[start..start + width]);
-            }
-            tile(self, &mut slots, [start, width, len], out);
-            start += width;
-        }
+    pub fn run<'a>(&self, len: usize, inputs: impl Fn(usize) -> Column<'a>, out: &mut [f64]) {
+        self.run_on(Level::highest(), len, inputs, out);
     }
-}
 
-impl Evaluator {
+    /// The same on an instruction set; the bits do not depend on it.
+    ///
+    /// # Panics
+    /// Like [`Evaluator::run`].
+    pub fn run_on<'a>(&self, level: Level, len: usize, inputs: impl Fn(usize) -> Column<'a>, out: &mut [f64]) {
+        let program = &self.program;
+        assert!(out.len() >= self.outputs() * len, "{} values do not fit into {}", self.outputs() * len, out.len());
+        for &(row, value) in &program.constant_outputs {
+            out[row * len..(row + 1) * len].fill(value);
+        }
+        let columns: Vec<Column<'a>> = program.inputs.iter().map(|&(_, index)| inputs(index)).collect();
+        level.run(Batch { program, columns: &columns, len, out });
+    }
+
     /// Runs one state: `inputs[i]` is input `i`, output `o` goes to `out[o]`. `room` is working
     /// memory that calls may share; its content on entry does not matter. The same bits as
     /// [`Evaluator::run`].
@@ -212,183 +78,213 @@ impl Evaluator {
     /// # Panics
     /// If `out` is shorter than `outputs()` or `inputs` than the highest input that is read.
     pub fn run_one(&self, inputs: &[f64], room: &mut Vec<f64>, out: &mut [f64]) {
-        if room.len() < self.slots {
-            room.resize(self.slots, 0.0);
+        let program = &self.program;
+        if room.len() < program.slots {
+            room.resize(program.slots, 0.0);
         }
-        let slots = &mut room[..self.slots];
-        for &(slot, value) in &self.constants {
-            slots[slot as usize] = value;
+        for &(row, value) in &program.constant_outputs {
+            out[row] = value;
         }
-        for &(slot, index) in &self.inputs {
-            slots[slot as usize] = inputs[index];
+        for &(slot, value) in &program.constants {
+            room[slot as usize] = value;
         }
-        let mut done = 0;
-        for &(after, slot, index) in &self.outputs {
-            for step in &self.steps[done..after] {
-                let [a, b, c, d] = step.operands.map(|slot| slots[slot as usize]);
-                slots[step.out as usize] = match step.operation {
-                    Operation::MulAdd => a * b + c,
-                    Operation::AddMul => c + a * b,
-                    Operation::MulSub => a * b - c,
-                    Operation::SubMul => c - a * b,
-                    Operation::MulAddMul => a * b + c * d,
-                    Operation::MulSubMul => a * b - c * d,
-                    Operation::Plain(Kind::Add) => a + b,
-                    Operation::Plain(Kind::Sub) => a - b,
-                    Operation::Plain(Kind::Mul) => a * b,
-                    Operation::Plain(Kind::Div) => a / b,
-                    Operation::Plain(Kind::Neg) => -a,
-                    Operation::Plain(Kind::Sign) => sign(a),
-                    Operation::Plain(Kind::Call(f)) => f.value(a),
-                    Operation::Plain(Kind::Least) => Real::min(a, b),
-                    Operation::Plain(Kind::Most) => Real::max(a, b),
-                };
-            }
-            done = after;
-            out[index] = slots[slot as usize];
+        for &(slot, index) in &program.inputs {
+            room[slot as usize] = inputs[index];
+        }
+        tile::<f64, true>(program, &mut room[..program.slots], Place { start: 0, width: 1, len: 1 }, out);
+    }
+}
+
+/// States that are carried through a program.
+struct Batch<'a> {
+    program: &'a Program,
+    columns: &'a [Column<'a>],
+    len: usize,
+    out: &'a mut [f64],
+}
+
+impl Work for Batch<'_> {
+    type Result = ();
+
+    /// As many states together as hide what it costs to choose an operation, then the rest in tiles
+    /// of one register.
+    #[inline(always)]
+    fn run<S: Set>(self) {
+        let whole = self.len - self.len % S::Many::WIDTH;
+        if whole > 0 {
+            tiles::<S::Many>(self.program, self.columns, [0, whole, self.len], self.out);
+        }
+        if whole < self.len {
+            tiles::<S::One>(self.program, self.columns, [whole, self.len, self.len], self.out);
         }
     }
 }
 
-/// Runs the states from `start`, `width` of `len`, with the widest registers of this processor.
-/// Sums and products keep their rounding, so the bits are those of any other.
-#[multiversion::multiversion(targets("x86_64+avx2"))]
-fn tile(evaluator: &Evaluator, slots: &mut [Lane], [start, width, len]: [usize; 3], out: &mut [f64]) {
-    let mut pending = evaluator.outputs.iter().peekable();
-    for after in 0..=evaluator.steps.len() {
-        if let Some(step) = after.checked_sub(1).map(|at| &evaluator.steps[at]) {
-            step.run(slots, width);
-        }
-        while let Some(&(_, slot, index)) = pending.next_if(|(step, _, _)| *step <= after) {
-            let from = index * len + start;
-            out[from..from + width].copy_from_slice(&slots[slot as usize].0[..width]);
-        }
-    }
+/// States of a tile within a batch.
+#[derive(Clone, Copy)]
+struct Place {
+    start: usize,
+    width: usize,
+    len: usize,
 }
 
-impl Step {
-    /// All states of a tile; of functions and choices, `width` states.
-    #[inline(always)]
-    fn run(&self, slots: &mut [Lane], width: usize) {
-        match self.operation {
-            Operation::MulAdd => self.each(slots, |[a, b, c, _]| a * b + c),
-            Operation::AddMul => self.each(slots, |[a, b, c, _]| c + a * b),
-            Operation::MulSub => self.each(slots, |[a, b, c, _]| a * b - c),
-            Operation::SubMul => self.each(slots, |[a, b, c, _]| c - a * b),
-            Operation::MulAddMul => self.each(slots, |[a, b, c, d]| a * b + c * d),
-            Operation::MulSubMul => self.each(slots, |[a, b, c, d]| a * b - c * d),
-            Operation::Plain(Kind::Add) => self.each(slots, |[a, b]| a + b),
-            Operation::Plain(Kind::Sub) => self.each(slots, |[a, b]| a - b),
-            Operation::Plain(Kind::Mul) => self.each(slots, |[a, b]| a * b),
-            Operation::Plain(Kind::Div) => self.each(slots, |[a, b]| a / b),
-            Operation::Plain(Kind::Neg) => self.each(slots, |[a]| -a),
-            Operation::Plain(Kind::Sign) => self.each(slots, |[a]| sign(a)),
-            Operation::Plain(kind @ (Kind::Call(_) | Kind::Least | Kind::Most)) => {
-                elementary(kind, slots, self, width);
-            }
+/// States `from` to `to` of `len`, tile by tile.
+#[inline(always)]
+fn tiles<V: Numbers>(program: &Program, columns: &[Column<'_>], [from, to, len]: [usize; 3], out: &mut [f64]) {
+    let mut slots: Vec<V> = vec![V::default(); program.slots];
+    for &(slot, value) in &program.constants {
+        slots[slot as usize] = V::constant(value);
+    }
+    for (&(slot, _), column) in program.inputs.iter().zip(columns) {
+        if let Column::Same(value) = column {
+            slots[slot as usize] = V::constant(*value);
         }
     }
-
-    /// Eight states at a time: what does not fit into the registers of the plainest processors
-    /// would go through memory once more.
-    #[inline(always)]
-    fn each<const K: usize>(&self, slots: &mut [Lane], operation: impl Fn([f64; K]) -> f64) {
-        for start in (0..LANES).step_by(8) {
-            let mut read = [[0.0; K]; 8];
-            for k in 0..K {
-                let lane = &slots[self.operands[k] as usize].0[start..start + 8];
-                for l in 0..8 {
-                    read[l][k] = lane[l];
+    let turns = turns(program, columns);
+    let mut start = from;
+    while start < to {
+        let width = V::WIDTH.min(to - start);
+        for (&(slot, _), column) in program.inputs.iter().zip(columns) {
+            if let Column::Each(values) = column {
+                slots[slot as usize] = part(&values[start..start + width]);
+            }
+        }
+        for turn in &turns {
+            let angle = part::<V>(&turn.angles[start..start + width]) + V::constant(turn.offset);
+            let ([sin], [cos]) = V::sin_cos_all(&[angle]);
+            for (slot, value) in turn.slots.into_iter().zip([sin, cos]) {
+                if let Some(slot) = slot {
+                    slots[slot] = value;
                 }
             }
-            let out = &mut slots[self.out as usize].0[start..start + 8];
-            for l in 0..8 {
-                out[l] = operation(read[l]);
-            }
         }
+        let place = Place { start, width, len };
+        match width == V::WIDTH {
+            true => tile::<V, true>(program, &mut slots, place, out),
+            false => tile::<V, false>(program, &mut slots, place, out),
+        }
+        start += width;
     }
 }
 
-/// Functions and choices of `width` states. Apart from the loops over plain operations, which it
-/// would slow down.
-#[inline(never)]
-fn elementary(kind: Kind, slots: &mut [Lane], step: &Step, width: usize) {
-    let [a, b, ..] = step.operands.map(|slot| slots[slot as usize].0);
-    let result = slots[step.out as usize].0.iter_mut().zip(a.into_iter().zip(b)).take(width);
-    for (result, (a, b)) in result {
-        *result = match kind {
-            Kind::Call(f) => f.value(a),
-            Kind::Least => Real::min(a, b),
-            Kind::Most => Real::max(a, b),
-            _ => *result,
+/// An angle of which sine and cosine are read: its slots.
+struct Turn<'a> {
+    angles: &'a [f64],
+    offset: f64,
+    slots: [Option<usize>; 2],
+}
+
+/// Angles, each once.
+fn turns<'a>(program: &Program, columns: &[Column<'a>]) -> Vec<Turn<'a>> {
+    let mut turns: Vec<Turn<'a>> = Vec::new();
+    for (&(slot, _), column) in program.inputs.iter().zip(columns) {
+        let (angles, offset, which) = match *column {
+            Column::Sine(angles, offset) => (angles, offset, 0),
+            Column::Cosine(angles, offset) => (angles, offset, 1),
+            _ => continue,
         };
-    }
-}
-
-/// The meaning of `Sign`: what the generated crates' `Scalar::sign` does. By selection, which
-/// vectorises, not by branches.
-fn sign(x: f64) -> f64 {
-    let positive = if x > 0.0 { 1.0 } else { 0.0 };
-    let negative = if x < 0.0 { 1.0 } else { 0.0 };
-    if x.is_nan() { x } else { positive - negative }
-}
-
-fn temporary(operand: &Operand) -> Option<usize> {
-    match operand {
-        Operand::Temp(t) => Some(*t as usize),
-        _ => None,
-    }
-}
-
-/// Constants and inputs with their slots.
-#[derive(Default)]
-struct Pinned {
-    constants: Vec<(u32, f64)>,
-    inputs: Vec<(u32, usize)>,
-}
-
-impl Pinned {
-    /// Slot of a constant or an input; a new one gets the next. None for a temporary.
-    fn slot(&mut self, operand: Operand, slots: &mut Slots) -> Option<u32> {
-        match operand {
-            Operand::Temp(_) => None,
-            Operand::Constant(c) => {
-                let known = self.constants.iter().find(|(_, x)| x.to_bits() == c.to_bits()).map(|(slot, _)| *slot);
-                Some(known.unwrap_or_else(|| {
-                    let slot = slots.take();
-                    self.constants.push((slot, c));
-                    slot
-                }))
+        let same = |turn: &&mut Turn<'_>| core::ptr::eq(turn.angles, angles) && turn.offset == offset;
+        match turns.iter_mut().find(same) {
+            Some(turn) => turn.slots[which] = Some(slot as usize),
+            None => {
+                let mut slots = [None; 2];
+                slots[which] = Some(slot as usize);
+                turns.push(Turn { angles, offset, slots });
             }
-            Operand::Input(i) => {
-                let known = self.inputs.iter().find(|(_, x)| *x == i as usize).map(|(slot, _)| *slot);
-                Some(known.unwrap_or_else(|| {
-                    let slot = slots.take();
-                    self.inputs.push((slot, i as usize));
-                    slot
-                }))
+        }
+    }
+    turns
+}
+
+/// As many numbers as there are, then zeros.
+#[inline(always)]
+fn part<V: Numbers>(values: &[f64]) -> V {
+    if values.len() == V::WIDTH {
+        return V::load(values);
+    }
+    let mut padded = [0.0; MOST];
+    padded[..values.len()].copy_from_slice(values);
+    V::load(&padded)
+}
+
+/// At least as many numbers as any tile is wide.
+const MOST: usize = 64;
+
+/// One tile: every step on the values of all its states. The result of a step stays in registers
+/// for the next one, and goes to memory only if a later one reads it.
+#[inline(always)]
+fn tile<V: Numbers, const WHOLE: bool>(program: &Program, slots: &mut [V], place: Place, out: &mut [f64]) {
+    use Operation as O;
+    let mut last = V::default();
+    for step in &program.steps {
+        let at = |k: usize| slots[step.operands[k] as usize];
+        last = match step.operation {
+            O::Add => at(0) + at(1),
+            O::Sub => at(0) - at(1),
+            O::Mul => at(0) * at(1),
+            O::Div => at(0) / at(1),
+            O::Neg => -at(0),
+            O::Sign => at(0).sign(),
+            O::Copy => at(0),
+            O::MulAdd => at(0) * at(1) + at(2),
+            O::MulSub => at(0) * at(1) - at(2),
+            O::SubMul => at(2) - at(0) * at(1),
+            O::MulAddMul => at(0) * at(1) + at(2) * at(3),
+            O::MulSubMul => at(0) * at(1) - at(2) * at(3),
+            O::Again => last,
+            O::LastAdd => last + at(0),
+            O::LastSub => last - at(0),
+            O::SubLast => at(0) - last,
+            O::LastMul => last * at(0),
+            O::LastNeg => -last,
+            O::LastAddMul => last + at(0) * at(1),
+            O::LastSubMul => last - at(0) * at(1),
+            O::MulSubLast => at(0) * at(1) - last,
+            O::LastMulAdd => last * at(0) + at(1),
+            O::LastMulSub => last * at(0) - at(1),
+            O::SubLastMul => at(1) - last * at(0),
+            O::LastMulAddMul => last * at(0) + at(1) * at(2),
+            O::LastMulSubMul => last * at(0) - at(1) * at(2),
+            O::MulSubLastMul => at(1) * at(2) - last * at(0),
+            O::Elementary => elementary(program, step.operands[2], [at(0), at(1)], place.width),
+        };
+        if let Some(slot) = slots.get_mut(step.keep as usize) {
+            *slot = last;
+        }
+        if step.row != NOWHERE {
+            let from = step.row as usize * place.len + place.start;
+            let to = &mut out[from..from + if WHOLE { V::WIDTH } else { place.width }];
+            if WHOLE {
+                last.store(to);
+            } else {
+                let mut all = [0.0; MOST];
+                last.store(&mut all);
+                to.copy_from_slice(&all[..place.width]);
             }
         }
     }
 }
 
-/// Slots in use and free ones.
-#[derive(Default)]
-struct Slots {
-    free: Vec<u32>,
-    count: u32,
+/// Functions and choices of `width` states. Apart from the plain operations, which it would slow
+/// down.
+#[inline(always)]
+fn elementary<V: Numbers>(program: &Program, which: u32, [a, b]: [V; 2], width: usize) -> V {
+    let (mut x, mut y) = ([0.0; MOST], [0.0; MOST]);
+    a.store(&mut x);
+    b.store(&mut y);
+    one_by_one(program.elementary[which as usize], &mut x[..width], &y);
+    V::load(&x)
 }
 
-impl Slots {
-    fn take(&mut self) -> u32 {
-        self.free.pop().unwrap_or_else(|| {
-            self.count += 1;
-            self.count - 1
-        })
-    }
-
-    fn release(&mut self, slot: u32) {
-        self.free.push(slot);
+#[inline(never)]
+fn one_by_one(kind: Kind, x: &mut [f64], y: &[f64]) {
+    for (x, &y) in x.iter_mut().zip(y) {
+        *x = match kind {
+            Kind::Call(f) => f.value(*x),
+            Kind::Least => Real::min(*x, y),
+            Kind::Most => Real::max(*x, y),
+            _ => *x,
+        };
     }
 }
 
@@ -396,6 +292,7 @@ impl Slots {
 mod tests {
     use super::super::Graph;
     use super::*;
+    use crate::runtime::Scalar;
 
     /// Every form of a product within a sum, one that is read twice, and one that is an output too.
     #[test]
@@ -415,10 +312,10 @@ mod tests {
             twice,
         ];
         let run = Evaluator::new(&Tape::new(&g, &forms));
-        let n = LANES + 3;
+        let n = 64 + 3;
         let [xs, ys, zs] = [0.37, 1.91, 0.73].map(|f| (0..n).map(|i| (i as f64 * f).cos() / 3.0).collect::<Vec<f64>>());
         let mut out = vec![0.0; forms.len() * n];
-        run.run(n, |i| [&xs, &ys, &zs][i], &mut out);
+        run.run(n, |i| Column::Each([&xs, &ys, &zs][i]), &mut out);
         let mut one = vec![0.0; forms.len()];
         for s in 0..n {
             let (x, y, z) = (xs[s], ys[s], zs[s]);
@@ -427,8 +324,8 @@ mod tests {
                 z + y * y,
                 z * z - y,
                 x - y * z,
-                x * x + y * sign(y),
-                x * sign(x) - y * z,
+                x * x + y * Scalar::sign(y),
+                x * Scalar::sign(x) - y * z,
                 x * z + y,
                 x * z - x,
                 x * z,
@@ -447,11 +344,16 @@ mod tests {
         let (x, y) = (g.input(0), g.input(1));
         let tape = Tape::new(&g, &[x * y - x / y, g.constant(2.5), y, -(x * x), (x - y).sign()]);
         let run = Evaluator::new(&tape);
-        let n = 3 * LANES + 5;
+        let n = 3 * 64 + 5;
         let xs: Vec<f64> = (0..n).map(|i| i as f64 * 0.37 - 9.0).collect();
         let ys: Vec<f64> = (0..n).map(|i| (i as f64).sin() + 1.5).collect();
         let mut out = vec![0.0; 5 * n];
-        run.run(n, |i| if i == 0 { &xs } else { &ys }, &mut out);
+        run.run(n, |i| Column::Each(if i == 0 { &xs } else { &ys }), &mut out);
+        for level in [Level::Build, Level::V3, Level::V4] {
+            let mut again = vec![0.0; 5 * n];
+            run.run_on(level, n, |i| Column::Each(if i == 0 { &xs } else { &ys }), &mut again);
+            assert!(again.iter().zip(&out).all(|(a, b)| a.to_bits() == b.to_bits()), "{level:?}");
+        }
         let mut room = Vec::new();
         for s in 0..n {
             let (x, y) = (xs[s], ys[s]);

@@ -37,7 +37,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 ];
 
 /// Place of entry `k` in the row-major result.
-const fn place(k: usize) -> usize {
+pub(crate) const fn place(k: usize) -> usize {
     PATTERN[k].0 * 64 + PATTERN[k].1
 }
 
@@ -97,7 +97,7 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mu
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: impl FnMut(usize, S)) {
+pub(crate) fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: impl FnMut(usize, S)) {
     let [_, s2, s3, s4, s5, s6, s7] = trig.sin;
     let [_, c2, c3, c4, c5, c6, c7] = trig.cos;
     let [dq1, dq2, dq3, dq4, dq5, dq6, dq7] = *dq;

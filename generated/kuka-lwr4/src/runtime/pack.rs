@@ -1,50 +1,105 @@
-//! Eight states side by side, in one or two registers where the target has them.
-//!
-//! LLVM takes an array of eight apart and does not put it together again in a long straight line of
-//! code, so the registers are requested by name. (Measured: 150 ns a state against 17.) No fused
-//! multiply-add: lane and scalar agree bit for bit.
+//! States side by side, in as many registers as they take.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::Scalar;
+use super::registers::{Beside, Native, Register};
 use super::sincos;
 
-/// Eight numbers that are computed side by side.
+/// As many numbers as `K` registers hold, computed side by side.
 #[derive(Clone, Copy, Debug)]
-pub struct Pack(lanes::Lanes);
+pub struct Side<R, const K: usize>([R; K]);
+
+/// Eight numbers that are computed side by side.
+pub type Pack = Side<Native, { 8 / Native::WIDTH }>;
+
+/// Eight numbers beside scalar code.
+pub(super) type Few = Side<Beside, { 8 / Beside::WIDTH }>;
+
+impl<R: Register, const K: usize> Side<R, K> {
+    /// How many numbers.
+    pub const WIDTH: usize = K * R::WIDTH;
+
+    /// The first numbers of a list; zeros where it ends.
+    #[inline(always)]
+    #[must_use]
+    pub fn load(from: &[f64]) -> Self {
+        let mut all = [R::splat(0.0); K];
+        for k in 0..K {
+            if let Some(from) = from.get(k * R::WIDTH..) {
+                all[k] = R::load(from);
+            }
+        }
+        Self(all)
+    }
+
+    /// To the first places of a list, as many registers as it has room for.
+    #[inline(always)]
+    pub fn store(self, to: &mut [f64]) {
+        for k in 0..K {
+            if let Some(to) = to.get_mut(k * R::WIDTH..) {
+                self.0[k].store(to);
+            }
+        }
+    }
+
+    /// Register `k` alone.
+    #[inline(always)]
+    pub(super) fn only(self, k: usize) -> R {
+        self.0[k]
+    }
+
+    /// The same with another register `k`.
+    #[inline(always)]
+    pub(super) fn with(mut self, k: usize, numbers: &[f64]) -> Self {
+        self.0[k] = R::load(numbers);
+        self
+    }
+
+    /// Is every lane's size at most `limit`? (Not so for NaN.)
+    #[inline(always)]
+    pub(super) fn within(self, limit: f64) -> bool {
+        let mut all = true;
+        for k in 0..K {
+            all &= R::within(self.0[k], limit);
+        }
+        all
+    }
+
+    /// `self` where `x` is not zero, else `x`.
+    #[inline(always)]
+    pub(super) fn unless_zero(mut self, x: Self) -> Self {
+        for k in 0..K {
+            self.0[k] = R::unless_zero(self.0[k], x.0[k]);
+        }
+        self
+    }
+
+    /// Sine and cosine turned by as many quarters as the last two bits of `turns` say.
+    #[inline(always)]
+    pub(super) fn quarter_turned(mut s: Self, mut c: Self, turns: Self) -> (Self, Self) {
+        for k in 0..K {
+            (s.0[k], c.0[k]) = R::quarter_turned(s.0[k], c.0[k], turns.0[k]);
+        }
+        (s, c)
+    }
+}
 
 impl Pack {
     /// From an array, lane by lane.
     #[inline(always)]
     #[must_use]
     pub fn new(values: [f64; 8]) -> Self {
-        Self(lanes::load(&values))
+        Self::load(&values)
     }
 
     /// The lanes.
     #[inline(always)]
     #[must_use]
     pub fn to_array(self) -> [f64; 8] {
-        lanes::store(self.0)
-    }
-
-    /// Is every lane's size at most `limit`? (Not so for NaN.)
-    #[inline(always)]
-    pub(super) fn within(self, limit: f64) -> bool {
-        lanes::within(self.0, limit)
-    }
-
-    /// `self` where `x` is not zero, else `x`.
-    #[inline(always)]
-    pub(super) fn unless_zero(self, x: Self) -> Self {
-        Self(lanes::unless_zero(self.0, x.0))
-    }
-
-    /// Sine and cosine turned by as many quarters as the last two bits of `turns` say.
-    #[inline(always)]
-    pub(super) fn quarter_turned(s: Self, c: Self, turns: Self) -> (Self, Self) {
-        let (s, c) = lanes::quarter_turned(s.0, c.0, turns.0);
-        (Self(s), Self(c))
+        let mut out = [0.0; 8];
+        self.store(&mut out);
+        out
     }
 }
 
@@ -110,11 +165,14 @@ impl PartialEq for Pack {
 
 macro_rules! operator {
     ($trait:ident, $method:ident) => {
-        impl $trait for Pack {
+        impl<R: Register, const K: usize> $trait for Side<R, K> {
             type Output = Self;
             #[inline(always)]
-            fn $method(self, other: Self) -> Self {
-                Self(lanes::$method(self.0, other.0))
+            fn $method(mut self, other: Self) -> Self {
+                for k in 0..K {
+                    self.0[k] = R::$method(self.0[k], other.0[k]);
+                }
+                self
             }
         }
     };
@@ -124,288 +182,43 @@ operator!(Sub, sub);
 operator!(Mul, mul);
 operator!(Div, div);
 
-impl Neg for Pack {
+impl<R: Register, const K: usize> Neg for Side<R, K> {
     type Output = Self;
     #[inline(always)]
-    fn neg(self) -> Self {
-        Self(lanes::neg(self.0))
+    fn neg(mut self) -> Self {
+        for k in 0..K {
+            self.0[k] = R::neg(self.0[k]);
+        }
+        self
     }
 }
 
-impl Default for Pack {
+impl<R: Register, const K: usize> Default for Side<R, K> {
     #[inline(always)]
     fn default() -> Self {
         Self::constant(0.0)
     }
 }
 
-impl Scalar for Pack {
+impl<R: Register, const K: usize> Scalar for Side<R, K> {
     #[inline(always)]
     fn constant(value: f64) -> Self {
-        Self(lanes::splat(value))
+        Self([R::splat(value); K])
     }
     #[inline(always)]
     fn sign(self) -> Self {
-        Self::new(self.to_array().map(Scalar::sign))
+        let (mut list, mut signs) = ([0.0; 8], self);
+        for k in 0..K {
+            self.0[k].store(&mut list);
+            signs.0[k] = R::load(&list.map(Scalar::sign));
+        }
+        signs
     }
-    #[inline]
+    #[inline(always)]
     fn sin_cos_all<const N: usize>(angles: &[Self; N]) -> ([Self; N], [Self; N]) {
         let (mut sin, mut cos) = ([Self::default(); N], [Self::default(); N]);
         for i in 0..N {
-            (sin[i], cos[i]) = sincos::eight(angles[i]);
-        }
-        (sin, cos)
-    }
-}
-
-/// One register of eight.
-#[cfg(all(target_arch = "x86_64", target_feature = "avx512f"))]
-#[allow(unsafe_code)]
-mod lanes {
-    use core::arch::x86_64::*;
-
-    pub(super) type Lanes = __m512d;
-
-    // SAFETY, for all of this module: it is compiled only where AVX-512F is enabled for the whole
-    // build. It touches no memory but whole arrays of eight through unaligned loads and stores.
-    macro_rules! two {
-        ($($name:ident = $intrinsic:ident;)*) => {
-            $(#[inline(always)] pub(super) fn $name(a: Lanes, b: Lanes) -> Lanes { unsafe { $intrinsic(a, b) } })*
-        };
-    }
-    two! { add = _mm512_add_pd; sub = _mm512_sub_pd; mul = _mm512_mul_pd; div = _mm512_div_pd; }
-
-    #[inline(always)]
-    pub(super) fn load(v: &[f64; 8]) -> Lanes {
-        unsafe { _mm512_loadu_pd(v.as_ptr()) }
-    }
-    #[inline(always)]
-    pub(super) fn store(v: Lanes) -> [f64; 8] {
-        let mut out = [0.0; 8];
-        unsafe { _mm512_storeu_pd(out.as_mut_ptr(), v) }
-        out
-    }
-    #[inline(always)]
-    pub(super) fn splat(x: f64) -> Lanes {
-        unsafe { _mm512_set1_pd(x) }
-    }
-    #[inline(always)]
-    pub(super) fn within(v: Lanes, limit: f64) -> bool {
-        unsafe { _mm512_cmp_pd_mask::<_CMP_LE_OQ>(_mm512_abs_pd(v), _mm512_set1_pd(limit)) == 0xff }
-    }
-    #[inline(always)]
-    pub(super) fn neg(v: Lanes) -> Lanes {
-        unsafe {
-            let sign = _mm512_set1_epi64(i64::MIN);
-            _mm512_castsi512_pd(_mm512_xor_si512(_mm512_castpd_si512(v), sign))
-        }
-    }
-    #[inline(always)]
-    pub(super) fn unless_zero(v: Lanes, x: Lanes) -> Lanes {
-        unsafe { _mm512_mask_blend_pd(_mm512_cmp_pd_mask::<_CMP_EQ_OQ>(x, _mm512_setzero_pd()), v, x) }
-    }
-    #[inline(always)]
-    pub(super) fn quarter_turned(s: Lanes, c: Lanes, turns: Lanes) -> (Lanes, Lanes) {
-        unsafe {
-            let (turns, one, two) = (_mm512_castpd_si512(turns), _mm512_set1_epi64(1), _mm512_set1_epi64(2));
-            let odd = _mm512_test_epi64_mask(turns, one);
-            let (sin, cos) = (_mm512_mask_blend_pd(odd, s, c), _mm512_mask_blend_pd(odd, c, s));
-            let sign = |t| _mm512_slli_epi64::<62>(_mm512_and_si512(t, two));
-            let turned = |v, sign| _mm512_castsi512_pd(_mm512_xor_si512(_mm512_castpd_si512(v), sign));
-            (turned(sin, sign(turns)), turned(cos, sign(_mm512_add_epi64(turns, one))))
-        }
-    }
-}
-
-/// Two registers of four.
-#[cfg(all(target_arch = "x86_64", target_feature = "avx2", not(target_feature = "avx512f")))]
-#[allow(unsafe_code)]
-mod lanes {
-    use core::arch::x86_64::*;
-
-    #[derive(Clone, Copy, Debug)]
-    pub(super) struct Lanes(__m256d, __m256d);
-
-    // SAFETY, for all of this module: it is compiled only where AVX2 is enabled for the whole
-    // build. It touches no memory but halves of arrays of eight through unaligned loads and stores.
-    macro_rules! two {
-        ($($name:ident = $intrinsic:ident;)*) => {
-            $(#[inline(always)] pub(super) fn $name(a: Lanes, b: Lanes) -> Lanes {
-                unsafe { Lanes($intrinsic(a.0, b.0), $intrinsic(a.1, b.1)) }
-            })*
-        };
-    }
-    two! { add = _mm256_add_pd; sub = _mm256_sub_pd; mul = _mm256_mul_pd; div = _mm256_div_pd; }
-
-    #[inline(always)]
-    pub(super) fn load(v: &[f64; 8]) -> Lanes {
-        unsafe { Lanes(_mm256_loadu_pd(v.as_ptr()), _mm256_loadu_pd(v.as_ptr().add(4))) }
-    }
-    #[inline(always)]
-    pub(super) fn store(v: Lanes) -> [f64; 8] {
-        let mut out = [0.0; 8];
-        unsafe {
-            _mm256_storeu_pd(out.as_mut_ptr(), v.0);
-            _mm256_storeu_pd(out.as_mut_ptr().add(4), v.1);
-        }
-        out
-    }
-    #[inline(always)]
-    pub(super) fn splat(x: f64) -> Lanes {
-        let v = unsafe { _mm256_set1_pd(x) };
-        Lanes(v, v)
-    }
-    #[inline(always)]
-    pub(super) fn within(v: Lanes, limit: f64) -> bool {
-        let half = |v| unsafe {
-            _mm256_cmp_pd::<_CMP_LE_OQ>(_mm256_andnot_pd(_mm256_set1_pd(-0.0), v), _mm256_set1_pd(limit))
-        };
-        unsafe { _mm256_movemask_pd(_mm256_and_pd(half(v.0), half(v.1))) == 0xf }
-    }
-    #[inline(always)]
-    pub(super) fn neg(v: Lanes) -> Lanes {
-        let flip = |v| unsafe { _mm256_xor_pd(v, _mm256_set1_pd(-0.0)) };
-        Lanes(flip(v.0), flip(v.1))
-    }
-    #[inline(always)]
-    pub(super) fn unless_zero(v: Lanes, x: Lanes) -> Lanes {
-        let pick = |v, x| unsafe { _mm256_blendv_pd(v, x, _mm256_cmp_pd::<_CMP_EQ_OQ>(x, _mm256_setzero_pd())) };
-        Lanes(pick(v.0, x.0), pick(v.1, x.1))
-    }
-    #[inline(always)]
-    pub(super) fn quarter_turned(s: Lanes, c: Lanes, turns: Lanes) -> (Lanes, Lanes) {
-        let half = |s: __m256d, c: __m256d, turns: __m256d| unsafe {
-            let (turns, one, two) = (_mm256_castpd_si256(turns), _mm256_set1_epi64x(1), _mm256_set1_epi64x(2));
-            let odd = _mm256_castsi256_pd(_mm256_slli_epi64::<63>(turns));
-            let (sin, cos) = (_mm256_blendv_pd(s, c, odd), _mm256_blendv_pd(c, s, odd));
-            let sign = |t| _mm256_castsi256_pd(_mm256_slli_epi64::<62>(_mm256_and_si256(t, two)));
-            (_mm256_xor_pd(sin, sign(turns)), _mm256_xor_pd(cos, sign(_mm256_add_epi64(turns, one))))
-        };
-        let ((s0, c0), (s1, c1)) = (half(s.0, c.0, turns.0), half(s.1, c.1, turns.1));
-        (Lanes(s0, s1), Lanes(c0, c1))
-    }
-}
-
-/// Four registers of two: what every x86-64 has.
-#[cfg(all(target_arch = "x86_64", not(target_feature = "avx2"), not(target_feature = "avx512f")))]
-#[allow(unsafe_code)]
-mod lanes {
-    use core::arch::x86_64::*;
-
-    #[derive(Clone, Copy, Debug)]
-    pub(super) struct Lanes([__m128d; 4]);
-
-    // SAFETY, for all of this module: SSE2 belongs to every x86-64, and no memory is touched but
-    // pairs inside arrays of eight through unaligned loads and stores.
-    macro_rules! two {
-        ($($name:ident = $intrinsic:ident;)*) => {
-            $(#[inline(always)] pub(super) fn $name(Lanes(a): Lanes, Lanes(b): Lanes) -> Lanes {
-                unsafe {
-                    Lanes([$intrinsic(a[0], b[0]), $intrinsic(a[1], b[1]), $intrinsic(a[2], b[2]), $intrinsic(a[3], b[3])])
-                }
-            })*
-        };
-    }
-    two! { add = _mm_add_pd; sub = _mm_sub_pd; mul = _mm_mul_pd; div = _mm_div_pd; }
-
-    #[inline(always)]
-    pub(super) fn load(v: &[f64; 8]) -> Lanes {
-        let at = |k: usize| unsafe { _mm_loadu_pd(v.as_ptr().add(k)) };
-        Lanes([at(0), at(2), at(4), at(6)])
-    }
-    #[inline(always)]
-    pub(super) fn store(v: Lanes) -> [f64; 8] {
-        let mut out = [0.0; 8];
-        for k in 0..4 {
-            unsafe { _mm_storeu_pd(out.as_mut_ptr().add(2 * k), v.0[k]) }
-        }
-        out
-    }
-    #[inline(always)]
-    pub(super) fn splat(x: f64) -> Lanes {
-        Lanes([unsafe { _mm_set1_pd(x) }; 4])
-    }
-    #[inline(always)]
-    pub(super) fn within(v: Lanes, limit: f64) -> bool {
-        let pair = |v| unsafe { _mm_cmple_pd(_mm_andnot_pd(_mm_set1_pd(-0.0), v), _mm_set1_pd(limit)) };
-        let [a, b, c, d] = v.0.map(pair);
-        unsafe { _mm_movemask_pd(_mm_and_pd(_mm_and_pd(a, b), _mm_and_pd(c, d))) == 0x3 }
-    }
-    #[inline(always)]
-    pub(super) fn neg(v: Lanes) -> Lanes {
-        Lanes(v.0.map(|v| unsafe { _mm_xor_pd(v, _mm_set1_pd(-0.0)) }))
-    }
-    /// `a` where the mask's bits are set, else `b`.
-    #[inline(always)]
-    fn pick(mask: __m128d, a: __m128d, b: __m128d) -> __m128d {
-        unsafe { _mm_or_pd(_mm_and_pd(mask, a), _mm_andnot_pd(mask, b)) }
-    }
-    #[inline(always)]
-    pub(super) fn unless_zero(v: Lanes, x: Lanes) -> Lanes {
-        let one = |k: usize| pick(unsafe { _mm_cmpeq_pd(x.0[k], _mm_setzero_pd()) }, x.0[k], v.0[k]);
-        Lanes([one(0), one(1), one(2), one(3)])
-    }
-    #[inline(always)]
-    pub(super) fn quarter_turned(s: Lanes, c: Lanes, turns: Lanes) -> (Lanes, Lanes) {
-        let half = |k: usize| unsafe {
-            let (turns, one, two) = (_mm_castpd_si128(turns.0[k]), _mm_set1_epi64x(1), _mm_set1_epi64x(2));
-            let odd = _mm_castsi128_pd(_mm_sub_epi64(_mm_setzero_si128(), _mm_and_si128(turns, one)));
-            let (sin, cos) = (pick(odd, c.0[k], s.0[k]), pick(odd, s.0[k], c.0[k]));
-            let sign = |t| _mm_castsi128_pd(_mm_slli_epi64::<62>(_mm_and_si128(t, two)));
-            (_mm_xor_pd(sin, sign(turns)), _mm_xor_pd(cos, sign(_mm_add_epi64(turns, one))))
-        };
-        let [a, b, c, d] = [half(0), half(1), half(2), half(3)];
-        (Lanes([a.0, b.0, c.0, d.0]), Lanes([a.1, b.1, c.1, d.1]))
-    }
-}
-
-/// Any other target: arrays.
-#[cfg(not(target_arch = "x86_64"))]
-mod lanes {
-    pub(super) type Lanes = [f64; 8];
-
-    macro_rules! two {
-        ($($name:ident = $op:tt;)*) => {
-            $(#[inline(always)] pub(super) fn $name(a: Lanes, b: Lanes) -> Lanes {
-                core::array::from_fn(|l| a[l] $op b[l])
-            })*
-        };
-    }
-    two! { add = +; sub = -; mul = *; div = /; }
-
-    #[inline(always)]
-    pub(super) fn load(v: &[f64; 8]) -> Lanes {
-        *v
-    }
-    #[inline(always)]
-    pub(super) fn store(v: Lanes) -> [f64; 8] {
-        v
-    }
-    #[inline(always)]
-    pub(super) fn splat(x: f64) -> Lanes {
-        [x; 8]
-    }
-    #[inline(always)]
-    pub(super) fn within(v: Lanes, limit: f64) -> bool {
-        v.iter().fold(true, |all, x| all & (x.abs() <= limit))
-    }
-    #[inline(always)]
-    pub(super) fn neg(v: Lanes) -> Lanes {
-        v.map(|x| -x)
-    }
-    #[inline(always)]
-    pub(super) fn unless_zero(v: Lanes, x: Lanes) -> Lanes {
-        core::array::from_fn(|l| if x[l] == 0.0 { x[l] } else { v[l] })
-    }
-    #[inline(always)]
-    pub(super) fn quarter_turned(s: Lanes, c: Lanes, turns: Lanes) -> (Lanes, Lanes) {
-        let (mut sin, mut cos) = (s, c);
-        for l in 0..8 {
-            let turns = turns[l].to_bits();
-            let odd = (turns & 1).wrapping_neg(); // by bits, not by branches
-            let (sb, cb) = (s[l].to_bits(), c[l].to_bits());
-            sin[l] = f64::from_bits(((sb & !odd) | (cb & odd)) ^ ((turns & 2) << 62));
-            cos[l] = f64::from_bits(((cb & !odd) | (sb & odd)) ^ (((turns + 1) & 2) << 62));
+            (sin[i], cos[i]) = sincos::together(angles[i]);
         }
         (sin, cos)
     }

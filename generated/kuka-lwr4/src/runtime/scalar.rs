@@ -3,7 +3,7 @@
 use core::ops::{Add, Div, Mul, Neg, Sub};
 use core::sync::atomic::{Ordering, compiler_fence};
 
-use super::{Pack, sincos};
+use super::sincos;
 
 /// Keeps the stores before it before those after it; no instruction. Otherwise LLVM gathers entries
 /// of a row, which are computed far apart, into vectors, and twice as many values wait for their
@@ -49,9 +49,7 @@ impl Scalar for f64 {
     fn sin_cos_all<const N: usize>(angles: &[Self; N]) -> ([Self; N], [Self; N]) {
         let (mut sin, mut cos) = ([0.0; N], [0.0; N]);
         for start in (0..N).step_by(8) {
-            let (s, c) =
-                sincos::eight(Pack::new(core::array::from_fn(|l| if start + l < N { angles[start + l] } else { 0.0 })));
-            let (s, c) = (s.to_array(), c.to_array());
+            let (s, c) = sincos::eight(&core::array::from_fn(|l| if start + l < N { angles[start + l] } else { 0.0 }));
             for l in 0..8 {
                 if start + l < N {
                     (sin[start + l], cos[start + l]) = (s[l], c[l]);

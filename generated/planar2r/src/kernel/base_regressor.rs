@@ -18,7 +18,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 ];
 
 /// Place of entry `k` in the row-major result.
-const fn place(k: usize) -> usize {
+pub(crate) const fn place(k: usize) -> usize {
     PATTERN[k].0 * 10 + PATTERN[k].1
 }
 
@@ -55,7 +55,7 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mu
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: impl FnMut(usize, S)) {
+pub(crate) fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: impl FnMut(usize, S)) {
     let [s1, s2] = trig.sin;
     let [c1, c2] = trig.cos;
     let [dq1, dq2] = *dq;

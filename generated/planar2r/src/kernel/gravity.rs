@@ -17,7 +17,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], out: &mut [S; 2]) {
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usize, S)) {
+pub(crate) fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usize, S)) {
     let [s1, s2] = trig.sin;
     let [c1, c2] = trig.cos;
     let [MSX1R, MSY1, _, MSX2, MSY2, ..] = *beta;

@@ -18,7 +18,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S;
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD], mut put: impl FnMut(usize, S)) {
+pub(crate) fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], phi: &[S; STANDARD], mut put: impl FnMut(usize, S)) {
     let [s1, s2] = trig.sin;
     let [c1, c2] = trig.cos;
     let [dq1, dq2] = *dq;

@@ -17,7 +17,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], out: &mut [[S; 2]; 2])
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usize, S)) {
+pub(crate) fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usize, S)) {
     let [_, s2] = trig.sin;
     let [_, c2] = trig.cos;
     let [_, _, ZZ1R, MSX2, MSY2, ZZ2, ..] = *beta;

@@ -8,6 +8,8 @@
 //! for one angle or for eight. Within 1 ulp: 0.63 at most against 40-digit values
 //! (`tests/sincos.rs` of dh-codegen).
 
+use super::pack::{Few, Side};
+use super::registers::Register;
 use super::{Pack, Scalar};
 
 /// Up to here the pieces of pi/2 are exact enough.
@@ -35,22 +37,39 @@ const C: [f64; 6] = [
     -1.135_964_755_778_819_5e-11,
 ];
 
-/// Sine and cosine of eight angles, rad.
-#[inline]
-pub(super) fn eight(x: Pack) -> (Pack, Pack) {
+/// Sines and cosines of angles side by side, rad.
+#[inline(always)]
+pub(super) fn together<R: Register, const K: usize>(x: Side<R, K>) -> (Side<R, K>, Side<R, K>) {
     // The way out shares no memory with the usual way, whose results stay in registers.
     if x.within(LIMIT) {
         near(x)
     } else {
-        let (s, c) = corrected(x.to_array());
-        (Pack::new(s), Pack::new(c))
+        let (mut s, mut c) = (x, x);
+        for k in 0..K {
+            let mut list = [0.0; 8];
+            x.only(k).store(&mut list);
+            let (sines, cosines) = corrected(list);
+            s = s.with(k, &sines);
+            c = c.with(k, &cosines);
+        }
+        (s, c)
     }
+}
+
+/// Sines and cosines of a list of at most eight angles, in registers that scalar code bears.
+#[inline(always)]
+pub(super) fn eight(x: &[f64; 8]) -> ([f64; 8], [f64; 8]) {
+    let (s, c) = together(Few::load(x));
+    let (mut sin, mut cos) = ([0.0; 8], [0.0; 8]);
+    s.store(&mut sin);
+    c.store(&mut cos);
+    (sin, cos)
 }
 
 /// For angles up to [`LIMIT`].
 #[inline(always)]
-fn near(x: Pack) -> (Pack, Pack) {
-    let n = Pack::constant;
+fn near<R: Register, const K: usize>(x: Side<R, K>) -> (Side<R, K>, Side<R, K>) {
+    let n = Side::constant;
     let shifted = x * n(core::f64::consts::FRAC_2_PI) + n(ROUND);
     let k = shifted - n(ROUND);
     let a = x - k * n(PIO2_1); // exact
@@ -59,7 +78,7 @@ fn near(x: Pack) -> (Pack, Pack) {
     // The head does not wait for the first error, which goes to the tail alone: that is read last.
     let (head, rest) = two_sum(r, -(k * n(PIO2_3)));
     let (s, c) = kernels(head, error + rest);
-    let (s, c) = Pack::quarter_turned(s, c, shifted);
+    let (s, c) = Side::quarter_turned(s, c, shifted);
     (s.unless_zero(x), c)
 }
 
@@ -79,7 +98,7 @@ fn corrected(x: [f64; 8]) -> ([f64; 8], [f64; 8]) {
 
 /// `a + b` and what rounding left out (Knuth).
 #[inline(always)]
-fn two_sum(a: Pack, b: Pack) -> (Pack, Pack) {
+fn two_sum<R: Register, const K: usize>(a: Side<R, K>, b: Side<R, K>) -> (Side<R, K>, Side<R, K>) {
     let sum = a + b;
     let bb = sum - a;
     (sum, (a - (sum - bb)) + (b - bb))
@@ -87,8 +106,8 @@ fn two_sum(a: Pack, b: Pack) -> (Pack, Pack) {
 
 /// Sine and cosine of `x + y`, `|x| <= pi/4`, `y` its tail.
 #[inline(always)]
-fn kernels(x: Pack, y: Pack) -> (Pack, Pack) {
-    let n = Pack::constant;
+fn kernels<R: Register, const K: usize>(x: Side<R, K>, y: Side<R, K>) -> (Side<R, K>, Side<R, K>) {
+    let n = Side::constant;
     let (half, one) = (n(0.5), n(1.0));
     let z = x * x;
     let zz = z * z;

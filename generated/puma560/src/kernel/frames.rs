@@ -23,7 +23,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 ];
 
 /// Place of entry `k` in the row-major result.
-const fn place(k: usize) -> usize {
+pub(crate) const fn place(k: usize) -> usize {
     PATTERN[k].0 * 12 + PATTERN[k].1
 }
 
@@ -61,7 +61,7 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
+pub(crate) fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [s1, s2, s3, s4, s5, s6] = trig.sin;
     let [c1, c2, c3, c4, c5, c6] = trig.cos;
     let k2 = S::constant(-constants::D3);

@@ -18,7 +18,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 ];
 
 /// Place of entry `k` in the row-major result.
-const fn place(k: usize) -> usize {
+pub(crate) const fn place(k: usize) -> usize {
     PATTERN[k].0 * 8 + PATTERN[k].1
 }
 
@@ -54,7 +54,7 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], out: &mu
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: impl FnMut(usize, S)) {
+pub(crate) fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], mut put: impl FnMut(usize, S)) {
     let [_, s2, _, s4] = trig.sin;
     let [_, c2, _, c4] = trig.cos;
     let [dq1, dq2, _, dq4] = *dq;

@@ -16,7 +16,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 ];
 
 /// Place of entry `k` in the row-major result.
-const fn place(k: usize) -> usize {
+pub(crate) const fn place(k: usize) -> usize {
     PATTERN[k].0 * 1 + PATTERN[k].1
 }
 
@@ -51,7 +51,7 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], out: &mut [S; NONZERO
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usize, S)) {
+pub(crate) fn entries<S: Scalar>(trig: &Trig<S>, beta: &[S; BASE], mut put: impl FnMut(usize, S)) {
     let [_, _, _, _, M3R, ..] = *beta;
     let _ = trig;
     let k0 = S::constant(-GRAVITY[2]);

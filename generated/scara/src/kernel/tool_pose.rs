@@ -17,7 +17,7 @@ pub const PATTERN: [(usize, usize); NONZEROS] = [
 ];
 
 /// Place of entry `k` in the row-major result.
-const fn place(k: usize) -> usize {
+pub(crate) const fn place(k: usize) -> usize {
     PATTERN[k].0 * 4 + PATTERN[k].1
 }
 
@@ -53,7 +53,7 @@ pub fn packed<S: Scalar>(trig: &Trig<S>, out: &mut [S; NONZEROS]) {
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
+pub(crate) fn entries<S: Scalar>(trig: &Trig<S>, mut put: impl FnMut(usize, S)) {
     let [_, _, q3, ..] = trig.q;
     let [s1, s2, _, s4] = trig.sin;
     let [c1, c2, _, c4] = trig.cos;

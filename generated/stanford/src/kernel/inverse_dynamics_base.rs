@@ -18,7 +18,7 @@ pub fn dense<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S
 
 #[allow(non_snake_case, clippy::all)]
 #[inline(always)]
-fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; BASE], mut put: impl FnMut(usize, S)) {
+pub(crate) fn entries<S: Scalar>(trig: &Trig<S>, dq: &[S; DOF], ddq: &[S; DOF], beta: &[S; BASE], mut put: impl FnMut(usize, S)) {
     let [_, _, q3, ..] = trig.q;
     let [_, s2, _, s4, s5, s6] = trig.sin;
     let [_, c2, _, c4, c5, c6] = trig.cos;
