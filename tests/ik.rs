@@ -123,6 +123,17 @@ const ROBOTS: [(&str, &str); 11] = [
     ("kinova-gen3", "srs"),
 ];
 
+/// Whole turns are those of the near posture, not only the angles.
+#[test]
+fn turns_are_those_of_the_near_posture() {
+    let bench = Bench::new(robot("ur10e"));
+    for q in [[4.5, -1.2, 1.3, -4.0, 5.0, 3.6], [-5.5, -1.2, -1.3, 4.0, -5.0, -3.6]] {
+        let found = bench.solve(&q, true);
+        let off = found.list[0].q.iter().zip(&q).map(|(x, near)| (x - near).abs()).fold(0.0, f64::max);
+        assert!(off < 1e-6, "{:?}", found.list[0].q);
+    }
+}
+
 #[test]
 fn classes() {
     for (name, class) in ROBOTS {

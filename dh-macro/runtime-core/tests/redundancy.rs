@@ -58,6 +58,53 @@ fn any_joint_can_be_locked() {
     }
 }
 
+/// Axes of a calibrated arm are near those of the closed form alone: postures are refined, and the
+/// locked joint stays where it was asked for.
+#[test]
+fn a_calibrated_arm_keeps_the_locked_joint() {
+    let mut random = Random(9);
+    let mut own = 0;
+    for locked in 0..7 {
+        let mut arm = random.arm(locked);
+        for axis in &mut arm.axes {
+            let h = axis.h.map(|x| x + random.uniform(-1e-3, 1e-3));
+            let n = h.iter().map(|x| x * x).sum::<f64>().sqrt();
+            (axis.h, axis.c) = (h.map(|x| x / n), axis.c.map(|x| x + random.uniform(-1e-3, 1e-3)));
+        }
+        arm.exact = false;
+        for _ in 0..10 {
+            let q = random.posture(1.6);
+            let pose = arm.forward(&q);
+            let found = arm.solve(&pose, &Query { redundancy: q[locked], ..Query::default() }).unwrap();
+            let far = |s: &[f64; 7]| s.iter().zip(q).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+            own += usize::from(found.as_slice().iter().any(|s| far(&s.q) < 1e-6));
+            for s in found.as_slice() {
+                assert!((s.q[locked] - q[locked]).abs() < 1e-9, "{locked} {q:?} {:?}", s.q);
+            }
+        }
+    }
+    assert!(own >= 60, "{own} of 70");
+}
+
+/// Without limits each joint comes out with the whole turns of the posture that is near.
+#[test]
+fn turns_are_those_of_the_near_posture() {
+    let mut random = Random(12);
+    let mut arm = random.arm(3);
+    arm.limits = [None; 7];
+    for _ in 0..10 {
+        let q = random.posture(1.6);
+        let mut near = q;
+        for (x, turns) in near.iter_mut().zip([1.0, -1.0, 0.0, 1.0, -2.0, 2.0, -1.0]) {
+            *x += std::f64::consts::TAU * turns;
+        }
+        let query = Query { redundancy: q[3], near: Some(&near), ..Query::default() };
+        let found = arm.solve(&arm.forward(&q), &query).unwrap();
+        let far = |s: &[f64; 7]| s.iter().zip(near).fold(0.0f64, |m, (a, b)| m.max((a - b).abs()));
+        assert!(found.as_slice().iter().any(|s| far(&s.q) < 1e-6), "{q:?}");
+    }
+}
+
 /// Against postures at 500 positions: allowed is what lies in a range, but for what is nearer to an
 /// end than the limits can be told apart, and narrow ones.
 #[test]

@@ -45,25 +45,9 @@ pub(super) struct Found {
 impl Inverse {
     /// Of a chain.
     pub fn new(chain: &Chain) -> Self {
-        let joints: String = chain
-            .rows
-            .iter()
-            .map(|r| match r.kind {
-                JointKind::Revolute => 'R',
-                JointKind::Prismatic => 'P',
-                JointKind::Fixed => 'F',
-            })
-            .collect();
+        let joints = letters(chain);
         let (axes, home) = at_zero(chain);
-        let inverse = |found: Found, exact: bool| Self {
-            joints: joints.clone(),
-            class: found.class,
-            reason: found.reason,
-            axes: axes.clone(),
-            home,
-            exact,
-            family: found.family,
-        };
+        let inverse = |found: Found, exact: bool| Self::of(&joints, &axes, home, found, exact);
         for lines in [Lines::exact(&axes), Lines::loose(&axes, home.shift)] {
             for found in candidates(&lines) {
                 let exact = lines.is_exact();
@@ -73,11 +57,8 @@ impl Inverse {
                 }
             }
         }
-        for found in general::candidates(&axes) {
-            let made = inverse(found, true);
-            if made.works() {
-                return made;
-            }
+        if let Some(made) = Self::by_elimination(chain) {
+            return made;
         }
         let why = match axes.len() {
             0..=6 => "neither a spherical wrist or shoulder nor three parallel axes were found, exactly or nearly",
@@ -88,6 +69,19 @@ impl Inverse {
         };
         let reason = format!("{why}; the numerical solver is used");
         inverse(Found { class: "none", reason, family: Family::Numerical }, false)
+    }
+
+    /// Of a chain of six joints, or seven of which one is given, as if no two axes met or were
+    /// parallel; `None` where no choice of the hidden joint finds the postures it is shown.
+    pub fn by_elimination(chain: &Chain) -> Option<Self> {
+        let (joints, (axes, home)) = (letters(chain), at_zero(chain));
+        let made = |found: Found| Self::of(&joints, &axes, home, found, true);
+        general::candidates(&axes).into_iter().map(made).find(Self::works)
+    }
+
+    fn of(joints: &str, axes: &[Axis], home: Displacement, found: Found, exact: bool) -> Self {
+        let Found { class, reason, family } = found;
+        Self { joints: joints.into(), class, reason, axes: axes.to_vec(), home, exact, family }
     }
 
     /// Does a query name a redundancy: a swivel angle, or a locked joint's position?
@@ -151,6 +145,16 @@ impl Inverse {
         }
         missed * if self.exact { 40 } else { 5 } <= TRIALS
     }
+}
+
+/// Kinds of the joints, base to tip.
+fn letters(chain: &Chain) -> String {
+    let letter = |kind: JointKind| match kind {
+        JointKind::Revolute => 'R',
+        JointKind::Prismatic => 'P',
+        JointKind::Fixed => 'F',
+    };
+    chain.rows.iter().map(|row| letter(row.kind)).collect()
 }
 
 /// Lines of the joints and the last frame, all `q` zero.

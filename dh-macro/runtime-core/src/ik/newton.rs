@@ -4,6 +4,7 @@ use super::super::runtime::Scalar;
 use super::dense::{Rows, back, eliminate, kernel};
 use super::elimination::{Loop, Posture};
 use super::pose::Displacement;
+use super::real::root;
 use super::vector::{Turn, cross, norm, product, scale, sub, times, transposed};
 
 /// Six columns of the joints, what is left, and one to fill whole registers.
@@ -64,12 +65,21 @@ fn stepped(round: &Loop, v: &Posture, d: &[f64; 6]) -> Posture {
     out
 }
 
-/// Smallest pivot, in parts of the largest: how far from a singularity.
+/// Below this pivot the least stretch is looked at, too.
+const SMALL_PIVOT: f64 = 0.05;
+
+/// How far from a singularity: smallest pivot, in parts of the largest, or what the matrix makes of
+/// the direction that it nearly takes to zero. Both bound its least singular value from above, and a
+/// small one may be the product of two pivots that are not small.
 fn pivots(rows: &System) -> f64 {
     let (mut least, mut most) = (f64::INFINITY, 0.0f64);
     for k in 0..6 {
         let pivot = rows[k][k].abs();
         (least, most) = (least.min(pivot), most.max(pivot));
+    }
+    if least < SMALL_PIVOT * most {
+        let inverse = back::<6, 8>(rows, &[1.0; 6], 1e-150);
+        least = least.min(root(6.0 / inverse.iter().fold(0.0, |s, x| s + x * x)));
     }
     least / most.max(1e-150)
 }
