@@ -10,3 +10,4 @@ pub(crate) mod parallel;
 pub(crate) mod pattern_search;
 pub mod prng;
 pub(crate) mod sos;
+pub(crate) mod sums;

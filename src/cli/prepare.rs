@@ -40,9 +40,10 @@ pub(super) struct Preparation {
     /// Seconds by which the torque is late against the positions; it is moved back by as much.
     #[arg(long, default_value_t = 0.0, value_name = "SECONDS")]
     delay: f64,
-    /// Use every n-th sample, after the low-pass.
-    #[arg(long, default_value_t = 1, value_name = "N")]
-    stride: usize,
+    /// Use every n-th sample, after the low-pass. Default: of `force` each; of other verbs as many
+    /// as a low-passed signal needs, 12 in a period of the cut-off (1 for each sample).
+    #[arg(long, value_name = "N")]
+    stride: Option<usize>,
     /// Speed up to which a joint is at rest, rad/s: its dry friction is then anything within its
     /// breakaway level, and its rows do not determine its Coulomb level. Default: three standard
     /// deviations of the speed's noise in the log; 0: never at rest.
@@ -55,7 +56,7 @@ pub(super) struct Preparation {
 impl Preparation {
     /// With the defaults of all options that are not given here.
     pub(super) fn plainly(read: ReadOptions) -> Self {
-        Self { cutoff: None, order: 5, trim: 0.2, delay: 0.0, stride: 1, dead_zone: None, read }
+        Self { cutoff: None, order: 5, trim: 0.2, delay: 0.0, stride: Some(1), dead_zone: None, read }
     }
 
     /// Refuses options that would change nothing beside the others. `standing`: why every joint
@@ -89,7 +90,7 @@ impl Preparation {
         if let Some(speed) = self.dead_zone.filter(|speed| !(*speed >= 0.0 && speed.is_finite())) {
             return bad(format!("--dead-zone {speed}: a speed in rad/s, or 0 for none"));
         }
-        if self.stride == 0 {
+        if self.stride == Some(0) {
             return bad("--stride 0: one or more".into());
         }
         Ok(Prepare {
@@ -97,7 +98,8 @@ impl Preparation {
             dead_zone: self.dead_zone(),
             trim: self.trim,
             torque_delay: self.delay,
-            stride: self.stride,
+            stride: self.stride.unwrap_or(1),
+            thinned: self.stride.is_none(),
             torque: self.read.torque.quantity(),
             torque_constants: torque_constants(robot),
             reading: self.read.map.reading(Some(robot))?,
@@ -232,6 +234,7 @@ fn opened(
     reading: &Reading,
     digest: Option<&Rc<RefCell<Sha256>>>,
 ) -> Result<(ProgressBar, String, Box<dyn Table>), Failure> {
+    keep_pages();
     let name = if files::is_stdin(path) { "standard input".into() } else { path.display().to_string() };
     let inside = recorded_in(path)?;
     let path = inside.as_deref().unwrap_or(path);
@@ -241,7 +244,8 @@ fn opened(
     let seeks = |format: &Format| *format == Format::Parquet || cfg!(feature = "rosbag2") && *format == Format::Sqlite;
     let format = format_of(&mut file).map_err(failed)?.filter(seeks);
     if let (Some(_), Some(digest)) = (format, digest) {
-        std::io::copy(&mut bar.wrap_read(&file), &mut *digest.borrow_mut()).map_err(failed)?;
+        let mut whole = BufReader::with_capacity(1 << 18, bar.wrap_read(&file));
+        std::io::copy(&mut whole, &mut *digest.borrow_mut()).map_err(failed)?;
         file.rewind().map_err(failed)?;
     }
     let table = match format {
@@ -259,6 +263,13 @@ fn opened(
         }
     };
     table.map(|table| (bar, name, table)).map_err(Failure::input)
+}
+
+/// Lets the allocator keep what is freed between two chunks of a log. glibc hands blocks above the
+/// size of the largest that was freed back to the kernel, which clears each page anew: two thirds of
+/// the kernel's time of a long log. No page of this block is touched.
+fn keep_pages() {
+    drop(std::hint::black_box(Vec::<u8>::with_capacity(31 << 20)));
 }
 
 /// The one file of a folder that rosbag2 wrote; `None` where the path is no such folder.

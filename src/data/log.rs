@@ -13,6 +13,7 @@ pub mod csv;
 mod error;
 mod finding;
 mod fingerprint;
+mod gzip;
 mod inspect;
 mod limits;
 mod malformed;

@@ -9,6 +9,7 @@ mod breakaway_band;
 mod clock;
 mod deserved;
 mod difference;
+mod encoder_steps;
 mod even;
 mod lowered;
 mod motion;

@@ -8,6 +8,7 @@
 
 use crate::data::signal::{Motion, repeatability};
 use crate::model::{Arm, States};
+use crate::numerics::sums::squared_differences;
 
 /// Samples that are looked at, at most, over all logs.
 const SAMPLES: usize = 256;
@@ -147,7 +148,7 @@ impl BudgetCollector {
         for (j, tau) in motion.tau.chunks_exact(len).enumerate() {
             let noise = motion.torque_noise.get(j).copied().unwrap_or(0.0);
             self.sensor[j] += weight * noise * noise;
-            let steps: f64 = tau.windows(2).map(|w| (w[1] - w[0]).powi(2)).sum();
+            let steps = squared_differences(&tau[1..], tau);
             self.clock[j] += weight * (motion.clock_error / motion.period).powi(2) * steps / len as f64;
         }
         if let Some((rms, seconds)) = repeatability(&motion.states.q, &motion.tau, len, motion.period) {
@@ -220,5 +221,18 @@ mod tests {
             assert!((found.motion[j] - motion).abs() < 1e-12 && (found.clock[j] - clock).abs() < 1e-12, "{found:?}");
         }
         assert!((found.floor()[1] - 0.5).abs() < 1e-12);
+    }
+
+    /// Squares add up: 0.3, 0.4 and 1.2 N m make 1.3 N m.
+    #[test]
+    fn what_is_left_is_beside_the_floor() {
+        let budget = ErrorBudget {
+            sensor: vec![0.3, 2.0],
+            motion: vec![0.4, 0.0],
+            clock: vec![0.0; 2],
+            ..ErrorBudget::default()
+        };
+        let left = budget.of_errors(&[1.3, 1.0]).left;
+        assert!((left[0] - 1.2).abs() < 1e-12 && left[1] == 0.0, "{left:?}");
     }
 }

@@ -230,6 +230,18 @@ mod tests {
         (plant, states, given)
     }
 
+    /// A base that is pitched forward stands on a slope: its weight pulls along its own x axis.
+    #[test]
+    fn gravity_is_seen_from_the_turned_base() {
+        let robot = Robot::from_yaml(include_str!("../../robots/kuka-lwr4.yaml"), &no_files).unwrap().robot;
+        let g = robot.gravity[2];
+        let [x, y, z] = changed(&robot, &Change::Base { roll: 0.0, pitch: 0.3 }).gravity;
+        assert!(g < -9.0 && (x + g * 0.3_f64.sin()).abs() < 1e-12 && y.abs() < 1e-12, "{x} {y}");
+        assert!((z - g * 0.3_f64.cos()).abs() < 1e-12, "{z}");
+        let [x, y, z] = changed(&robot, &Change::Base { roll: 0.3, pitch: 0.0 }).gravity;
+        assert!(x.abs() < 1e-12 && (y - g * 0.3_f64.sin()).abs() < 1e-12 && (z - g * 0.3_f64.cos()).abs() < 1e-12);
+    }
+
     #[test]
     fn no_change_is_the_arm_itself() {
         let (plant, states, given) = swinging();

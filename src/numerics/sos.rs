@@ -34,18 +34,16 @@ impl Sos {
     /// Filters in place; the past before the first sample is taken as constant at `start`.
     pub fn forward(&self, x: &mut [f64], start: f64) {
         let mut level = start;
-        for section in &self.sections {
-            let ([z1, z2], gain) = section.rest();
-            let (mut z1, mut z2) = (z1 * level, z2 * level);
-            let ([b0, b1, b2], [a1, a2]) = (section.b, section.a);
-            for value in x.iter_mut() {
-                let y = b0 * *value + z1;
-                z1 = b1 * *value - a1 * y + z2;
-                z2 = b2 * *value - a2 * y;
-                *value = y;
-            }
-            level *= gain;
+        // Three sections at once: each waits for its own last sample only.
+        let (threes, rest) = self.sections.as_chunks();
+        for three in threes {
+            level = cascade::<3>(*three, x, level);
         }
+        _ = match rest {
+            [one, two] => cascade([*one, *two], x, level),
+            [one] => cascade([*one], x, level),
+            _ => level,
+        };
     }
 
     /// Padding that SciPy's `sosfiltfilt` uses.
@@ -99,6 +97,160 @@ impl Sos {
     }
 }
 
+/// A series with its filter, for [`forward_backward_each`].
+#[derive(Debug, Clone, Copy)]
+pub struct Filtered<'a> {
+    /// The series.
+    pub x: &'a [f64],
+    /// The filter.
+    pub sos: &'a Sos,
+    /// Samples added at each end, as in [`Sos::forward_backward`].
+    pub pad: usize,
+}
+
+/// Series that are filtered side by side: a recurrence waits for itself, and four of them fill the
+/// time.
+const LANES: usize = 4;
+/// Sections that are applied in one pass.
+const SECTIONS: usize = 3;
+
+/// [`Sos::forward_backward`] of each series, bit by bit.
+pub fn forward_backward_each(series: &[Filtered<'_>]) -> Vec<Vec<f64>> {
+    let mut out = Vec::with_capacity(series.len());
+    for lanes in series.chunks(LANES) {
+        let alike = |lane: &Filtered<'_>| {
+            lane.x.len() == lanes[0].x.len() && lane.sos.sections.len() == lanes[0].sos.sections.len()
+        };
+        if lanes.len() > 1 && lanes.iter().all(alike) && !lanes[0].x.is_empty() {
+            side_by_side(lanes, &mut out);
+            continue;
+        }
+        out.extend(lanes.iter().map(|lane| {
+            let mut x = lane.x.to_vec();
+            lane.sos.forward_backward(&mut x, lane.pad);
+            x
+        }));
+    }
+    out
+}
+
+/// Of at most [`LANES`] series of one length, whose filters have as many sections. They end at the
+/// same place of a common buffer, so that all passes backward begin there.
+fn side_by_side(lanes: &[Filtered<'_>], out: &mut Vec<Vec<f64>>) {
+    let n = lanes[0].x.len();
+    let pads: Vec<usize> = lanes.iter().map(|lane| lane.pad.min(n - 1)).collect();
+    let total = n + 2 * pads.iter().fold(0, |most, pad| most.max(*pad));
+    let begins: Vec<usize> = pads.iter().map(|pad| total - n - 2 * pad).collect();
+    let mut y = vec![[0.0; LANES]; total];
+    for (l, ((lane, &pad), &begin)) in lanes.iter().zip(&pads).zip(&begins).enumerate() {
+        let (x, first, last) = (lane.x, lane.x[0], lane.x[n - 1]);
+        let (before, inner) = y[begin..].split_at_mut(pad);
+        let (inner, after) = inner.split_at_mut(n);
+        before.iter_mut().zip(x[1..].iter().take(pad).rev()).for_each(|(y, x)| y[l] = 2.0 * first - x);
+        inner.iter_mut().zip(x).for_each(|(y, x)| y[l] = *x);
+        after.iter_mut().zip(x.iter().rev().skip(1)).for_each(|(y, x)| y[l] = 2.0 * last - x);
+    }
+    for backward in [false, true] {
+        let mut levels: Vec<f64> = match backward {
+            false => begins.iter().enumerate().map(|(l, &begin)| y[begin][l]).collect(),
+            true => (0..lanes.len()).map(|l| y[total - 1][l]).collect(),
+        };
+        for from in (0..lanes[0].sos.sections.len()).step_by(SECTIONS) {
+            let mut abreast = Abreast::of(lanes, from);
+            // Where a lane begins, its state is that at rest.
+            let start = |l: usize| if backward { 0 } else { begins[l] };
+            let mut cuts: Vec<usize> = (0..lanes.len()).map(start).chain([total]).collect();
+            cuts.sort_unstable();
+            for span in cuts.windows(2).filter(|w| w[0] < w[1]) {
+                for l in (0..lanes.len()).filter(|&l| start(l) == span[0]) {
+                    levels[l] = abreast.rest(lanes[l].sos, from, l, levels[l]);
+                }
+                let part = if backward { &mut y[..] } else { &mut y[span[0]..span[1]] };
+                run(&abreast.sections, &mut abreast.states, part, backward);
+            }
+        }
+    }
+    out.extend((0..lanes.len()).map(|l| y[begins[l] + pads[l]..][..n].iter().map(|y| y[l]).collect()));
+}
+
+/// Some sections of several filters.
+struct Abreast {
+    /// `b0 b1 b2 a1 a2` of each section and lane.
+    sections: [[[f64; LANES]; 5]; SECTIONS],
+    states: [[[f64; LANES]; 2]; SECTIONS],
+}
+
+impl Abreast {
+    /// From section `from` on; those that are missing pass everything on.
+    fn of(lanes: &[Filtered<'_>], from: usize) -> Self {
+        let mut sections = [[[1.0; LANES], [0.0; LANES], [0.0; LANES], [0.0; LANES], [0.0; LANES]]; SECTIONS];
+        for (l, lane) in lanes.iter().enumerate() {
+            for (to, Biquad { b, a }) in sections.iter_mut().zip(&lane.sos.sections[from..]) {
+                to.iter_mut().zip(b.iter().chain(a)).for_each(|(to, value)| to[l] = *value);
+            }
+        }
+        Self { sections, states: [[[0.0; LANES]; 2]; SECTIONS] }
+    }
+
+    /// Puts a lane at rest at `level`; the level behind these sections.
+    fn rest(&mut self, sos: &Sos, from: usize, lane: usize, mut level: f64) -> f64 {
+        for (state, section) in self.states.iter_mut().zip(&sos.sections[from..]) {
+            let (rest, gain) = section.rest();
+            state.iter_mut().zip(rest).for_each(|(z, rest)| z[lane] = rest * level);
+            level *= gain;
+        }
+        level
+    }
+}
+
+/// Runs all lanes through the sections, from the front or from the back. With the widest registers
+/// of this processor, and the bits of any other.
+#[multiversion::multiversion(targets("x86_64+avx2"))]
+fn run(
+    sections: &[[[f64; LANES]; 5]; SECTIONS],
+    states: &mut [[[f64; LANES]; 2]; SECTIONS],
+    y: &mut [[f64; LANES]],
+    backward: bool,
+) {
+    let mut now = *states;
+    let n = y.len();
+    for k in 0..n {
+        let value = &mut y[if backward { n - 1 - k } else { k }];
+        let mut passed = *value;
+        for ([z1, z2], [b0, b1, b2, a1, a2]) in now.iter_mut().zip(sections) {
+            for l in 0..LANES {
+                let y = b0[l] * passed[l] + z1[l];
+                z1[l] = b1[l] * passed[l] - a1[l] * y + z2[l];
+                z2[l] = b2[l] * passed[l] - a2[l] * y;
+                passed[l] = y;
+            }
+        }
+        *value = passed;
+    }
+    *states = now;
+}
+
+/// Filters through `N` sections, sample by sample, at rest before at `level`; the level behind them.
+fn cascade<const N: usize>(sections: [Biquad; N], x: &mut [f64], level: f64) -> f64 {
+    let (mut states, mut level) = ([[0.0; 2]; N], level);
+    for (state, section) in states.iter_mut().zip(&sections) {
+        let (rest, gain) = section.rest();
+        *state = rest.map(|z| z * level);
+        level *= gain;
+    }
+    for value in x.iter_mut() {
+        let mut passed = *value;
+        for ([z1, z2], Biquad { b: [b0, b1, b2], a: [a1, a2] }) in states.iter_mut().zip(&sections) {
+            let y = b0 * passed + *z1;
+            *z1 = b1 * passed - a1 * y + *z2;
+            *z2 = b2 * passed - a2 * y;
+            passed = y;
+        }
+        *value = passed;
+    }
+    level
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -119,6 +271,31 @@ mod tests {
                 assert!((x[i] - value).abs() < 1e-12, "order {order}: y[{i}] = {} against {value}", x[i]);
             }
         }
+    }
+
+    /// Side by side, whatever the number of series and their filters, and apart: the same bits.
+    #[test]
+    fn series_side_by_side_are_as_apart() {
+        for order in [1, 4, 5, 9] {
+            let filters: Vec<Sos> = (0..7).map(|k| low_pass(order, 4.0 + f64::from(k / 2), 100.0).unwrap()).collect();
+            let series: Vec<Vec<f64>> =
+                (0..7).map(|j| signal().iter().map(|x| (x * f64::from(j + 1)).sin() - 0.3).collect()).collect();
+            for count in 1..=7 {
+                let lane = |j: usize| Filtered { x: &series[j], sos: &filters[j], pad: [9, 30, 100][j % 3] };
+                let all: Vec<Filtered<'_>> = (0..count).map(lane).collect();
+                for (lane, y) in all.iter().zip(forward_backward_each(&all)) {
+                    let mut x = lane.x.to_vec();
+                    lane.sos.forward_backward(&mut x, lane.pad);
+                    assert_eq!(x, y, "order {order}, {count} series");
+                }
+            }
+        }
+        let sos = low_pass(2, 5.0, 100.0).unwrap();
+        let [long, short, none] = [vec![1.0; 9], vec![2.0], vec![]];
+        let of = |x| Filtered { x, sos: &sos, pad: 4 };
+        let found = forward_backward_each(&[of(&long), of(&short), of(&none)]);
+        assert_eq!(found.iter().map(Vec::len).collect::<Vec<_>>(), [9, 1, 0]);
+        assert_eq!(forward_backward_each(&[of(&none)]), [Vec::<f64>::new()]);
     }
 
     #[test]

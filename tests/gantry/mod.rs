@@ -89,6 +89,7 @@ pub fn settings() -> Settings<6> {
             acceleration: [10.0; 6],
             jerk: [1e3; 6],
             tool: [2.0, 20.0, 2e3],
+            force_rate: 1e3,
             torque_rate: [1e5; 6],
             saturated: 0.1,
             // 10 N of the spring of the joint loop.

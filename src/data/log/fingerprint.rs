@@ -7,8 +7,9 @@
 //! recognised by [`super::rounded`].
 
 use std::collections::HashMap;
-use std::collections::hash_map::DefaultHasher;
-use std::hash::{Hash, Hasher};
+use std::hash::{BuildHasher, Hash, Hasher};
+
+use foldhash::quality::{FixedState, FoldHasher};
 
 use super::Block;
 use super::Layout;
@@ -24,6 +25,9 @@ const MOST_ROWS: usize = 1 << 17;
 /// Rows kept one after the other that must all be found again, in the same order. Coarse sensors
 /// and motions that are played twice repeat single rows, never so many.
 const SHORTEST_RUN: usize = 20;
+
+/// Rows whose cells are brought side by side at once.
+const TILE: usize = 64;
 
 /// Share of the shorter log below which common samples are no concern.
 const LEAST_SHARE: f64 = 0.01;
@@ -139,7 +143,7 @@ pub struct Fingerprinted<'a> {
     columns: [Vec<usize>; 2],
     time: Option<usize>,
     print: Fingerprint,
-    all: DefaultHasher,
+    all: FoldHasher,
 }
 
 impl<'a> Fingerprinted<'a> {
@@ -164,7 +168,7 @@ impl<'a> Fingerprinted<'a> {
             kept: Vec::new(),
             rounded: Rounded::new(),
         };
-        Self { source, columns, time, print, all: DefaultHasher::new() }
+        Self { source, columns, time, print, all: hasher() }
     }
 
     /// Of all that was read.
@@ -194,32 +198,54 @@ impl Source for Fingerprinted<'_> {
 
     fn next_block(&mut self, rows: usize, block: &mut Block) -> Result<(), LogError> {
         self.source.next_block(rows, block)?;
-        for row in 0..block.len() {
-            let mut hasher = DefaultHasher::new();
-            let values = |k: usize| -> Vec<f64> { self.columns[k].iter().map(|&c| block.columns[c][row]).collect() };
-            let (positions, torques) = (values(0), values(1));
-            for &value in positions.iter().chain(&torques) {
-                single(value).hash(&mut hasher);
+        let columns: Vec<&[f64]> = self.columns.iter().flatten().map(|&c| &block.columns[c][..]).collect();
+        let (width, split) = (columns.len(), self.columns[0].len());
+        let times = self.time.map(|column| &block.columns[column]);
+        let mut tile = vec![0.0; TILE * width];
+        for from in (0..block.len()).step_by(TILE) {
+            let count = TILE.min(block.len() - from);
+            for (k, column) in columns.iter().enumerate() {
+                tile[k..].iter_mut().step_by(width).zip(&column[from..from + count]).for_each(|(to, x)| *to = *x);
             }
-            let hash = hasher.finish();
-            hash.hash(&mut self.all);
-            let print = &mut self.print;
-            let time = self.time.map_or(print.rows as f64, |column| block.columns[column][row]);
-            if print.rows == 0 {
-                print.span[0] = time;
-            }
-            print.span[1] = time;
-            if hash <= print.limit {
-                print.kept.push(Row { hash, index: print.rows, time });
-                if print.kept.len() >= 2 * MOST_ROWS {
-                    print.thin(MOST_ROWS);
+            for row in 0..count {
+                let values = &tile[row * width..(row + 1) * width];
+                let hash = mixed(values.iter().map(|&value| u64::from(single(value))));
+                hash.hash(&mut self.all);
+                let print = &mut self.print;
+                let time = times.map_or(print.rows as f64, |times| times[from + row]);
+                if print.rows == 0 {
+                    print.span[0] = time;
                 }
+                print.span[1] = time;
+                if hash <= print.limit {
+                    print.kept.push(Row { hash, index: print.rows, time });
+                    if print.kept.len() >= 2 * MOST_ROWS {
+                        print.thin(MOST_ROWS);
+                    }
+                }
+                let (positions, torques) = values.split_at(split);
+                print.rounded.push(print.rows, time, positions, torques);
+                print.rows += 1;
             }
-            print.rounded.push(print.rows, time, &positions, &torques);
-            print.rows += 1;
         }
         Ok(())
     }
+}
+
+/// The same for all logs of a run, with bits that are even enough to choose rows by them.
+pub(super) fn hasher() -> FoldHasher {
+    FixedState::with_seed(0).build_hasher()
+}
+
+/// Hash of a row's numbers.
+#[inline]
+pub(super) fn mixed(numbers: impl Iterator<Item = u64>) -> u64 {
+    // An odd number with about as many ones as zeros, so that each bit reaches many.
+    const SPREAD: u64 = 0x9E37_79B9_7F4A_7C15;
+    let all = numbers.fold(SPREAD, |all, number| (all.rotate_left(23) ^ number).wrapping_mul(SPREAD));
+    let mut hasher = hasher();
+    all.hash(&mut hasher);
+    hasher.finish()
 }
 
 /// Bits in single precision, as some files store it; both zeros alike, and all that is no number.

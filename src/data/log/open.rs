@@ -9,6 +9,7 @@ use super::Reading;
 use super::Source;
 use super::Table;
 use super::csv::CsvTable;
+use super::gzip::Unpacked;
 use super::matlab::MatTable;
 use super::npz::NpzTable;
 use super::parquet::ParquetTable;
@@ -139,7 +140,7 @@ pub fn open_table<'a, R: Read + 'a>(
         Format::Foreign(what) => return Err(LogError::Foreign { file: file.into(), what: what.into() }),
         Format::Csv => Box::new(CsvTable::new(file, whole)?),
         Format::CsvUtf16 => Box::new(CsvTable::new(file, Utf16::new(whole))?),
-        Format::CsvGz => Box::new(CsvTable::new(file, flate2::read::MultiGzDecoder::new(whole))?),
+        Format::CsvGz => Box::new(CsvTable::new(file, Unpacked::new(whole))?),
         Format::Mcap => {
             let arrival = reading.mapping.as_ref().is_some_and(|m| m.arrival);
             Box::new(Recording::new(file, "MCAP", McapMessages::new(whole), arrival)?)

@@ -251,14 +251,30 @@ fn numbers(
             })?;
             Ok(Some(out.len() - before))
         }
-        (reader, _) => plain_numbers(reader, take, out),
+        (reader, _) => plain_numbers(reader, leaf.levels.1 > 0, take, out),
     }
 }
 
 /// The same of a column whose values are in the unit of its role.
-fn plain_numbers(reader: &mut ColumnReader, take: usize, out: &mut Vec<f64>) -> Result<Option<usize>, ParquetError> {
+fn plain_numbers(
+    reader: &mut ColumnReader,
+    nullable: bool,
+    take: usize,
+    out: &mut Vec<f64>,
+) -> Result<Option<usize>, ParquetError> {
     let before = out.len();
     match reader {
+        // Doubles that are never null are read to their place.
+        ColumnReader::DoubleColumnReader(r) if !nullable => {
+            let mut left = take;
+            while left > 0 {
+                let (records, ..) = r.read_records(left, None, None, out)?;
+                if records == 0 {
+                    break;
+                }
+                left -= records;
+            }
+        }
         ColumnReader::DoubleColumnReader(r) => pull::<DoubleType>(r, take, out, |v| v)?,
         ColumnReader::FloatColumnReader(r) => pull::<FloatType>(r, take, out, f64::from)?,
         ColumnReader::Int32ColumnReader(r) => pull::<Int32Type>(r, take, out, f64::from)?,

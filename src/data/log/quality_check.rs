@@ -122,6 +122,7 @@ impl QualityCheck {
             self.period = median_step(&block.columns[self.time]);
         }
         let mut bad = block.bad.iter().peekable();
+        let finite = self.needed.iter().all(|&column| all_finite(&block.columns[column]));
         for row in 0..block.len() {
             let line = block.lines[row];
             let mut usable = true;
@@ -139,7 +140,7 @@ impl QualityCheck {
                     Some(_) => {}
                 }
             }
-            if usable {
+            if usable && !finite {
                 for i in 0..self.needed.len() {
                     let column = self.needed[i];
                     if !block.columns[column][row].is_finite() {
@@ -150,16 +151,28 @@ impl QualityCheck {
             }
             let verdict = if usable { self.judge_time(block, row, line) } else { Verdict::Drop };
             self.split_next = !usable || (self.split_next && verdict == Verdict::Drop);
-            if verdict != Verdict::Drop {
-                self.samples += 1;
-                let time = block.columns[self.time][row];
-                for channel in &mut self.channels {
-                    let value = block.columns[channel.column][row];
-                    let position = channel.position.map_or(0.0, |column| block.columns[column][row]);
-                    channel.look(value, position, time, line, verdict == Verdict::Start);
+            self.samples += usize::from(verdict != Verdict::Drop);
+            verdicts.push(verdict);
+        }
+        // Column by column: most stretches are passed without a look at each of their rows.
+        let time = &block.columns[self.time];
+        for channel in &mut self.channels {
+            let (mut look, values) = (channel.clone(), &block.columns[channel.column]);
+            let positions = channel.position.map(|column| &block.columns[column]);
+            let mut from = 0;
+            for part in verdicts.chunks(STRETCH) {
+                let rows = from..from + part.len();
+                let at = |row: usize| (positions.map_or(0.0, |column| column[row]), time[row], block.lines[row]);
+                from = rows.end;
+                let plain = part.iter().fold(true, |all, v| all & (*v == Verdict::Acceptance));
+                if plain && look.passes(&values[rows.clone()], at(rows.end - 1)) {
+                    continue;
+                }
+                for (row, verdict) in rows.zip(part).filter(|(_, v)| **v != Verdict::Drop) {
+                    look.look(values[row], at(row), *verdict == Verdict::Start);
                 }
             }
-            verdicts.push(verdict);
+            *channel = look;
         }
     }
 
@@ -276,6 +289,11 @@ impl QualityCheck {
     }
 }
 
+/// Whether there is neither NaN nor an infinity.
+fn all_finite(column: &[f64]) -> bool {
+    column.chunks(64).all(|part| part.iter().fold(true, |all, x| all & x.is_finite()))
+}
+
 /// Median of the positive steps.
 fn median_step(time: &[f64]) -> Option<f64> {
     let mut steps: Vec<f64> = time.windows(2).map(|w| w[1] - w[0]).filter(|d| d.is_finite() && *d > 0.0).collect();
@@ -285,6 +303,11 @@ fn median_step(time: &[f64]) -> Option<f64> {
 
 /// A joint that stays within this, rad or m, rests: its torque may stand still.
 const REST: f64 = 1e-3;
+
+/// A stay of fewer samples is none.
+const LONG: usize = 10;
+/// Rows that are passed at once.
+const STRETCH: usize = 64;
 
 /// Running figures of a `q` or torque column.
 #[derive(Debug, Clone)]
@@ -370,7 +393,41 @@ impl Channel {
         }
     }
 
-    fn look(&mut self, value: f64, position: f64, time: f64, line: u64, start: bool) {
+    /// Takes in rows that follow one another and leave no trace but in the sums: no value is the
+    /// one before, none the largest or least, and none ends a stay. False where they are to be
+    /// looked at one by one. `end`: position, time and line of the last.
+    fn passes(&mut self, values: &[f64], end: (f64, f64, u64)) -> bool {
+        let (Some((&first, &last)), false) = (values.first().zip(values.last()), self.stay.samples >= LONG) else {
+            return false;
+        };
+        let (mut apart, mut top, mut bottom) = (first != self.last, first, first);
+        for pair in values.windows(2) {
+            apart &= pair[0] != pair[1];
+            top = if pair[1] > top { pair[1] } else { top };
+            bottom = if pair[1] < bottom { pair[1] } else { bottom };
+        }
+        let inside = self.top.samples > 0 && top < self.top.level && -bottom < self.bottom.level;
+        if !apart || !inside || values.len() < 2 {
+            return false;
+        }
+        self.moved += (first - self.last).abs();
+        self.moved += values.windows(2).map(|pair| (pair[1] - pair[0]).abs()).sum::<f64>();
+        self.moves += values.len();
+        (self.top.run, self.bottom.run) = (0, 0);
+        self.before_stay = last - values[values.len() - 2];
+        self.begin(last, end);
+        true
+    }
+
+    /// The first sample of a stay.
+    fn begin(&mut self, value: f64, (position, time, line): (f64, f64, u64)) {
+        self.last = value;
+        self.stay = Stay { samples: 1, since: time, line, until: time, from: position, travel: 0.0 };
+    }
+
+    /// Takes in one row: its value, and its position, time and line.
+    #[inline]
+    fn look(&mut self, value: f64, (position, time, line): (f64, f64, u64), start: bool) {
         self.largest = self.largest.max(value.abs());
         self.top.look(value, line);
         self.bottom.look(-value, line);
@@ -386,11 +443,13 @@ impl Channel {
             // Stuck: it was moving, stood for 10 samples or more, and caught up with one jump in
             // the same direction. A torque counts as stuck only while its joint moves: that of a
             // joint at rest may be constant, and changes with the first motion.
-            let usual = self.moved / self.moves.max(1) as f64;
-            let jumps = change.abs() > 5.0 * self.before_stay.abs().max(usual);
-            let moving = self.before_stay.abs() > 0.2 * usual && change * self.before_stay > 0.0;
-            let frozen = if self.torque { self.stay.travel > REST } else { moving };
-            if self.stay.samples >= 10 && jumps && frozen && self.moves > 20 {
+            let frozen = || {
+                let usual = self.moved / self.moves.max(1) as f64;
+                let jumps = change.abs() > 5.0 * self.before_stay.abs().max(usual);
+                let moving = self.before_stay.abs() > 0.2 * usual && change * self.before_stay > 0.0;
+                jumps && if self.torque { self.stay.travel > REST } else { moving }
+            };
+            if self.stay.samples >= LONG && self.moves > 20 && frozen() {
                 let seconds = self.stay.until - self.stay.since;
                 let entry = self.stuck.get_or_insert((self.last, seconds, self.stay.line, 0));
                 entry.3 += 1;
@@ -402,8 +461,7 @@ impl Channel {
             self.moved += change.abs();
             self.moves += 1;
         }
-        self.last = value;
-        self.stay = Stay { samples: 1, since: time, line, until: time, from: position, travel: 0.0 };
+        self.begin(value, (position, time, line));
     }
 
     fn findings(&self, period: f64, samples: usize) -> Vec<(Kind, u64, usize)> {

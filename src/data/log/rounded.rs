@@ -6,8 +6,9 @@
 //! kept, as in [`super::Fingerprint`].
 
 use std::collections::HashMap;
-use std::collections::hash_map::DefaultHasher;
 use std::hash::{Hash, Hasher};
+
+use super::fingerprint::{hasher, mixed};
 
 /// Decimal places that are tried, for positions and for torques each.
 const PLACES: [usize; 7] = [1, 2, 3, 4, 5, 6, 7];
@@ -136,27 +137,29 @@ impl Rounded {
     /// The next row, number `index`, at `time`, s.
     pub(super) fn push(&mut self, index: u64, time: f64, positions: &[f64], torques: &[f64]) {
         // One cell of the joint space in eight is enough, and as many times as fast.
-        if hashed(positions, |x| to_places(x, CELL)) & 7 != 0 {
+        if hashed(positions.iter().copied(), |x| to_places(x, CELL)) & 7 != 0 {
             return;
         }
         let mut hashes = [[0; PLACES.len()]; 2];
         for (k, values) in [positions, torques].into_iter().enumerate() {
             for (hash, places) in hashes[k].iter_mut().zip(PLACES) {
-                *hash = hashed(values, |x| to_places(x, places));
+                *hash = hashed(values.iter().copied(), |x| to_places(x, places));
             }
             let exact = |&at: &usize| values.iter().all(|&x| is_rounded(x, |x| to_places(x, PLACES[at])));
             self.own[k] = (self.own[k]..PLACES.len()).find(exact).unwrap_or(PLACES.len());
         }
         for (a, position) in hashes[0].iter().enumerate() {
             for (b, torque) in hashes[1].iter().enumerate() {
-                let mut both = DefaultHasher::new();
+                let mut both = hasher();
                 (position, torque).hash(&mut both);
                 self.places[a * PLACES.len() + b].push(Row { hash: both.finish(), index, time });
             }
         }
         let all = || positions.iter().chain(torques).copied();
+        let leads: Vec<i32> = all().map(lead).collect();
         for (rows, digits) in self.digits.iter_mut().zip(DIGITS) {
-            let hash = hashed(&all().collect::<Vec<f64>>(), |x| to_digits(x, digits));
+            let mut leads = leads.iter();
+            let hash = hashed(all(), |x| with_lead(x, digits, leads.next().copied().unwrap_or(0)));
             rows.push(Row { hash, index, time });
         }
         let exact = |&at: &usize| all().all(|x| is_rounded(x, |x| to_digits(x, DIGITS[at])));
@@ -187,11 +190,9 @@ impl Rounded {
     }
 }
 
-fn hashed(values: &[f64], round: impl Fn(f64) -> f64) -> u64 {
-    let mut hasher = DefaultHasher::new();
+fn hashed(values: impl Iterator<Item = f64>, mut round: impl FnMut(f64) -> f64) -> u64 {
     // Both zeros alike.
-    values.iter().for_each(|&x| (round(x) + 0.0).to_bits().hash(&mut hasher));
-    hasher.finish()
+    mixed(values.map(|x| (round(x) + 0.0).to_bits()))
 }
 
 /// Whether rounding does not change the value, up to single precision.
@@ -199,28 +200,72 @@ fn is_rounded(x: f64, round: impl Fn(f64) -> f64) -> bool {
     x.is_nan() || (round(x) as f32) == (x as f32)
 }
 
-/// To this many decimal places, ties as they are printed.
+/// Powers of ten that are doubles.
+const POWERS: [f64; 23] = [
+    1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
+    1e21, 1e22,
+];
+
+/// To this many decimal places, at most 22, ties as they are printed.
+#[inline]
 fn to_places(x: f64, places: usize) -> f64 {
-    let scale = 10f64.powi(places as i32);
+    let scale = POWERS[places];
     let scaled = x * scale;
-    if !scaled.is_finite() || scaled.abs() > 1e15 {
+    if scaled.is_nan() || scaled.abs() > 1e15 {
         return x;
     }
-    // Beside a tie only the exact decimals of the number decide.
-    let tie = ((scaled.abs().fract()) - 0.5).abs() < 1e-6;
-    let rounded = match tie.then(|| format!("{x:.places$}").parse::<f64>()) {
-        Some(Ok(printed)) => (printed * scale).round(),
-        _ => scaled.round(),
-    };
+    // Beyond this number doubles are whole, so that adding it rounds: without a call on processors
+    // that have no instruction for it.
+    const WHOLE: f64 = 3.0 * (1u64 << 51) as f64;
+    let rounded = (scaled + WHOLE) - WHOLE;
+    if ((scaled - rounded).abs() - 0.5).abs() < 1e-6 {
+        return beside_a_tie(x, places);
+    }
     rounded / scale
+}
+
+/// The same where rounding may have hidden to which side the number is.
+#[cold]
+fn beside_a_tie(x: f64, places: usize) -> f64 {
+    let (x, sign, scale) = (x.abs(), x.signum(), POWERS[places]);
+    let scaled = x * scale;
+    let below = scaled.floor();
+    // Exact, both: how far the product is above the tie, and what its rounding left out.
+    let (above, left_out) = (scaled - below - 0.5, x.mul_add(scale, -scaled));
+    let rounded = match (above + left_out).total_cmp(&0.0) {
+        _ if above == -left_out => match format!("{x:.places$}").parse::<f64>() {
+            Ok(printed) => (printed * scale).round(),
+            Err(_) => scaled.round(),
+        },
+        std::cmp::Ordering::Less => below,
+        _ => below + 1.0,
+    };
+    sign * rounded / scale
 }
 
 /// To this many significant digits.
 fn to_digits(x: f64, digits: usize) -> f64 {
+    with_lead(x, digits, lead(x))
+}
+
+/// Decimal exponent of the first digit.
+fn lead(x: f64) -> i32 {
+    let size = x.abs();
+    match POWERS.iter().position(|power| size < *power) {
+        Some(0) if size >= 1e-6 => {
+            let below = [1e-1, 1e-2, 1e-3, 1e-4, 1e-5].iter().take_while(|power| size < **power);
+            -1 - below.count() as i32
+        }
+        Some(above) if above > 0 => above as i32 - 1,
+        _ => size.log10().floor() as i32,
+    }
+}
+
+/// To this many significant digits, the first of which has the decimal exponent `lead`.
+fn with_lead(x: f64, digits: usize, lead: i32) -> f64 {
     if x == 0.0 || !x.is_finite() {
         return x;
     }
-    let lead = x.abs().log10().floor() as i32;
     let places = digits as i32 - 1 - lead;
     if places >= 0 {
         return to_places(x, places.min(20) as usize);
@@ -235,7 +280,13 @@ mod tests {
 
     #[test]
     fn ties_are_rounded_as_they_are_printed() {
-        for x in [0.12345, 2.5, -0.000_05, 1.005, 123.456_789, 0.0, 1e-9] {
+        let mut random = crate::numerics::prng::Random::new(3);
+        // Decimals that end in a five, and their neighbours.
+        let mut ties = move || ((random.uniform(-3e4, 3e4)).floor() + 0.5) * [1e-2, 1e-3, 1e-5][random.below(3)];
+        let beside = |x: f64| [x, x.next_up(), x.next_down()];
+        let many: Vec<f64> = (0..300).flat_map(|_| beside(ties())).collect();
+        let few = [0.12345, 2.5, 0.25, 0.375, -0.000_05, 1.005, 123.456_789, 0.0, 1e-9, 0.099_999, 9.9999, 1e-5, 1e21];
+        for x in few.into_iter().chain(many) {
             for places in PLACES {
                 let printed: f64 = format!("{x:.places$}").parse().unwrap();
                 assert_eq!(to_places(x, places), printed, "{x} {places}");

@@ -10,8 +10,8 @@ use crate::data::signal::breakaway_band::Derived;
 pub struct Band {
     /// The low-pass of each joint; empty: there was none.
     pub narrow: Vec<Filter>,
-    /// The wider one of which bursts have a share.
-    pub wide: Option<Filter>,
+    /// The wider one of which bursts have a share, of each joint; empty: there was none.
+    pub wide: Vec<Filter>,
     /// The share of each sample, joint-major; empty: none anywhere.
     pub share: Vec<f64>,
 }
@@ -25,7 +25,8 @@ impl Band {
 
     /// That of one joint, with the share of its samples.
     pub fn of(&self, joint: usize, share: Vec<f64>) -> Self {
-        Self { narrow: self.narrow.get(joint).copied().into_iter().collect(), wide: self.wide, share }
+        let own = |filters: &[Filter]| filters.get(joint).copied().into_iter().collect();
+        Self { narrow: own(&self.narrow), wide: own(&self.wide), share }
     }
 
     /// Effect on a series of joint `joint` at even samples: the series, its derivative (1/s) and
@@ -45,8 +46,8 @@ impl Band {
             None => Derived::of(x.to_vec(), period),
         };
         let share = self.share.get(joint * x.len()..(joint + 1) * x.len()).unwrap_or(&[]);
-        if let Some(filter) = self.wide.filter(|_| share.iter().any(|s| *s != 0.0)) {
-            seen.share_of(&through(filter), share);
+        if let Some(filter) = self.wide.get(joint).filter(|_| share.iter().any(|s| *s != 0.0)) {
+            seen.share_of(&through(*filter), share);
         }
         [seen.q, seen.dq, seen.ddq]
     }
@@ -65,7 +66,7 @@ mod tests {
         let (narrow, wide) = (vec![of(15.0)], of(40.0));
         let plain = Band { narrow: narrow.clone(), ..Band::default() }.seen(0, &x, 2e-3);
         let sharp = Band { narrow: vec![wide], ..Band::default() }.seen(0, &x, 2e-3);
-        let band = |share: f64| Band { narrow: narrow.clone(), wide: Some(wide), share: vec![share; 400] };
+        let band = |share: f64| Band { narrow: narrow.clone(), wide: vec![wide], share: vec![share; 400] };
         assert_eq!(band(0.0).seen(0, &x, 2e-3), plain);
         let most = |x: &[f64]| x.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         for which in 0..3 {

@@ -10,6 +10,9 @@
 //! far as it rises out of the noise, each sample takes of the band the share `1 - N / P` (J. S.
 //! Lee, *Digital image enhancement and noise filtering by use of local statistics*, IEEE PAMI 2,
 //! 1980).
+//!
+//! The noise of an encoder of coarse steps is no even one ([`super::encoder_steps`]): what its steps
+//! alone have in the band is no burst.
 
 use super::central;
 use super::central_second;
@@ -38,11 +41,11 @@ impl Derived {
     }
 
     /// Takes what `wide`, the same signal with a higher cutoff, has beyond the noise. `cutoffs`: of
-    /// both, Hz. Returns the share of it that each sample takes; nothing where none takes any.
-    pub fn let_through(&mut self, wide: &Self, cutoffs: [f64; 2], period: f64) -> Vec<f64> {
-        let band: Vec<f64> = wide.ddq.iter().zip(&self.ddq).map(|(a, b)| (a - b) * (a - b)).collect();
+    /// both, Hz; `steps`: the errors of the encoder's steps behind both filters, nothing where they
+    /// are not known. Returns the share of it that each sample takes; nothing where none takes any.
+    pub fn let_through(&mut self, wide: &Self, cutoffs: [f64; 2], steps: Option<[Self; 2]>, period: f64) -> Vec<f64> {
         let half = ((NEAR / period).round() as usize).max(1);
-        let power = averaged(&band, half);
+        let power = between(self, wide, half);
         let fastest = self.dq.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let moving = power.iter().zip(&self.dq).filter(|(_, v)| v.abs() > STANDS * fastest).map(|(p, _)| *p);
         let mut sorted: Vec<f64> = moving.collect();
@@ -57,19 +60,19 @@ impl Derived {
         let freedom = 2.0 * bandwidth(cutoffs) * time;
         let looks = (power.len() as f64 * period / time).max(1.0);
         let peak = median * (chi_squared(freedom, MISTAKEN / looks) / chi_squared(freedom, 0.5)).max(ABOVE);
-        let noise = ABOVE * median;
+        let steps = steps.map_or_else(Vec::new, |[narrow, wide]| between(&narrow, &wide, half));
+        let near = |k: usize| steps.get(k.saturating_sub(half)..(k + half + 1).min(steps.len())).unwrap_or(&[]);
+        let noise = |k: usize| ABOVE * near(k).iter().fold(median, |most, power| most.max(*power));
         let mut k = 0;
         while k < power.len() {
-            if power[k] <= noise {
+            if power[k] <= noise(k) {
                 k += 1;
                 continue;
             }
-            let end = (k..power.len()).find(|&i| power[i] <= noise).unwrap_or(power.len());
-            if power[k..end].iter().any(|p| *p > peak) {
+            let end = (k..power.len()).find(|&i| power[i] <= noise(i)).unwrap_or(power.len());
+            if (k..end).any(|i| power[i] > peak.max(noise(i))) {
                 shares.resize(power.len(), 0.0);
-                for (share, power) in shares[k..end].iter_mut().zip(&power[k..end]) {
-                    *share = 1.0 - noise / power;
-                }
+                (k..end).for_each(|i| shares[i] = 1.0 - noise(i) / power[i]);
             }
             k = end;
         }
@@ -85,6 +88,12 @@ impl Derived {
             }
         }
     }
+}
+
+/// Power of the acceleration between two filters, averaged over `half` samples to each side.
+fn between(narrow: &Derived, wide: &Derived, half: usize) -> Vec<f64> {
+    let band: Vec<f64> = wide.ddq.iter().zip(&narrow.ddq).map(|(a, b)| (a - b) * (a - b)).collect();
+    averaged(&band, half)
 }
 
 /// Bandwidth of the acceleration of white noise between two cutoffs, Hz: `(int S)^2 / int S^2` of
@@ -126,6 +135,7 @@ fn averaged(x: &[f64], half: usize) -> Vec<f64> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::encoder_steps::encoder_steps;
     use super::super::low_pass;
     use super::*;
     use crate::numerics::prng::Random;
@@ -156,7 +166,7 @@ mod tests {
         };
         let (plain, wide) = (filtered(15.0), filtered(40.0));
         let mut both = filtered(15.0);
-        both.let_through(&wide, [15.0, 40.0], 1.0 / rate);
+        both.let_through(&wide, [15.0, 40.0], None, 1.0 / rate);
         let error = |d: &Derived, near: bool| {
             let at = (200..n - 200).filter(|k| {
                 let since = (*k as f64 / rate) % 2.0 - 1.0;
@@ -186,11 +196,33 @@ mod tests {
                 Derived::of(q, 1.0 / rate)
             };
             let (plain, mut both) = (filtered(15.0), filtered(15.0));
-            both.let_through(&filtered(40.0), [15.0, 40.0], 1.0 / rate);
+            both.let_through(&filtered(40.0), [15.0, 40.0], None, 1.0 / rate);
             // Ends, where the filter has one side only, are cut off later.
             touched += usize::from(plain.ddq[100..n - 100] != both.ddq[100..n - 100]);
         }
         assert!(touched <= 4, "{touched} of 20");
+    }
+
+    /// A joint that turns about slowly, seen by an encoder of coarse steps: they are no bursts.
+    #[test]
+    fn steps_of_an_encoder_are_no_bursts() {
+        for rate in [500.0, 1000.0] {
+            let (step, n) = (4e-4, (10.0 * rate) as usize);
+            let raw: Vec<f64> =
+                (0..n).map(|k| ((0.04 * (2.0 * k as f64 / rate).sin()) / step).round() * step).collect();
+            let filtered = |x: &[f64], cutoff: f64| {
+                let mut q = x.to_vec();
+                low_pass(4, cutoff, rate).unwrap().forward_backward(&mut q, 50);
+                Derived::of(q, 1.0 / rate)
+            };
+            let steps = encoder_steps(&raw, step / 12.0_f64.sqrt(), 4.0, 1.0 / rate).unwrap();
+            let share = |steps: Option<[Derived; 2]>| {
+                filtered(&raw, 15.0).let_through(&filtered(&raw, 40.0), [15.0, 40.0], steps, 1.0 / rate)
+            };
+            assert!(share(None).iter().any(|s| *s > 0.5), "{rate} Hz");
+            let own = share(Some([filtered(&steps, 15.0), filtered(&steps, 40.0)]));
+            assert!(own.iter().skip(100).take(n - 200).all(|s| *s == 0.0), "{rate} Hz");
+        }
     }
 
     /// Tables: 5 % and 0.1 % of two and of ten degrees of freedom.

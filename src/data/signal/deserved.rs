@@ -3,8 +3,8 @@
 //!
 //! A low-pass of gain `H` on a position `x + n` errs by the noise that it passes and by the motion
 //! that it removes. The error is `e^2 = sum_w w^4 [ (1 - H)^2 S + H^2 N ]`, `S` the spectrum of the
-//! motion, `N` that of the encoder's noise. Only `P = S + N` is seen, and `N`, which is flat, where
-//! there is no motion. So `e^2 = sum_w w^4 [ (1 - H)^2 P + (2 H - 1) N ]` is estimated without bias
+//! motion, `N` that of the encoder's noise. Only `P = S + N` is seen, and `N`, where it is flat, at
+//! frequencies of no motion; where an encoder's steps are seen it is theirs ([`encoder_steps`]). So `e^2 = sum_w w^4 [ (1 - H)^2 P + (2 H - 1) N ]` is estimated without bias
 //! (C. L. Mallows, *Some comments on C_p*, Technometrics 15, 1973; it is Wiener's criterion with
 //! the filter kept to Butterworth's). The cutoff is the best of a grid.
 //!
@@ -16,9 +16,10 @@
 //! is then a residual orthogonal to the rest (an error of Berkson's kind). It widens deviations and
 //! biases nothing, while noise in a column would bias its parameter towards zero.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::PI;
 
 use super::Filter;
+use super::encoder_steps::encoder_steps;
 use super::low_pass;
 use crate::numerics::fft::power_spectrum;
 
@@ -37,11 +38,19 @@ const FLAT: f64 = 1.5;
 const FEWEST: usize = 64;
 /// No joint moves above this many times the highest cutoff.
 const BEYOND: f64 = 1.5;
-/// Standard deviations of a spectrum's chance that are no motion; variance added by Hann's window;
-/// and the share by which noise may exceed its flat part.
+/// Standard deviations of a spectrum's chance that are no motion, and the share by which noise may
+/// exceed its flat part.
 const DEVIATIONS: f64 = 3.0;
-const LEAKS: f64 = 1.94;
 const FLATNESS: f64 = 0.25;
+/// Share of the samples at each end over which the spectrum's window rises. A motion is roughest
+/// where it begins and ends.
+const TAPER: f64 = 0.05;
+/// Fewest periods of the cutoff that positions must last: a low-pass errs at their ends.
+const PERIODS: f64 = 8.0;
+/// Share of the highest cutoff below which motion has no part of an encoder's steps.
+const SMOOTH: f64 = 0.25;
+/// Power of an encoder's steps is averaged over this many independent bins to each side.
+const STEPS_BINS: f64 = 12.0;
 /// Errors that differ by less than this share of the noise that is let through are alike; the
 /// widest band of these is taken.
 const ALIKE: f64 = 0.02;
@@ -51,7 +60,7 @@ const ALIKE: f64 = 0.02;
 pub(super) struct Deserved {
     /// The cutoff, Hz.
     pub cutoff: f64,
-    /// Standard deviation of the recorded positions' noise, rad.
+    /// Standard deviation of the recorded positions' white noise, rad.
     pub noise: f64,
     /// Standard deviations of the errors of position, velocity and acceleration behind the
     /// low-pass, rad, rad/s, rad/s^2.
@@ -69,6 +78,8 @@ struct Spectrum {
     period: f64,
     /// Bins for each that is independent but for the window.
     dense: f64,
+    /// Factor by which the window adds to the variance of the power.
+    leaks: f64,
 }
 
 /// The best cutoff at most that of `highest` for these positions (even samples, `period` apart),
@@ -76,11 +87,14 @@ struct Spectrum {
 /// few samples.
 pub(super) fn deserved(q: &[f64], period: f64, highest: Filter, floor: f64, free: bool) -> Option<Deserved> {
     let spectrum = Spectrum::of(q, period)?;
-    let noise = spectrum.flat().max(floor * floor);
+    let flat = spectrum.flat().max(floor * floor);
+    let noise = spectrum.noise(flat, steps(q, flat.sqrt(), highest, period).and_then(|e| Spectrum::of(&e, period)));
     let limit = BEYOND * highest.cutoff;
-    let at = |cutoff: f64| spectrum.errors(Filter { cutoff, ..highest }, noise, limit);
+    let at = |cutoff: f64| spectrum.errors(Filter { cutoff, ..highest }, &noise, limit);
     let tries = if free { CUTOFFS } else { 1 };
+    let least = PERIODS / (q.len() as f64 * period);
     let cutoffs = std::iter::successors(Some(highest.cutoff), |cutoff| Some(cutoff * STEP)).take(tries);
+    let cutoffs = cutoffs.take_while(|cutoff| *cutoff >= least.min(highest.cutoff));
     let tried: Vec<(f64, Errors)> = cutoffs.filter_map(|cutoff| Some((cutoff, at(cutoff)?))).collect();
     let best = tried.iter().min_by(|a, b| a.1.all[2].total_cmp(&b.1.all[2]))?;
     let most = best.1.all[2] + ALIKE * best.1.noise[2];
@@ -88,7 +102,12 @@ pub(super) fn deserved(q: &[f64], period: f64, highest: Filter, floor: f64, free
     // The part that the widest low-pass removes is missing in torque and model alike.
     let lost = |k: usize| if *cutoff < highest.cutoff { errors.lost[k] } else { 0.0 };
     let error = std::array::from_fn(|k| (errors.noise[k] + lost(k)).sqrt());
-    Some(Deserved { cutoff: *cutoff, noise: noise.sqrt(), error })
+    Some(Deserved { cutoff: *cutoff, noise: flat.sqrt(), error })
+}
+
+/// Errors of the encoder's steps, if these are seen, along a motion well below `highest`.
+pub(super) fn steps(q: &[f64], noise: f64, highest: Filter, period: f64) -> Option<Vec<f64>> {
+    encoder_steps(q, noise, SMOOTH * highest.cutoff, period)
 }
 
 /// Mean squares of the errors of position, velocity and acceleration behind a low-pass.
@@ -103,21 +122,26 @@ struct Errors {
 
 impl Spectrum {
     /// From second differences, whose spectrum is level enough that none of it leaks where it does
-    /// not belong, behind Hann's window.
+    /// not belong, behind a window with cosine tapers (J. W. Tukey 1967).
     fn of(q: &[f64], period: f64) -> Option<Self> {
         let n = q.len().saturating_sub(2);
         if n < FEWEST {
             return None;
         }
-        let window = |k: usize| 0.5 - 0.5 * (TAU * (k as f64 + 0.5) / n as f64).cos();
+        let taper = TAPER * n as f64;
+        let window = |k: usize| {
+            let inside = (k.min(n - 1 - k) as f64 + 0.5) / taper;
+            if inside < 1.0 { 0.5 - 0.5 * (PI * inside).cos() } else { 1.0 }
+        };
         let x: Vec<f64> = (0..n).map(|k| window(k) * (q[k + 2] - 2.0 * q[k + 1] + q[k])).collect();
         let (spectrum, padded) = power_spectrum(&x);
-        let whole: f64 = (0..n).map(|k| window(k).powi(2)).sum();
+        let sum = |power: i32| (0..n).map(|k| window(k).powi(power)).sum::<f64>();
+        let (whole, leaks) = (sum(2), n as f64 * sum(4) / sum(2).powi(2));
         let bins = 1..=padded / 2;
         let frequency: Vec<f64> = bins.clone().map(|k| k as f64 / (padded as f64 * period)).collect();
         let power =
             bins.zip(&frequency).map(|(k, f)| spectrum[k] / whole / (2.0 * (PI * f * period).sin()).powi(4)).collect();
-        Some(Self { frequency, power, bin: 2.0 / padded as f64, period, dense: padded as f64 / n as f64 })
+        Some(Self { frequency, power, bin: 2.0 / padded as f64, period, dense: padded as f64 / n as f64, leaks })
     }
 
     /// Power of the flat part: the mean of the bands whose powers are least and alike.
@@ -138,14 +162,31 @@ impl Spectrum {
         sum / count
     }
 
+    /// Power of the noise in each bin: `flat`, or that of the encoder's steps where it is more.
+    fn noise(&self, flat: f64, steps: Option<Self>) -> Vec<f64> {
+        let Some(steps) = steps else { return vec![flat; self.power.len()] };
+        let half = (STEPS_BINS * self.dense).ceil() as usize;
+        let mut sums = vec![0.0];
+        sums.extend(steps.power.iter().scan(0.0, |sum, p| {
+            *sum += p;
+            Some(*sum)
+        }));
+        let mean = |k: usize| {
+            let (from, to) = (k.saturating_sub(half), (k + half + 1).min(steps.power.len()));
+            (sums[to] - sums[from]) / (to - from) as f64
+        };
+        (0..self.power.len()).map(|k| mean(k).max(flat)).collect()
+    }
+
     /// Expected errors behind `filter` where the noise has power `noise`, up to `limit` Hz; `None`
     /// where it does not go with the rate.
-    fn errors(&self, filter: Filter, noise: f64, limit: f64) -> Option<Errors> {
+    fn errors(&self, filter: Filter, noise: &[f64], limit: f64) -> Option<Errors> {
         let rate = self.period.recip();
         let sos = low_pass(filter.order, filter.cutoff, rate).ok()?;
         let mut errors = Errors { all: [0.0; 3], noise: [0.0; 3], lost: [0.0; 3] };
         let (mut mean, mut square) = ([0.0; 3], [0.0; 3]);
-        for (f, power) in self.frequency.iter().zip(&self.power).take_while(|(f, _)| **f <= limit) {
+        let bins = self.frequency.iter().zip(&self.power).zip(noise);
+        for ((f, power), noise) in bins.take_while(|((f, _), _)| **f <= limit) {
             let gain = sos.gain(*f, rate).powi(2);
             let taken = (1.0 - gain).powi(2);
             let w = 2.0 * PI * f * self.period;
@@ -160,7 +201,7 @@ impl Spectrum {
             }
         }
         for k in 0..3 {
-            let chance = DEVIATIONS * (self.dense * LEAKS * square[k]).sqrt() + FLATNESS * mean[k];
+            let chance = DEVIATIONS * (self.dense * self.leaks * square[k]).sqrt() + FLATNESS * mean[k];
             errors.lost[k] = (errors.lost[k] - chance).max(0.0);
         }
         Some(errors)
@@ -171,6 +212,8 @@ impl Spectrum {
 mod tests {
     use super::super::{central_second, low_pass};
     use super::*;
+    use std::f64::consts::TAU;
+
     use crate::numerics::prng::Random;
 
     const HIGHEST: Filter = Filter { order: 4, cutoff: 15.0 };

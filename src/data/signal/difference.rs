@@ -19,13 +19,16 @@ pub fn central(x: &[f64], period: f64) -> Vec<f64> {
     if n < 2 {
         return vec![0.0; n];
     }
-    let inner = |k: usize| -> f64 {
+    let near = |k: usize| -> f64 {
         let weights = FIRST[k.min(n - 1 - k).min(3) - 1];
         (1..).zip(weights).map(|(i, w)| w * (x[k + i] - x[k - i])).sum::<f64>() / period
     };
+    let [w1, w2, w3] = [FIRST[2][0], FIRST[2][1], FIRST[2][2]];
     let mut dx = Vec::with_capacity(n);
     dx.push((x[1] - x[0]) / period);
-    dx.extend((1..n - 1).map(inner));
+    dx.extend((1..n.min(4) - 1).map(near));
+    dx.extend(x.windows(7).map(|w| (w1 * (w[4] - w[2]) + w2 * (w[5] - w[1]) + w3 * (w[6] - w[0])) / period));
+    dx.extend((dx.len()..n - 1).map(near));
     dx.push((x[n - 1] - x[n - 2]) / period);
     dx
 }
@@ -37,14 +40,18 @@ pub fn central_second(x: &[f64], period: f64) -> Vec<f64> {
     if n < 3 {
         return vec![0.0; n];
     }
-    let inner = |k: usize| -> f64 {
+    let near = |k: usize| -> f64 {
         let weights = SECOND[k.min(n - 1 - k).min(3) - 1];
         (1..).zip(weights).map(|(i, w)| w * (x[k + i] - 2.0 * x[k] + x[k - i])).sum::<f64>() / (period * period)
     };
+    let [w1, w2, w3] = [SECOND[2][0], SECOND[2][1], SECOND[2][2]];
+    let bend = |w: &[f64], i: usize| w[3 + i] - 2.0 * w[3] + w[3 - i];
     let mut ddx = Vec::with_capacity(n);
-    ddx.push(inner(1));
-    ddx.extend((1..n - 1).map(inner));
-    ddx.push(inner(n - 2));
+    ddx.push(near(1));
+    ddx.extend((1..n.min(4) - 1).map(near));
+    ddx.extend(x.windows(7).map(|w| (w1 * bend(w, 1) + w2 * bend(w, 2) + w3 * bend(w, 3)) / (period * period)));
+    ddx.extend((ddx.len()..n - 1).map(near));
+    ddx.push(near(n - 2));
     ddx
 }
 

@@ -8,7 +8,7 @@ use super::Band;
 use super::Motion;
 use super::central;
 use super::clock;
-use super::deserved::{Deserved, deserved};
+use super::deserved::{Deserved, deserved, steps};
 use super::even::Resampler;
 use super::low_pass;
 use super::resample;
@@ -23,7 +23,8 @@ use crate::data::signal::breakaway_band::Derived;
 use crate::data::signal::resample::smoother_evenly;
 use crate::data::signal::stiction::{Stiction, sticks, stuck};
 use crate::model::{States, VelocitySum};
-use crate::numerics::sos::Sos;
+use crate::numerics::sos::{Filtered, Sos, forward_backward_each};
+use crate::numerics::sums::squared_differences;
 
 /// A zero-phase Butterworth low-pass.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -100,8 +101,9 @@ pub struct Prepare {
     pub adaptive: bool,
     /// A second, higher cutoff, Hz: what positions have between the two is let through where it is
     /// more than noise, as where a joint breaks away after a reversal. Not used where the log is
-    /// too slow for it, nor on a joint whose noise asks for less than the lower cutoff. Default
-    /// `None`: never.
+    /// too slow for it. On a joint whose noise asks for less than the lower cutoff, that is the
+    /// higher of the two, and its own the lower: its motion may be rough for a moment where it is
+    /// smooth otherwise. Default `None`: never.
     pub bursts: Option<f64>,
     /// Source of velocities and accelerations.
     pub derivatives: Derivatives,
@@ -115,6 +117,10 @@ pub struct Prepare {
     pub torque_delay: f64,
     /// Every how many samples one is used, after the low-pass. Default 1.
     pub stride: usize,
+    /// Whether of samples that are closer than a low-passed signal needs, a twelfth of the
+    /// cutoff's period, only so many are used: what lies between says nothing more. Default
+    /// false.
+    pub thinned: bool,
     /// The torque columns. Default `tau`.
     pub torque: Quantity,
     /// Factor of each joint's torque column: N m per A where the columns are currents. Default
@@ -156,6 +162,7 @@ impl Default for Prepare {
             trim: 0.2,
             torque_delay: 0.0,
             stride: 1,
+            thinned: false,
             torque: Quantity::Tau,
             torque_gains: Vec::new(),
             torque_constants: Vec::new(),
@@ -174,6 +181,10 @@ impl Default for Prepare {
 
 /// Highest sampling rate of a recording, Hz: filters need memory in proportion to it.
 const FASTEST: f64 = 1e6;
+
+/// Samples in a period of the cutoff that say all about a low-passed signal: at half their rate the
+/// default low-pass, forward and backward, leaves `(1 / 6)^10` of an amplitude.
+const ENOUGH: f64 = 12.0;
 
 /// Whole samples in a time, s; bounded, so that sums of them stay numbers.
 fn samples(seconds: f64, period: f64) -> usize {
@@ -200,6 +211,14 @@ impl Prepare {
         }
         let torque_gains = (0..layout.dof).filter_map(constant).collect();
         Ok(Self { torque: Quantity::Current, torque_gains, ..self.clone() })
+    }
+
+    /// Every how many samples, `period` apart, one is used.
+    fn every(&self, period: f64) -> usize {
+        // Static poses are no signal.
+        let thinned = self.thinned && self.derivatives != Derivatives::AtRest;
+        let enough = self.filter.filter(|_| thinned).map(|f| (period * ENOUGH * f.cutoff).recip() as usize);
+        self.stride.max(1) * enough.unwrap_or(1).max(1)
     }
 
     /// Ranges of current columns as torques, N m.
@@ -305,7 +324,6 @@ pub fn each_motion(
     let mut preparer = Preparer::new(&layout, dof, prepare)?;
     let mut check = QualityCheck::new(&layout, prepare.torque, prepare.keep);
     let (mut block, mut verdicts) = (Block::default(), Vec::new());
-    let mut row_values = Vec::new();
     let (mut rows, mut samples) = (0, 0);
     let mut hand_on = |motions: Vec<Motion>| {
         for motion in motions {
@@ -332,14 +350,12 @@ pub fn each_motion(
         }
         check.admit(&block, &mut verdicts);
         preparer.nominal = check.period();
-        for (row, verdict) in verdicts.iter().enumerate().filter(|(_, v)| **v != Verdict::Drop) {
-            if *verdict == Verdict::Start {
+        for run in runs(&verdicts) {
+            if verdicts[run.start] == Verdict::Start {
                 hand_on(preparer.end_segment().map_err(|e| explained(e, &check, &layout.file))?);
             }
-            row_values.clear();
-            row_values.extend(preparer.sources.iter().map(|&column| block.columns[column][row]));
-            preparer.push(block.columns[preparer.time][row], &row_values);
-            rows += 1;
+            rows += run.len();
+            preparer.push(&block, run);
         }
         hand_on(preparer.advance().map_err(|e| explained(e, &check, &layout.file))?);
     }
@@ -359,6 +375,18 @@ pub fn each_motion(
     }
     let rate = preparer.nominal.map_or(0.0, f64::recip);
     Ok(Prepared { file: layout.file, findings, rows, samples, segments: preparer.segment, rate, reached })
+}
+
+/// Rows that are used, up to the next that is left out or begins a segment.
+fn runs(verdicts: &[Verdict]) -> impl Iterator<Item = std::ops::Range<usize>> {
+    let mut from = 0;
+    std::iter::from_fn(move || {
+        from += verdicts[from..].iter().take_while(|v| **v == Verdict::Drop).count();
+        let follow = verdicts.get(from + 1..)?.iter().take_while(|v| **v == Verdict::Acceptance);
+        let run = from..from + 1 + follow.count();
+        from = run.end;
+        Some(run)
+    })
 }
 
 /// The running state between rows and motions.
@@ -397,7 +425,7 @@ pub struct Preparer {
     /// The low-pass at the segment's rate.
     filter: Option<Sos>,
     /// The low-pass of [`Prepare::bursts`].
-    wide: Option<Sos>,
+    wide: Option<(Filter, Sos)>,
     /// Filter of each joint's positions; empty until the segment is long enough to choose.
     narrow: Vec<Narrow>,
     /// Filter of torques and signs.
@@ -410,6 +438,8 @@ struct Narrow {
     sos: Sos,
     /// Standard deviations of the errors behind it; `None` if the segment is too short.
     error: Option<[f64; 3]>,
+    /// Standard deviation of the positions' white noise, rad.
+    noise: f64,
 }
 
 /// Noise of the rows of a segment whose times were found.
@@ -499,10 +529,10 @@ impl Preparer {
         })
     }
 
-    fn push(&mut self, time: f64, values: &[f64]) {
-        self.raw_time.push(time);
-        for (to, value) in self.raw.iter_mut().zip(values) {
-            to.push(*value);
+    fn push(&mut self, block: &Block, rows: std::ops::Range<usize>) {
+        self.raw_time.extend_from_slice(&block.columns[self.time][rows.clone()]);
+        for (to, &column) in self.raw.iter_mut().zip(&self.sources) {
+            to.extend_from_slice(&block.columns[column][rows.clone()]);
         }
     }
 
@@ -568,7 +598,7 @@ impl Preparer {
                 .settings
                 .bursts
                 .filter(|cutoff| *cutoff > filter.cutoff)
-                .and_then(|cutoff| low_pass(filter.order, cutoff, rate).ok());
+                .and_then(|cutoff| Some((Filter { cutoff, ..filter }, low_pass(filter.order, cutoff, rate).ok()?)));
         }
         let start = self.raw_time[0];
         Ok(SegmentClock { start, period, resample, errs, produced: 0, last: start })
@@ -687,21 +717,24 @@ impl Preparer {
             self.raw_time.drain(..keep_from);
             self.raw.iter_mut().for_each(|x| drop(x.drain(..keep_from)));
         } else {
+            let mut taken = 0;
             for row in 0..self.raw_time.len() {
                 let step = self.raw_time[row] - clock.last;
                 // A sample that the recorder missed is put in on the line between its neighbours.
                 if clock.produced > 0 && step > 1.5 * clock.period {
                     for (to, from) in self.evened.iter_mut().zip(&self.raw) {
+                        to.extend_from_slice(&from[taken..row]);
                         let before = to.last().copied().unwrap_or(from[row]);
                         to.push(0.5 * (before + from[row]));
                     }
+                    taken = row;
                     clock.produced += 1;
-                }
-                for (to, from) in self.evened.iter_mut().zip(&self.raw) {
-                    to.push(from[row]);
                 }
                 clock.produced += 1;
                 clock.last = self.raw_time[row];
+            }
+            for (to, from) in self.evened.iter_mut().zip(&self.raw) {
+                to.extend_from_slice(&from[taken..]);
             }
             self.raw_time.clear();
             self.raw.iter_mut().for_each(Vec::clear);
@@ -724,7 +757,7 @@ impl Preparer {
         let settle = settling.unwrap_or(4) + late;
         let margin = if self.settings.margins { settle } else { 0 };
         let trim = self.trim(clock.period);
-        let stride = self.settings.stride.max(1);
+        let stride = self.settings.every(clock.period);
         let chunk = self.settings.chunk.max(stride).next_multiple_of(stride);
         let mut motions = Vec::new();
         if self.done == 0 {
@@ -781,24 +814,34 @@ impl Preparer {
             let found = deserved(&self.evened[joint], period, filter, floor, free).filter(|_| from_position);
             let own = Filter { cutoff: found.map_or(filter.cutoff, |d: Deserved| d.cutoff), ..filter };
             let sos = low_pass(own.order, own.cutoff, period.recip()).unwrap_or_else(|_| plain.clone());
-            self.narrow.push(Narrow { filter: own, sos, error: found.map(|d| d.error) });
+            let (error, noise) = (found.map(|d| d.error), found.map_or(0.0, |d| d.noise));
+            self.narrow.push(Narrow { filter: own, sos, error, noise });
         }
         let widest = self.narrow.iter().max_by(|a, b| a.filter.cutoff.total_cmp(&b.filter.cutoff));
         self.torque_filter = widest.map(|n| (n.filter, n.sos.clone()));
     }
 
-    /// Filter of the positions; no sample has a share of the wider band yet.
+    /// Filters of the positions; no sample has a share of the wider ones yet.
     fn band(&self) -> Band {
-        let from_position = self.settings.derivatives == Derivatives::FromPosition;
-        let narrow: Vec<Filter> = self.narrow.iter().filter(|_| from_position).map(|n| n.filter).collect();
-        let wide = self.settings.filter.and_then(|filter| Some(Filter { cutoff: self.settings.bursts?, ..filter }));
-        Band { narrow, wide: wide.filter(|_| self.wide.is_some() && from_position), share: Vec::new() }
+        if self.settings.derivatives != Derivatives::FromPosition {
+            return Band::default();
+        }
+        let wide: Option<Vec<Filter>> = self.narrow.iter().map(|own| Some(self.wider(own)?.0)).collect();
+        Band {
+            narrow: self.narrow.iter().map(|n| n.filter).collect(),
+            wide: wide.unwrap_or_default(),
+            share: Vec::new(),
+        }
     }
 
-    /// Both cutoffs, Hz.
-    fn bands(&self) -> [f64; 2] {
-        let low = self.settings.filter.map_or(0.0, |f| f.cutoff);
-        [low, self.settings.bursts.unwrap_or(low)]
+    /// The wider low-pass of a joint, of which short and fast motion has a share: that of bursts,
+    /// or the highest of motion where the joint's own is lower.
+    fn wider(&self, own: &Narrow) -> Option<(Filter, &Sos)> {
+        let (bursts, highest) = (self.wide.as_ref()?, self.settings.filter?);
+        match own.filter == highest {
+            true => Some((bursts.0, &bursts.1)),
+            false => Some((highest, self.filter.as_ref()?)),
+        }
     }
 
     fn note_short(&mut self, rows: usize) {
@@ -823,7 +866,7 @@ impl Preparer {
     /// of it.
     fn motion(&self, clock: SegmentClock, core: std::ops::Range<usize>, margin: usize) -> Motion {
         let (n, dof, rate) = (self.evened[0].len(), self.dof, clock.period.recip());
-        let smooth = |x: &[f64]| self.smooth(x, clock.period);
+        let mut positions = self.positions(clock.period).into_iter();
         let from = core.start.saturating_sub(margin).max(self.first) - self.first;
         let to = (core.end + margin - self.first).min(n);
         let mut motion = Motion {
@@ -832,7 +875,7 @@ impl Preparer {
             segment_start: clock.start,
             period: clock.period,
             core: core.start - self.first - from..core.end - self.first - from,
-            stride: self.settings.stride.max(1),
+            stride: self.settings.every(clock.period),
             states: States { len: to - from, ..States::default() },
             tau: Vec::with_capacity(dof * (to - from)),
             velocity_noise: Vec::with_capacity(dof),
@@ -846,29 +889,24 @@ impl Preparer {
         let (mut speeds, mut reversals) = (Vec::with_capacity(dof), Vec::new());
         for joint in 0..dof {
             let own = self.narrow.get(joint);
-            let mut q = through(&self.evened[joint], own.map(|n| (n.filter, &n.sos)), clock.period);
+            let Some(mut q) = positions.next() else { break };
             let (dq, ddq) = match self.settings.derivatives {
                 Derivatives::FromPosition => {
-                    let mut narrow = Derived::of(q.clone(), clock.period);
-                    let whole = own.map(|n| n.filter) == self.settings.filter;
-                    if let (Some(sos), Some(filter)) = (self.wide.as_ref().filter(|_| whole), self.settings.filter) {
-                        let wide =
-                            Derived::of(through(&self.evened[joint], Some((filter, sos)), clock.period), clock.period);
-                        let share = narrow.let_through(&wide, self.bands(), clock.period);
-                        if !share.is_empty() {
-                            motion.band.share.resize(dof * (to - from), 0.0);
-                            let own = joint * (to - from)..(joint + 1) * (to - from);
-                            motion.band.share[own].copy_from_slice(&share[from..to]);
-                        }
+                    let mut narrow = Derived::of(q, clock.period);
+                    let share = own.map_or_else(Vec::new, |own| self.rough(joint, own, &mut narrow, clock.period));
+                    if !share.is_empty() {
+                        motion.band.share.resize(dof * (to - from), 0.0);
+                        let own = joint * (to - from)..(joint + 1) * (to - from);
+                        motion.band.share[own].copy_from_slice(&share[from..to]);
                     }
                     q = narrow.q;
                     (narrow.dq, narrow.ddq)
                 }
                 Derivatives::AtRest => (vec![0.0; n], vec![0.0; n]),
                 Derivatives::Recorded => {
-                    let dq = smooth(&self.evened[2 * dof + joint]);
+                    let dq = self.smooth(&self.evened[2 * dof + joint], clock.period);
                     let ddq = match self.evened.get(3 * dof + joint).filter(|_| self.recorded_ddq) {
-                        Some(ddq) => smooth(ddq),
+                        Some(ddq) => self.smooth(ddq, clock.period),
                         None => central(&dq, clock.period),
                     };
                     (dq, ddq)
@@ -889,9 +927,8 @@ impl Preparer {
             speeds.push(dq);
         }
         self.rests(&mut motion, &speeds, &reversals, from..to);
-        for joint in 0..dof {
-            let recorded = &self.evened[dof + joint];
-            let mut tau = if self.settings.raw_torque { recorded.clone() } else { smooth(recorded) };
+        let torques = self.treated(&self.evened[dof..2 * dof], clock.period);
+        for (joint, mut tau) in torques.into_iter().enumerate() {
             if let Some(gain) = self.settings.torque_gains.get(joint) {
                 tau.iter_mut().for_each(|t| *t *= gain);
             }
@@ -901,11 +938,24 @@ impl Preparer {
                 out.extend(first.iter().flat_map(|first| &self.evened[first + joint][from..to]));
             }
         }
-        for recorded in self.wrench.iter().flat_map(|&first| &self.evened[first..first + 6]) {
-            let treated = if self.settings.raw_torque { recorded.clone() } else { smooth(recorded) };
-            motion.wrench.extend_from_slice(&treated[from..to]);
+        if let Some(first) = self.wrench {
+            let wrench = self.treated(&self.evened[first..first + 6], clock.period);
+            wrench.iter().for_each(|treated| motion.wrench.extend_from_slice(&treated[from..to]));
         }
         motion
+    }
+
+    /// Lets rough motion of a joint through where it is more than noise, and says the share of each
+    /// sample; nothing where there is none.
+    fn rough(&self, joint: usize, own: &Narrow, narrow: &mut Derived, period: f64) -> Vec<f64> {
+        let Some((filter, sos)) = self.wider(own) else { return Vec::new() };
+        let behind =
+            |x: &[f64], filter: Filter, sos: &Sos| Derived::of(through(x, Some((filter, sos)), period), period);
+        let positions = &self.evened[joint];
+        let highest = self.settings.filter.unwrap_or(own.filter);
+        let steps = steps(positions, own.noise, highest, period);
+        let steps = steps.map(|e| [behind(&e, own.filter, &own.sos), behind(&e, filter, sos)]);
+        narrow.let_through(&behind(positions, filter, sos), [own.filter.cutoff, filter.cutoff], steps, period)
     }
 
     /// Where a joint sticks as it turns about, unless rest is switched off.
@@ -945,6 +995,7 @@ impl Preparer {
         let sums: Vec<(Vec<f64>, rest::Noise)> = sums.collect();
         let own = speeds.iter().zip(&noise);
         let all = own.chain(sums.iter().map(|(dq, noise)| (dq, noise)));
+        let mut every = Vec::with_capacity(self.dof + sums.len());
         for (row, (dq, noise)) in all.enumerate() {
             let resting = rest::rests(dq, *noise, motion.period, self.settings.dead_zone);
             let sign = |(v, rests): (&f64, &bool)| if *rests || *v == 0.0 { 0.0 } else { v.signum() };
@@ -952,14 +1003,29 @@ impl Preparer {
             if !self.settings.raw_torque {
                 // The low-pass carries friction of a held joint to the rows around.
                 reversals.get(row).into_iter().flatten().for_each(|stick| stick.put_friction(&mut signs));
-                signs = self.smooth(&signs, motion.period);
             }
-            motion.sign.extend_from_slice(&signs[span.clone()]);
+            every.push(signs);
             motion.resting.extend_from_slice(&resting[span.clone()]);
+        }
+        for signs in self.treated(&every, motion.period) {
+            motion.sign.extend_from_slice(&signs[span.clone()]);
         }
     }
 
-    /// Torques and signs behind their low-pass.
+    /// Positions, each joint's behind its own low-pass.
+    fn positions(&self, period: f64) -> Vec<Vec<f64>> {
+        let own = |j: usize| (&self.evened[j][..], self.narrow.get(j).map(|n| (n.filter, &n.sos)));
+        through_each(&(0..self.dof).map(own).collect::<Vec<_>>(), period)
+    }
+
+    /// Torques and signs, low-passed unless they are asked for as they are.
+    fn treated(&self, series: &[Vec<f64>], period: f64) -> Vec<Vec<f64>> {
+        let filter = self.torque_filter.as_ref().filter(|_| !self.settings.raw_torque);
+        let filter = filter.map(|(filter, sos)| (*filter, sos));
+        through_each(&series.iter().map(|x| (&x[..], filter)).collect::<Vec<_>>(), period)
+    }
+
+    /// One series behind the low-pass of the torques.
     fn smooth(&self, x: &[f64], period: f64) -> Vec<f64> {
         through(x, self.torque_filter.as_ref().map(|(filter, sos)| (*filter, sos)), period)
     }
@@ -1005,12 +1071,23 @@ const MOST_TRIM: f64 = 1.0;
 
 /// Forward and backward through a low-pass, where there is one.
 fn through(x: &[f64], filter: Option<(Filter, &Sos)>, period: f64) -> Vec<f64> {
-    let mut y = x.to_vec();
-    if let Some((filter, sos)) = filter {
+    through_each(&[(x, filter)], period).pop().unwrap_or_default()
+}
+
+/// A series and the low-pass that it goes through, where there is one.
+type Passed<'a> = (&'a [f64], Option<(Filter, &'a Sos)>);
+
+/// The same of several series, each with its low-pass. Either all have one, or none has.
+fn through_each(series: &[Passed<'_>], period: f64) -> Vec<Vec<f64>> {
+    let filtered = |&(x, filter): &(_, Option<(Filter, _)>)| {
+        let (filter, sos): (Filter, &Sos) = filter?;
         let pad = (1.0 / (period * filter.cutoff)).ceil() as usize;
-        sos.forward_backward(&mut y, pad.max(sos.scipy_padding()));
+        Some(Filtered { x, sos, pad: pad.max(sos.scipy_padding()) })
+    };
+    match series.iter().map(filtered).collect::<Option<Vec<_>>>() {
+        Some(lanes) => forward_backward_each(&lanes),
+        None => series.iter().map(|(x, _)| x.to_vec()).collect(),
     }
-    y
 }
 
 /// The signal `by` samples later, on the line between samples (it is smooth by now); the ends are
@@ -1027,6 +1104,5 @@ fn later(x: Vec<f64>, by: f64) -> Vec<f64> {
 
 /// Standard deviation of the velocity error, from what the filter took out of the position.
 fn velocity_noise(raw: &[f64], smooth: &[f64], filter: Filter, rate: f64) -> f64 {
-    let squares: f64 = raw.iter().zip(smooth).map(|(a, b)| (a - b) * (a - b)).sum();
-    filter.velocity_noise((squares / raw.len().max(1) as f64).sqrt(), rate)
+    filter.velocity_noise((squared_differences(raw, smooth) / raw.len().max(1) as f64).sqrt(), rate)
 }

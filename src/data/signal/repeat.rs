@@ -1,6 +1,8 @@
 //! By how much the torque differs where a motion is repeated: an error that no model of the motion
 //! takes.
 
+use crate::numerics::sums::{squared_differences, sum};
+
 /// Spacing of samples at which a period is looked for, s, and how many there are at most.
 const COARSE: f64 = 0.05;
 const MOST: usize = 3000;
@@ -22,7 +24,7 @@ pub fn repeatability(q: &[f64], tau: &[f64], len: usize, period: f64) -> Option<
     let moving: Vec<(&[f64], f64)> = q
         .chunks_exact(len)
         .filter_map(|row| {
-            let mean = row.iter().sum::<f64>() / len as f64;
+            let mean = sum(row) / len as f64;
             let variance = row.iter().map(|x| (x - mean) * (x - mean)).sum::<f64>() / len as f64;
             (variance > 1e-6).then_some((row, variance))
         })
@@ -30,29 +32,23 @@ pub fn repeatability(q: &[f64], tau: &[f64], len: usize, period: f64) -> Option<
     if moving.is_empty() {
         return None;
     }
-    let difference = |lag: usize, step: usize| {
-        let (mut sum, mut count) = (0.0, 0.0);
-        for k in (0..len - lag).step_by(step) {
-            sum += moving.iter().map(|(q, variance)| (q[k + lag] - q[k]).powi(2) / (2.0 * variance)).sum::<f64>();
-            count += moving.len() as f64;
-        }
-        sum / count
-    };
     let coarse = ((COARSE / period) as usize).max(len / MOST).max(1);
     let judged = (len / JUDGED).max(1);
+    let every = Lagged::new(&moving, coarse);
     // The start of a motion resembles itself for a while.
     let mut left = false;
     let mut lag = coarse;
     while lag <= len / 2 {
-        let here = difference(lag, coarse);
+        let here = every.difference(lag / coarse, 1);
         left |= here > 10.0 * MAYBE;
         if left && here < MAYBE && lag as f64 * period >= SHORTEST {
+            let all = Lagged::new(&moving, 1);
             let fine = lag.saturating_sub(coarse).max(1)..=(lag + coarse).min(len / 2);
-            let best = fine.map(|lag| (difference(lag, judged), lag)).min_by(|a, b| a.0.total_cmp(&b.0))?;
+            let best = fine.map(|lag| (all.difference(lag, judged), lag)).min_by(|a, b| a.0.total_cmp(&b.0))?;
             if best.0 < SURE {
                 let rms = tau.chunks_exact(len).map(|tau| {
-                    let squares: f64 = (0..len - best.1).map(|k| (tau[k + best.1] - tau[k]).powi(2)).sum();
-                    (squares / (2 * (len - best.1)) as f64).sqrt()
+                    let pairs = len - best.1;
+                    (squared_differences(&tau[best.1..], &tau[..pairs]) / (2 * pairs) as f64).sqrt()
                 });
                 return Some((rms.collect(), (len - best.1) as f64 * period));
             }
@@ -60,6 +56,30 @@ pub fn repeatability(q: &[f64], tau: &[f64], len: usize, period: f64) -> Option<
         lag += coarse;
     }
     None
+}
+
+/// Series in units in which unrelated instants differ by a mean square of one.
+struct Lagged(Vec<Vec<f64>>);
+
+impl Lagged {
+    /// Every `step`th sample of series of known variances.
+    fn new(series: &[(&[f64], f64)], step: usize) -> Self {
+        let scaled = |&(x, variance): &(&[f64], f64)| {
+            let unit = (2.0 * variance).sqrt().recip();
+            x.iter().step_by(step).map(|x| x * unit).collect()
+        };
+        Self(series.iter().map(scaled).collect())
+    }
+
+    /// Mean square difference of samples that are `lag` apart, of every `step`th of them.
+    fn difference(&self, lag: usize, step: usize) -> f64 {
+        let of = |x: &Vec<f64>| match step {
+            1 => squared_differences(&x[lag..], &x[..x.len() - lag]),
+            _ => x[lag..].iter().zip(x).step_by(step).map(|(later, x)| (later - x).powi(2)).sum(),
+        };
+        let pairs = self.0.first().map_or(0, |x| (x.len() - lag).div_ceil(step));
+        self.0.iter().map(of).sum::<f64>() / (pairs * self.0.len()) as f64
+    }
 }
 
 #[cfg(test)]

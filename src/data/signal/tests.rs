@@ -99,7 +99,7 @@ fn a_given_cutoff_is_obeyed() {
         let (found, _) = motions(&log, &prepare);
         let motion = &found[0];
         assert!(motion.band.narrow.iter().all(|filter| *filter == prepare.filter.unwrap()), "{:?}", motion.band);
-        assert!(motion.band.wide.is_none() && motion.bandwidth == Some(cutoff));
+        assert!(motion.band.wide.is_empty() && motion.bandwidth == Some(cutoff));
         let read: Vec<f64> = times.iter().map(|t| (joints.at(0, *t, 0) / 1e-3).round() * 1e-3).collect();
         let mut q = read.clone();
         let sos = low_pass(4, cutoff, 100.0).unwrap();

@@ -100,7 +100,6 @@ pub struct QrAccumulator<'a> {
     settings: AccumulatorSettings,
     factors: Factors,
     rows: Rows,
-    open: Vec<RFactor>,
     in_batch: usize,
     block: MotionBlock,
     regressor: Vec<f64>,
@@ -154,7 +153,6 @@ impl<'a> QrAccumulator<'a> {
             })
             .collect();
         Self {
-            open: joints.iter().map(|j| RFactor::new(j.columns.len() + 1)).collect(),
             factors: Factors { name: name.into(), joints, seconds: 0.0, parameters },
             arm,
             settings,
@@ -287,24 +285,28 @@ impl<'a> QrAccumulator<'a> {
             let moves = |s: &usize| signs.iter().all(|&(k, _)| stands[k] || !rests(k, *s));
             let kept: Vec<usize> = (0..count).filter(moves).collect();
             let used = kept.len();
+            // Rows of zeros, which change nothing, fill the last registers.
+            let rows = used.next_multiple_of(8);
             self.work.clear();
-            for column in w.chunks_exact(count.max(1)).chain([tau]) {
+            for (column, end) in w.chunks_exact(count.max(1)).chain([tau]).zip(1..) {
                 match used == count {
                     true => self.work.extend_from_slice(column),
                     false => self.work.extend(kept.iter().map(|&s| column[s])),
                 }
+                self.work.resize(end * rows, 0.0);
             }
             for (k, columns) in signs.iter().filter(|(k, _)| stands[*k]) {
                 for &c in columns {
-                    let column = self.work[c * used..(c + 1) * used].iter_mut();
+                    let column = self.work[c * rows..][..used].iter_mut();
                     column.zip(&kept).filter(|(_, s)| rests(*k, **s)).for_each(|(w, _)| *w = 0.0);
                 }
             }
-            for &value in &self.work[n * used..] {
+            for &value in &self.work[n * rows..][..used] {
                 factor.range = [factor.range[0].min(value), factor.range[1].max(value)];
             }
             factor.samples += used;
-            self.open[joint].absorb(&mut self.work, used);
+            factor.batches.add(&self.work, n + 1);
+            factor.triangle.absorb(&mut self.work, rows);
         }
         self.in_batch += count;
     }
@@ -312,11 +314,7 @@ impl<'a> QrAccumulator<'a> {
     fn end_batch(&mut self, full: usize) {
         if self.in_batch >= full {
             self.in_batch = 0;
-            for (factor, open) in self.factors.joints.iter_mut().zip(&mut self.open) {
-                factor.batches.push(open);
-                factor.triangle.merge(open);
-                *open = RFactor::new(open.columns());
-            }
+            self.factors.joints.iter_mut().for_each(|factor| factor.batches.end_one(factor.columns.len() + 1));
         }
     }
 

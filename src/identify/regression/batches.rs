@@ -1,7 +1,7 @@
 //! Second moments of consecutive batches of samples: the input of standard deviations with
 //! correlation in time.
 
-use crate::identify::regression::r_factor::RFactor;
+use crate::identify::regression::r_factor::{dot, dots};
 
 /// The most batches that are kept; one more, and neighbours are joined pairwise. Bounds the memory
 /// for logs of any length.
@@ -16,6 +16,7 @@ pub(in crate::identify) struct Batches {
     pub(in crate::identify) size: usize,
     /// Batches of the original length that wait to fill one.
     waiting: usize,
+    /// Upper triangle of the one that they fill; empty before its first row.
     open: Vec<f64>,
 }
 
@@ -24,29 +25,38 @@ impl Batches {
         Self { grams: Vec::new(), size: 1, waiting: 0, open: Vec::new() }
     }
 
-    /// Adds the next batch of the original length.
-    pub(in crate::identify) fn push(&mut self, triangle: &RFactor) {
-        let gram = triangle.gram();
-        if self.waiting == 0 {
-            self.open = gram;
-        } else {
-            add(&mut self.open, &gram);
-        }
+    /// Adds rows of `n` columns, column-major, to the next batch of the original length.
+    pub(in crate::identify) fn add(&mut self, rows: &[f64], n: usize) {
+        self.open.resize(n * n, 0.0);
+        add_products(&mut self.open, rows, n);
+    }
+
+    /// Ends a batch of the original length, of `n` columns.
+    pub(in crate::identify) fn end_one(&mut self, n: usize) {
+        self.open.resize(n * n, 0.0);
         self.waiting += 1;
         if self.waiting == self.size {
-            self.grams.push(std::mem::take(&mut self.open));
-            self.waiting = 0;
+            self.keep();
             if self.grams.len() >= MOST {
                 self.halve();
             }
         }
     }
 
+    fn keep(&mut self) {
+        let mut gram = std::mem::take(&mut self.open);
+        let n = gram.len().isqrt();
+        for k in 0..n {
+            (0..k).for_each(|i| gram[k + i * n] = gram[i + k * n]);
+        }
+        self.grams.push(gram);
+        self.waiting = 0;
+    }
+
     /// Closes a batch that is not full.
     pub(in crate::identify) fn close(&mut self) {
         if self.waiting > 0 {
-            self.grams.push(std::mem::take(&mut self.open));
-            self.waiting = 0;
+            self.keep();
         }
     }
 
@@ -73,4 +83,62 @@ impl Batches {
 
 fn add(to: &mut [f64], from: &[f64]) {
     to.iter_mut().zip(from).for_each(|(a, b)| *a += b);
+}
+
+/// Adds the products of columns, a column-major block of `n`, to the upper triangle of `gram`. With
+/// the widest registers of this processor, and the bits of any other.
+#[multiversion::multiversion(targets("x86_64+avx2"))]
+fn add_products(gram: &mut [f64], block: &[f64], n: usize) {
+    let rows = block.len() / n.max(1);
+    if rows == 0 {
+        return;
+    }
+    let mut columns = block.chunks_exact(rows);
+    for k in 0..n {
+        let Some(own) = columns.next() else { return };
+        let (fours, left) = gram[k * n..=k * n + k].as_chunks_mut::<4>();
+        for (sums, others) in fours.iter_mut().zip(block.chunks_exact(4 * rows)) {
+            let products = dots(own, others, rows);
+            for i in 0..4 {
+                sums[i] += products[i];
+            }
+        }
+        let from = (k + 1 - left.len()) * rows;
+        for (sum, other) in left.iter_mut().zip(block[from..].chunks_exact(rows)) {
+            *sum += dot(own, other);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Batches of uneven blocks hold the products of their rows; joined, they are those of all.
+    #[test]
+    fn batches_are_products_of_their_rows() {
+        let n = 3;
+        let value = |row: usize, k: usize| ((7 * row + 3 * k) % 11) as f64 - 4.0;
+        let product = |rows: std::ops::Range<usize>, i: usize, k: usize| -> f64 {
+            rows.map(|row| value(row, i) * value(row, k)).sum()
+        };
+        let mut batches = Batches::new();
+        for batch in 0..130 {
+            for block in [10 * batch..10 * batch + 3, 10 * batch + 3..10 * batch + 10] {
+                let rows: Vec<f64> = (0..n).flat_map(|k| block.clone().map(move |row| value(row, k))).collect();
+                batches.add(&rows, n);
+            }
+            batches.end_one(n);
+        }
+        batches.close();
+        // 64 are joined to 32 of two, and 64 of these to 32 of four.
+        assert_eq!((batches.size, batches.grams.len()), (4, 33));
+        for (b, gram) in batches.grams.iter().enumerate() {
+            for i in 0..n {
+                for k in 0..n {
+                    assert_eq!(gram[i + k * n], product(40 * b..(40 * b + 40).min(1300), i, k));
+                }
+            }
+        }
+    }
 }

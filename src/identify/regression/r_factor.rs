@@ -149,7 +149,19 @@ fn reflect(
     let Mirror { v, head, scale } = *mirror;
     match pivots {
         Some((apart, row, stride)) => {
-            for (pivots, column) in apart.chunks_exact_mut(stride).zip(columns.chunks_exact_mut(rows)) {
+            // Without closures, which would not have the registers of the function around them.
+            let (mut fours, mut blocks) = (apart.chunks_exact_mut(4 * stride), columns.chunks_exact_mut(4 * rows));
+            for (pivots, block) in fours.by_ref().zip(blocks.by_ref()) {
+                let products = dots(v, &block[from..], rows);
+                for (k, product) in products.into_iter().enumerate() {
+                    let entry = &mut pivots[k * stride + row];
+                    let w = scale * (head * *entry + product);
+                    *entry -= w * head;
+                    subtract(&mut block[k * rows + from..][..v.len()], w, v);
+                }
+            }
+            let rest = blocks.into_remainder();
+            for (pivots, column) in fours.into_remainder().chunks_exact_mut(stride).zip(rest.chunks_exact_mut(rows)) {
                 let (entry, rest) = (&mut pivots[row], &mut column[from..from + v.len()]);
                 let w = scale * (head * *entry + dot(v, rest));
                 *entry -= w * head;
@@ -168,6 +180,38 @@ fn reflect(
     }
 }
 
+/// [`dot`] of a vector and of four others that begin `stride` apart, bit by bit: their sums do not
+/// wait for each other.
+#[inline(always)]
+pub(crate) fn dots(a: &[f64], others: &[f64], stride: usize) -> [f64; 4] {
+    let n = a.len();
+    let whole = n - n % 8;
+    let (b0, b1) = (&others[..n], &others[stride..stride + n]);
+    let (b2, b3) = (&others[2 * stride..2 * stride + n], &others[3 * stride..3 * stride + n]);
+    let mut sums = [[0.0; 8]; 4];
+    let mut at = 0;
+    while at < whole {
+        let x = &a[at..at + 8];
+        let (y0, y1, y2, y3) = (&b0[at..at + 8], &b1[at..at + 8], &b2[at..at + 8], &b3[at..at + 8]);
+        for i in 0..8 {
+            sums[0][i] += x[i] * y0[i];
+            sums[1][i] += x[i] * y1[i];
+            sums[2][i] += x[i] * y2[i];
+            sums[3][i] += x[i] * y3[i];
+        }
+        at += 8;
+    }
+    let mut out = [0.0; 4];
+    for k in 0..4 {
+        let mut rest = 0.0;
+        for i in whole..n {
+            rest += a[i] * others[k * stride + i];
+        }
+        out[k] = total(&sums[k], rest);
+    }
+    out
+}
+
 /// Inner product with eight running sums, which the compiler can keep in vector registers.
 #[inline(always)]
 pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
@@ -179,6 +223,12 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
             sums[i] += x[i] * y[i];
         }
     }
+    total(&sums, rest)
+}
+
+/// Of eight running sums and of what is left over.
+#[inline(always)]
+fn total(sums: &[f64; 8], rest: f64) -> f64 {
     rest + ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]))
 }
 

@@ -176,3 +176,15 @@ pub(super) fn mahalanobis(x: &DVector<f64>, covariance: &DMatrix<f64>) -> Option
     let squared = y.norm_squared();
     (squared.is_finite() && log_det.is_finite()).then_some((squared, log_det))
 }
+
+#[cfg(test)]
+mod tests {
+    /// Of one number with many degrees of freedom: the normal law's two-sided limits.
+    #[test]
+    fn a_limit_is_exceeded_with_its_probability() {
+        for (level, expected) in [(0.05, 1.960), (0.01, 2.576), (0.3173, 1.0)] {
+            let limit = super::limit(1, 1e6, level);
+            assert!((limit - expected).abs() < 1e-3, "{level}: {limit}");
+        }
+    }
+}

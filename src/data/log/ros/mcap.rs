@@ -17,6 +17,13 @@ const LONGEST_RECORD: u64 = 48 << 20;
 const LONGEST_CHUNK: u64 = 64 << 20;
 /// Longest message that is decoded, bytes: images and point clouds are passed over.
 const LONGEST_MESSAGE: usize = 1 << 20;
+/// Definitions and names of topics that are held, bytes.
+const MOST_TEXT: usize = 16 << 20;
+/// Bytes that the chunks of a file of any size may unpack to.
+const LEAST_UNPACKED: u64 = 64 << 20;
+/// Times its own size that a file may unpack to beyond that. Messages of an arm that stands still
+/// pack to some fiftieth, names and all; zeros to a ten thousandth.
+const MOST_TIMES: u64 = 128;
 
 const MAGIC: &[u8; 8] = b"\x89MCAP0\r\n";
 const FOOTER: u8 = 0x02;
@@ -45,6 +52,12 @@ pub enum McapError {
     /// A chunk longer than any that is read, bytes.
     #[error("a chunk of {0} bytes; {LONGEST_CHUNK} are read at most")]
     LongChunk(u64),
+    /// A file that holds much more than it is long.
+    #[error("it unpacks to more than {MOST_TIMES} times its size, and no recording packs that well")]
+    Unpacked,
+    /// More text about its topics than any recording has.
+    #[error("names and definitions of its topics have more than {} MiB", MOST_TEXT >> 20)]
+    Text,
     /// A length that no memory has.
     #[error(transparent)]
     Length(#[from] std::num::TryFromIntError),
@@ -85,6 +98,11 @@ pub(crate) struct McapMessages<R> {
     started: bool,
     schemas: HashMap<u16, (String, String)>,
     channels: HashMap<u16, Channel>,
+    /// Bytes of the text in both.
+    text: usize,
+    /// Bytes of the file so far, and of its chunks once unpacked.
+    read: u64,
+    unpacked: u64,
     /// Records of the present chunk, and how far they are read.
     chunk: Vec<u8>,
     at: usize,
@@ -137,6 +155,9 @@ impl<R: Read> McapMessages<R> {
             started: false,
             schemas: HashMap::new(),
             channels: HashMap::new(),
+            text: 0,
+            read: 0,
+            unpacked: 0,
             chunk: Vec::new(),
             at: 0,
             queue: VecDeque::new(),
@@ -171,6 +192,7 @@ impl<R: Read> McapMessages<R> {
     fn take(&mut self, n: u64) -> Result<Option<Vec<u8>>, McapError> {
         let mut bytes = Vec::new();
         self.input.by_ref().take(n).read_to_end(&mut bytes)?;
+        self.read += bytes.len() as u64;
         Ok((bytes.len() as u64 == n).then_some(bytes))
     }
 
@@ -190,6 +212,10 @@ impl<R: Read> McapMessages<R> {
         let length = usize::try_from(fields.u64()?)?;
         if size > LONGEST_CHUNK {
             return Err(McapError::LongChunk(size));
+        }
+        self.unpacked += size;
+        if self.unpacked > LEAST_UNPACKED + MOST_TIMES * self.read {
+            return Err(McapError::Unpacked);
         }
         self.chunk = unpack(&compression, fields.bytes(length)?, size)?;
         self.at = 0;
@@ -219,7 +245,9 @@ impl<R: Read> McapMessages<R> {
                 let (id, name, encoding) = (fields.u16()?, fields.text()?, fields.text()?);
                 // Other languages of definition leave the message to its name.
                 let text = if encoding == "ros2msg" { fields.text()? } else { String::new() };
-                self.schemas.insert(id, (name, text));
+                let length = name.len() + text.len();
+                let before = self.schemas.insert(id, (name, text));
+                self.hold(length, before.map_or(0, |(name, text)| name.len() + text.len()))?;
             }
             CHANNEL => {
                 let (id, schema, topic) = (fields.u16()?, fields.u16()?, fields.text()?);
@@ -228,7 +256,9 @@ impl<R: Read> McapMessages<R> {
                 if !readable && !self.channels.contains_key(&id) {
                     self.note(format!("the topic {topic} is written as `{encoding}`; `cdr` is read"));
                 }
-                self.channels.insert(id, Channel { topic, schema, readable });
+                let length = topic.len();
+                let before = self.channels.insert(id, Channel { topic, schema, readable });
+                self.hold(length, before.map_or(0, |channel| channel.topic.len()))?;
             }
             MESSAGE => {
                 let id = fields.u16()?;
@@ -244,6 +274,12 @@ impl<R: Read> McapMessages<R> {
             _ => {}
         }
         Ok(())
+    }
+
+    /// Counts text that is held in the place of other text. A chunk may say again what is known.
+    fn hold(&mut self, more: usize, less: usize) -> Result<(), McapError> {
+        self.text = self.text + more - less;
+        if self.text > MOST_TEXT { Err(McapError::Text) } else { Ok(()) }
     }
 
     fn note(&mut self, what: String) {
@@ -316,4 +352,61 @@ fn unpack(compression: &str, data: &[u8], size: u64) -> Result<Vec<u8>, McapErro
         return Err(McapError::ChunkLength { found: out.len(), stated: size });
     }
     Ok(out)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::io::Write;
+
+    fn prefixed(text: &[u8]) -> Vec<u8> {
+        [&u32::try_from(text.len()).unwrap().to_le_bytes(), text].concat()
+    }
+
+    fn record(opcode: u8, data: &[u8]) -> Vec<u8> {
+        [&[opcode], &(data.len() as u64).to_le_bytes()[..], data].concat()
+    }
+
+    /// Records in a chunk, packed as only zeros and the like pack: by a hundred and more.
+    fn chunk(records: &[u8]) -> Vec<u8> {
+        let mut encoder = lz4_flex::frame::FrameEncoder::new(Vec::new());
+        encoder.write_all(records).unwrap();
+        let packed = encoder.finish().unwrap();
+        let times = [0; 16];
+        let size = (records.len() as u64).to_le_bytes();
+        let length = (packed.len() as u64).to_le_bytes();
+        record(CHUNK, &[&times[..], &size, &[0; 4], &prefixed(b"lz4"), &length, &packed].concat())
+    }
+
+    fn schema(id: u16, length: usize) -> Vec<u8> {
+        let texts = [&b"a/B"[..], b"ros2msg", &b"#".repeat(length)].map(prefixed).concat();
+        record(SCHEMA, &[&id.to_le_bytes()[..], &texts].concat())
+    }
+
+    fn refused(parts: &[Vec<u8>]) -> Option<String> {
+        let bytes = [&MAGIC[..], &parts.concat(), &record(DATA_END, &[0; 4])].concat();
+        McapMessages::new(&bytes[..]).next().err().map(|e| e.to_string())
+    }
+
+    /// Three hundred kB held 3.6 GB of definitions.
+    #[test]
+    fn definitions_do_not_fill_the_memory() {
+        let most = MOST_TEXT >> 20;
+        let many: Vec<_> = (0..20).map(|id| chunk(&schema(id, 1 << 20))).collect();
+        let told = refused(&many).unwrap();
+        assert!(told.contains(&format!("names and definitions of its topics have more than {most} MiB")), "{told}");
+        // The same one again and again is held once.
+        let again: Vec<_> = (0..20).map(|_| chunk(&schema(1, 1 << 20))).collect();
+        assert_eq!(refused(&again), None);
+    }
+
+    /// A megabyte held 12 GB of messages.
+    #[test]
+    fn a_file_that_unpacks_to_far_more_than_itself_is_no_recording() {
+        let one = chunk(&record(0xff, &vec![0; 8 << 20]));
+        assert!(one.len() as u64 * (MOST_TIMES + 64) < 8 << 20, "{}", one.len());
+        assert_eq!(refused(&vec![one.clone(); 8]), None);
+        let told = refused(&vec![one; 24]).unwrap();
+        assert!(told.contains("it unpacks to more than 128 times its size"), "{told}");
+    }
 }
