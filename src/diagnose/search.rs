@@ -15,6 +15,7 @@ pub(super) mod merge_bodies;
 mod merge_common_delay;
 mod simplest_laws;
 mod stepwise_exchange;
+mod sufficient;
 
 use super::fit::model::{Chosen, Fitted, Mode, ModelUnderTest};
 use super::hypotheses::Hypothesis;

@@ -3,6 +3,8 @@
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};
+#[cfg(target_os = "linux")]
+use std::process::Command;
 
 use serde_json::Value;
 
@@ -85,6 +87,29 @@ fn nothing_hidden_is_nothing_wrong() {
         // within its noise.
         assert!((0.8..1.2).contains(&(noise / 0.05)) && error < 1.5 * noise, "joint {}: {noise} {error}", j + 1);
     }
+}
+
+/// Candidates, refinements and folds run on all cores; one core gives the same bytes.
+#[cfg(target_os = "linux")]
+#[test]
+fn one_core_gives_the_bits_of_all() {
+    let place = folder("cores");
+    let effects = "joints: { 3: { joint_spring: { KS: 8, QS: 0.2 } } }\nsensors: { rate: 250, torque_noise: 0.05 }\n";
+    let path = place.join("motion.csv");
+    motion(&path, 7, 8.0, 4.0);
+    let log = simulate(&place, "log", &path, effects, "6");
+    let arguments = ["diagnose", "robots/kuka-lwr4.yaml", &log, "--json", "-"];
+    let all = denavit(&arguments);
+    let one = Command::new("taskset")
+        .args(["-c", "0", env!("CARGO_BIN_EXE_denavit")])
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output();
+    // Not every machine has it, or lets processes choose.
+    let Some(one) = one.ok().filter(|run| run.status.success()) else { return };
+    assert_eq!(all.status, Some(0), "{}", all.err);
+    assert_eq!(String::from_utf8(one.stdout).unwrap(), all.out);
+    assert!(all.out.contains("joint_spring"));
 }
 
 #[test]

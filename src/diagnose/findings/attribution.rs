@@ -64,7 +64,7 @@ impl Attribution<'_> {
         let elsewhere = elsewhere.iter().map(|p| format!("; the same {} would explain nearly as much", place_of(p)));
         let recurrence = self.recurrence(item);
         let counted = shares.far.map_or(part, |far| 0.5 * (part + far));
-        let confirmed = on != "fit" || item.hypothesis.local();
+        let confirmed = on != "fit" || item.hypothesis.local() || shares.recurs_far();
         let features = Features { support, margin, share: counted, recurrence, confirmed };
         Cause {
             cause: item.hypothesis.name(),

@@ -68,7 +68,7 @@ fn law(candidate: &Candidate) -> Law {
 }
 
 /// A term of plain friction: its number among the unknowns.
-fn plain(candidate: &Candidate) -> Option<usize> {
+pub(super) fn plain(candidate: &Candidate) -> Option<usize> {
     let which = PLAIN.iter().position(|p| p.effect() == candidate.cause.effect())?;
     candidate.place.first().map(|j| 3 * j + which)
 }
@@ -119,11 +119,11 @@ enum Part {
     Friction(usize),
 }
 
-struct Forward<'s, 'a> {
-    tested: &'s mut ModelUnderTest<'a>,
+pub(super) struct Forward<'s, 'a> {
+    pub(super) tested: &'s mut ModelUnderTest<'a>,
     noise: &'s [f64],
     settings: &'s SearchSettings,
-    chosen: Vec<Chosen>,
+    pub(super) chosen: Vec<Chosen>,
     accepted: Vec<Accepted>,
     friction: Vec<BaselineFriction>,
     evidence: Vec<Evidence>,
@@ -136,7 +136,9 @@ impl Forward<'_, '_> {
         let before = self.tested.left_out(&self.chosen, fitted);
         let mut tried: Vec<usize> = Vec::new();
         while tried.len() < REFUSED {
-            let at = best(&ranked, &tried)?;
+            let first = best(&ranked, &tried)?;
+            let simpler = self.simpler_that_suffices(&ranked, first, fitted, &before);
+            let at = simpler.filter(|i| !tried.contains(i)).unwrap_or(first);
             tried.push(at);
             if let Some(next) = self.accept(&ranked, at, fitted, &before) {
                 return Some(next);
@@ -297,6 +299,14 @@ impl Forward<'_, '_> {
         all
     }
 
+    /// Makes a term of plain friction an unknown.
+    pub(super) fn free(&mut self, k: usize, candidate: &Candidate) {
+        // Beside a law of friction its level is a part of that.
+        let law = |c: &Chosen| c.place == candidate.place && c.cause.kind() == Kind::Friction;
+        self.tested.separate[k] = !self.chosen.iter().any(law);
+        self.tested.frozen[k] = false;
+    }
+
     /// The model with a candidate, if that is accepted; else all is as before.
     fn accept(&mut self, ranked: &[Candidate], at: usize, fitted: &Fitted, before: &LeftOut) -> Option<Fitted> {
         let candidate = &ranked[at];
@@ -304,12 +314,7 @@ impl Forward<'_, '_> {
         let friction = plain(candidate);
         let mut trial = self.chosen.clone();
         match friction {
-            Some(k) => {
-                // Beside a law of friction its level is a part of that.
-                let law = |c: &Chosen| c.place == candidate.place && c.cause.kind() == Kind::Friction;
-                self.tested.separate[k] = !self.chosen.iter().any(law);
-                self.tested.frozen[k] = false;
-            }
+            Some(k) => self.free(k, candidate),
             None => trial.push(candidate.chosen()),
         }
         let next = self.tested.fit(&mut trial);
@@ -343,7 +348,7 @@ impl Forward<'_, '_> {
 
     /// Evidence for one of the candidates that was fitted (`after`, as the last of `trial` unless it
     /// is plain friction); `None` if it is not worth having.
-    fn holds(
+    pub(super) fn holds(
         &self,
         (ranked, at): (&[Candidate], usize),
         trial: &[Chosen],
@@ -450,7 +455,7 @@ fn counts(fitted: &Fitted) -> f64 {
 }
 
 /// The joint on which most is gained.
-fn main_joint(before: &Fitted, after: &Fitted) -> usize {
+pub(super) fn main_joint(before: &Fitted, after: &Fitted) -> usize {
     let gains: Vec<f64> =
         logs(&before.solution.rss, &after.solution.rss).zip(&before.solution.counts).map(|(l, n)| l * n).collect();
     (0..gains.len()).max_by(|&a, &b| gains[a].total_cmp(&gains[b])).unwrap_or(0)

@@ -26,6 +26,17 @@ pub(in crate::diagnose) struct Shares {
     pub(in crate::diagnose) repeats: Option<f64>,
 }
 
+/// Sizes of one cause in two recordings, as a ratio, that are alike.
+const ALIKE: std::ops::RangeInclusive<f64> = 0.67..=1.5;
+
+impl Shares {
+    /// Whether validating logs whose joints differ by something else still show the cause: by
+    /// themselves in a like size, and with less error.
+    pub(in crate::diagnose) fn recurs_far(&self) -> bool {
+        self.far.is_some_and(|far| far > 0.0) && self.repeats.is_some_and(|ratio| ALIKE.contains(&ratio))
+    }
+}
+
 /// Errors of a model without one of its causes.
 pub(in crate::diagnose) struct Without {
     pub(in crate::diagnose) measured: Measured,

@@ -1,0 +1,80 @@
+//! Whether a simpler cause suffices where a link seems to be wrong.
+
+use super::candidate::{Candidate, evaluate, unknowns};
+use super::forward::{Forward, main_joint, plain};
+use crate::diagnose::fit::model::{Chosen, Fitted};
+use crate::diagnose::hypotheses::Kind;
+use crate::diagnose::select::model_choice::LeftOut;
+use dh_codegen::robot::EffectKind;
+
+/// Unknowns of a cause that is simple beside a link.
+const FEW: f64 = 3.0;
+
+/// Simpler causes that are tried, those that gain most.
+const TRIED: usize = 4;
+
+impl Forward<'_, '_> {
+    /// The candidate with the fewest unknowns beside which the link at `at` is not worth having any
+    /// more; `None` where there is none. A link's ten unknowns take other errors of several joints,
+    /// too, and so gain more than the cause whose error they take.
+    pub(super) fn simpler_that_suffices(
+        &mut self,
+        ranked: &[Candidate],
+        at: usize,
+        fitted: &Fitted,
+        before: &LeftOut,
+    ) -> Option<usize> {
+        let link = &ranked[at];
+        if link.cause.effect() != EffectKind::LinkInertiaError {
+            return None;
+        }
+        let main = self.with(&[link], |_, _, after| main_joint(fitted, after));
+        let count = |c: &Candidate| unknowns(c.cause, &c.shape, c.gain.x.len());
+        let simple = |c: &Candidate| {
+            let steady = !c.cause.moves_time() && !c.cause.local() && c.cause.kind() != Kind::Body;
+            let few = steady && c.place == [main] && count(c) <= FEW;
+            c.score > 0.0 && (few || c.cause.effect() == EffectKind::Payload)
+        };
+        let mut tried: Vec<usize> = (0..ranked.len()).filter(|&i| simple(&ranked[i])).take(TRIED).collect();
+        tried.sort_by(|&a, &b| count(&ranked[a]).total_cmp(&count(&ranked[b])));
+        tried.into_iter().find(|&i| self.suffices((ranked, i), link, fitted, before))
+    }
+
+    /// Whether a candidate is worth having, and the link beside it is not.
+    fn suffices(
+        &mut self,
+        (ranked, i): (&[Candidate], usize),
+        link: &Candidate,
+        fitted: &Fitted,
+        before: &LeftOut,
+    ) -> bool {
+        let worth = self.with(&[&ranked[i]], |search, trial, with| {
+            search.holds((ranked, i), trial, [fitted, with], before)?;
+            let again = evaluate(search.tested, with, link.cause, &link.place, &link.shape);
+            Some((with.clone(), search.tested.left_out(trial, with), again.filter(|c| c.score > 0.0)))
+        });
+        let Some((with, left, again)) = worth else { return false };
+        let Some(again) = again else { return true };
+        self.with(&[&ranked[i], &again], |search, trial, both| {
+            search.holds((std::slice::from_ref(&again), 0), trial, [&with, both], &left).is_none()
+        })
+    }
+
+    /// What is seen of the model with some candidates; all is as before then.
+    fn with<T>(&mut self, parts: &[&Candidate], look: impl FnOnce(&Self, &[Chosen], &Fitted) -> T) -> T {
+        let (frozen, separate) = (self.tested.frozen.clone(), self.tested.separate.clone());
+        let mut trial = self.chosen.clone();
+        for part in parts {
+            match plain(part) {
+                Some(k) => self.free(k, part),
+                None => trial.push(part.chosen()),
+            }
+        }
+        let fitted = self.tested.fit(&mut trial);
+        let seen = look(self, &trial, &fitted);
+        (self.tested.frozen, self.tested.separate) = (frozen, separate);
+        // The scene's model is that of the last fit.
+        self.tested.fit(&mut self.chosen.clone());
+        seen
+    }
+}
