@@ -137,6 +137,7 @@ fn limits() -> Limits<N> {
         acceleration: [15.0; N],
         jerk: [7500.0; N],
         tool: [1.7, 13.0, 6500.0],
+        force_rate: 1e3,
         torque_rate: [1e6; N],
         saturated: 1e9,
         frozen: [0.5; N],

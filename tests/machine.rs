@@ -8,6 +8,8 @@ use denavit::control::law::{Arrival, Bounds, Fault, Machine, Reaction, Seen, Sta
 /// Stays for the tests of single transitions, and for the walk through all states.
 const BOUNDS: Bounds = Bounds { patience: 2, leave: 3, stop: 4 };
 const SHORT: Bounds = Bounds { patience: 1, leave: 2, stop: 2 };
+/// The shortest that settings can ask for.
+const NONE: Bounds = Bounds { patience: 0, leave: 1, stop: 1 };
 
 const WELL: Seen = Seen {
     arrival: Arrival::Good,
@@ -35,15 +37,15 @@ const LIMITS: [Fault; 10] = [
     Fault::Force,
 ];
 
-/// Every guard value. Of the limits one for each of the two graver reactions and two for the
-/// mildest stand for all of them: [`transitions_to_each_fault`] has each.
+/// Every guard value.
 fn guards() -> Vec<Seen> {
     let both = [false, true];
+    let limits: Vec<Option<Fault>> = [None].into_iter().chain(LIMITS.map(Some)).collect();
     let mut all = Vec::new();
     for arrival in [Arrival::Good, Arrival::Bad, Arrival::Gone, Arrival::Jumped] {
         for wanted in [Wanted::Nothing, Wanted::Free, Wanted::Press] {
             for touch in [Touch::NotYet, Touch::Touches, Touch::Lost, Touch::GivenUp] {
-                for limit in [None, Some(Fault::Frozen), Some(Fault::Speed), Some(Fault::Reach), Some(Fault::Stuck)] {
+                for &limit in &limits {
                     for [model, plan, force] in
                         both.iter().flat_map(|a| both.map(|b| both.map(|c| [*a, b, c]))).flatten()
                     {
@@ -67,32 +69,37 @@ struct Next {
     held: HashSet<Machine>,
 }
 
+/// States, and what follows each.
+type Graph = HashMap<Machine, Next>;
+
 /// Every state that can be reached with short stays, and what follows it. The stays are the only
 /// numbers that the machine knows.
-fn explored() -> &'static HashMap<Machine, Next> {
-    static GRAPH: OnceLock<HashMap<Machine, Next>> = OnceLock::new();
-    GRAPH.get_or_init(|| {
-        let guards = guards();
-        let mut found: HashMap<Machine, Next> = HashMap::new();
-        let mut open = vec![Machine::default()];
-        while let Some(state) = open.pop() {
-            if found.contains_key(&state) {
-                continue;
-            }
-            let mut next = Next::default();
-            for seen in &guards {
-                let after = state.next(seen, &SHORT);
-                invariant(state, seen, after);
-                if holds(seen) && after.status().fault().is_none_or(|fault| fault.reaction() == Reaction::Path) {
-                    next.held.insert(after);
-                }
-                next.all.insert(after);
-            }
-            open.extend(next.all.iter().filter(|m| !found.contains_key(m)));
-            found.insert(state, next);
+fn explored() -> &'static [(Bounds, Graph); 2] {
+    static GRAPHS: OnceLock<[(Bounds, Graph); 2]> = OnceLock::new();
+    GRAPHS.get_or_init(|| [SHORT, NONE].map(|bounds| (bounds, explore(&bounds))))
+}
+
+fn explore(bounds: &Bounds) -> Graph {
+    let guards = guards();
+    let mut found = Graph::new();
+    let mut open = vec![Machine::default()];
+    while let Some(state) = open.pop() {
+        if found.contains_key(&state) {
+            continue;
         }
-        found
-    })
+        let mut next = Next::default();
+        for seen in &guards {
+            let after = state.next(seen, bounds);
+            invariant(state, seen, after);
+            if holds(seen) && after.status().fault().is_none_or(|fault| fault.reaction() == Reaction::Path) {
+                next.held.insert(after);
+            }
+            next.all.insert(after);
+        }
+        open.extend(next.all.iter().filter(|m| !found.contains_key(m)));
+        found.insert(state, next);
+    }
+    found
 }
 
 /// Without a sample, or without a model.
@@ -109,6 +116,15 @@ fn invariant(state: Machine, seen: &Seen, next: Machine) {
         assert!(!before.brakes() || after.brakes(), "{state:?} {seen:?}");
         assert!(!matches!((before, after), (Status::Stopping(_), Status::Leaving(_))), "{state:?} {seen:?}");
     }
+    // A fault has its cause, and no cause that is one at once is passed over.
+    match (before.fault(), after.fault()) {
+        (None, Some(fault)) => assert!(is_cause(seen, fault), "{state:?} {seen:?} {after:?}"),
+        (_, None) => {
+            let at_once = [Fault::Clock, Fault::Contact].iter().any(|fault| is_cause(seen, *fault));
+            assert!(!at_once && seen.limit.is_none() && seen.arrival != Arrival::Gone, "{state:?} {seen:?}");
+        }
+        _ => {}
+    }
     // It presses and follows only with all that it needs for it.
     if matches!(after, Status::Free | Status::Approaching | Status::Pressing | Status::Lost) {
         assert!(seen.arrival == Arrival::Good && seen.model && seen.limit.is_none(), "{state:?} {seen:?}");
@@ -116,9 +132,29 @@ fn invariant(state: Machine, seen: &Seen, next: Machine) {
     }
 }
 
+/// Whether what is seen is a cause of a fault, perhaps after some more such steps.
+fn is_cause(seen: &Seen, fault: Fault) -> bool {
+    let presses = seen.wanted == Wanted::Press;
+    let missing = match fault {
+        Fault::Position => matches!(seen.arrival, Arrival::Bad | Arrival::Gone),
+        Fault::Clock => seen.arrival == Arrival::Jumped,
+        Fault::Model => !seen.model,
+        Fault::Plan => !seen.plan && seen.wanted != Wanted::Nothing,
+        Fault::Force => presses && !seen.force,
+        Fault::Contact => presses && seen.touch == Touch::GivenUp,
+        _ => false,
+    };
+    missing || seen.limit == Some(fault)
+}
+
 /// The most steps on all ways from a state along these arrows, until there is none or the brakes
 /// are requested; a circle fails.
-fn longest(state: Machine, along: fn(&Next) -> &HashSet<Machine>, known: &mut HashMap<Machine, u32>) -> u32 {
+fn longest(
+    graph: &Graph,
+    state: Machine,
+    along: fn(&Next) -> &HashSet<Machine>,
+    known: &mut HashMap<Machine, u32>,
+) -> u32 {
     if state.status().brakes() {
         return 0;
     }
@@ -127,28 +163,47 @@ fn longest(state: Machine, along: fn(&Next) -> &HashSet<Machine>, known: &mut Ha
         return steps;
     }
     known.insert(state, u32::MAX);
-    let steps = along(&explored()[&state]).iter().map(|next| 1 + longest(*next, along, known)).max().unwrap_or(0);
+    let steps = along(&graph[&state]).iter().map(|next| 1 + longest(graph, *next, along, known)).max().unwrap_or(0);
     known.insert(state, steps);
     steps
 }
 
 #[test]
 fn every_fault_ends_in_brakes_and_only_a_reset_ends_a_fault() {
-    let (graph, mut known) = (explored(), HashMap::new());
-    let failed: Vec<Machine> = graph.keys().filter(|m| m.status().fault().is_some()).copied().collect();
-    let kinds: HashSet<Fault> = failed.iter().filter_map(|m| m.status().fault()).collect();
-    assert_eq!(kinds.len(), Fault::ALL.len() - 3, "{kinds:?}");
-    let worst = failed.iter().map(|state| longest(*state, |next| &next.all, &mut known)).max().unwrap();
-    assert!(worst <= SHORT.leave + SHORT.stop, "{worst}");
-    println!("{} states, {} guard values, {worst} steps to the brakes at most", graph.len(), guards().len());
+    for (bounds, graph) in explored() {
+        let mut known = HashMap::new();
+        let failed: Vec<Machine> = graph.keys().filter(|m| m.status().fault().is_some()).copied().collect();
+        let kinds: HashSet<Fault> = failed.iter().filter_map(|m| m.status().fault()).collect();
+        assert_eq!(kinds.len(), Fault::ALL.len(), "{kinds:?}");
+        let all = |state: &Machine, known: &mut _| longest(graph, *state, |next| &next.all, known);
+        let worst = failed.iter().map(|state| all(state, &mut known)).max().unwrap();
+        assert!(worst <= bounds.leave + bounds.stop, "{worst}");
+        println!("{} states, {} guard values, {worst} steps to the brakes at most", graph.len(), guards().len());
+    }
 }
 
 /// Whatever comes in between; one step more shows that the patience is over.
+/// So many states and guards were walked, says docs/control.md.
+#[test]
+fn the_document_says_what_is_walked() {
+    let text = include_str!("../docs/control.md").replace('\n', " ");
+    let [states, none] = [0, 1].map(|k| explored()[k].1.len());
+    let guards = guards().len();
+    let said = format!(
+        "({},{:03} of them, each limit by itself; {states} states, counters included, with stays of 1 and 2 steps, and {none} without patience",
+        guards / 1000,
+        guards % 1000
+    );
+    assert!(text.contains(&said), "docs/control.md doesn't say: {said}");
+}
+
 #[test]
 fn no_torque_is_held_for_longer_than_the_patience() {
-    let mut known = HashMap::new();
-    let worst = explored().keys().map(|state| longest(*state, |next| &next.held, &mut known)).max().unwrap();
-    assert_eq!(worst, SHORT.patience);
+    for (bounds, graph) in explored() {
+        let mut known = HashMap::new();
+        let worst = graph.keys().map(|state| longest(graph, *state, |next| &next.held, &mut known)).max().unwrap();
+        assert_eq!(worst, bounds.patience);
+    }
 }
 
 /// After some steps that show the same.

@@ -294,7 +294,7 @@ fn torques_change_no_faster_than_their_limit() {
 #[test]
 fn a_plan_beyond_its_limits_is_not_followed() {
     type Change = fn(u32, &mut Target<6>);
-    let wrong: [Change; 5] = [
+    let wrong: [Change; 6] = [
         |_, target| target.dq[1] = 1.1,
         |_, target| target.ddq[1] = 11.0,
         // Within the limit of acceleration, beyond that of jerk.
@@ -302,6 +302,7 @@ fn a_plan_beyond_its_limits_is_not_followed() {
         |_, target| target.q[1] = f64::NAN,
         // The tool: 1 m/s along two axes each is within 2 m/s, a leap of it is no acceleration.
         |_, target| (target.dq[0], target.dq[1]) = (1.0, 1.0),
+        |k, target| target.ahead = 0.02 * f64::from(k + 1),
     ];
     for (which, change) in wrong.into_iter().enumerate() {
         let (mut controller, mut world) = pressing();
@@ -511,6 +512,132 @@ fn one_target_that_leaps_is_not_followed() {
             assert!(most < 0.1 && status == Status::Pressing, "{which}: {most} {status:?}");
         }
     }
+}
+
+/// Largest speed, acceleration and jerk of a displacement, by differences over steps without contact.
+fn fastest_of(ways: &[(f64, Status)]) -> [f64; 3] {
+    let mut most = [0.0_f64; 3];
+    for of in ways.windows(4).filter(|of| of.iter().all(|(_, status)| *status != Status::Pressing)) {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|k| of[k].0);
+        let now = [(d - c) / T, (d - 2.0 * c + b) / (T * T), (d - 3.0 * c + 3.0 * b - a) / (T * T * T)];
+        (0..3).for_each(|k| most[k] = most[k].max(now[k].abs()));
+    }
+    most
+}
+
+/// The way to the wall, a wall that gives way and is there again, one that is gone, and the way off
+/// it: all that the force loop adds to the plan without contact.
+#[test]
+fn the_displacement_has_limits_of_acceleration_and_jerk() {
+    for [acceleration, jerk] in [[20.0, 2e3], [20.0, f64::INFINITY], [f64::INFINITY, 2e2], [5.0, 3e3]] {
+        let settings = {
+            let mut settings = Settings { carry: 1.0, ..settings() };
+            settings.limits.tool = [2.0, acceleration, jerk];
+            (settings.force.kp, settings.limits.force_rate) = (1e-4, f64::INFINITY);
+            // A wall that is met again is met at full speed.
+            settings.most = 1e3;
+            settings
+        };
+        let mut controller = Controller::new(Gantry::default(), settings).unwrap();
+        let (mut world, mut ways) = (World::new(), vec![(0.0, Status::Waiting)]);
+        for k in 0..10_000 {
+            world.wall = k < 4000 || (4100..7000).contains(&k);
+            let command = controller.step(&target(), &world.sample());
+            world.run(&command);
+            ways.push((command.displacement, command.status));
+        }
+        let [speed, most, turn] = fastest_of(&ways);
+        assert!(speed > 0.099 && speed < 0.1 + 1e-9, "{speed}");
+        assert!(most < acceleration + 1e-3 && turn < jerk + 2.0, "{acceleration} {jerk}: {most} {turn}");
+        // They are made use of; half of the jerk is for turning round.
+        assert!(most > 0.9 * acceleration || turn > 0.45 * jerk, "{acceleration} {jerk}: {most} {turn}");
+        assert_eq!(ways[10_000].1, Status::Stopped(Fault::Contact));
+        for state in [Status::Approaching, Status::Pressing, Status::Lost, Status::Leaving(Fault::Contact)] {
+            assert!(ways.iter().any(|(_, status)| *status == state), "{state:?}");
+        }
+    }
+}
+
+/// A tool that is to leave the wall goes no deeper, whatever it takes to come to speed, and has the
+/// time for it.
+#[test]
+fn a_tool_that_leaves_goes_no_deeper() {
+    let mut settings = settings();
+    settings.limits.tool = [2.0, 1.0, f64::INFINITY];
+    let mut controller = Controller::new(Gantry::default(), settings).unwrap();
+    let mut world = World { wall: false, ..World::new() };
+    let (mut deepest, mut last, mut end) = (0.0, 0.0, f64::NAN);
+    for k in 0..3000 {
+        let mut sample = world.sample();
+        sample.force = if k < 500 { sample.force } else { 90.0 + 1e-3 * f64::from(k % 2) };
+        let command = controller.step(&target(), &sample);
+        world.run(&command);
+        match command.status {
+            Status::Leaving(_) => {
+                assert!(command.displacement <= last + 1e-12, "{last} {command:?}");
+                end = command.displacement;
+            }
+            _ if k < 500 => deepest = command.displacement,
+            _ => {}
+        }
+        last = command.displacement;
+    }
+    assert!(deepest > 0.03 && end < -0.0199, "{deepest} {end}");
+}
+
+/// They do not hold in contact: the force comes up to 30 N, and stays there.
+#[test]
+fn limits_of_the_displacement_do_not_make_the_loop_swing() {
+    for tool in [[2.0, 20.0, 2e3], [2.0, 1.0, 1e3], [f64::INFINITY; 3]] {
+        let (mut controller, mut world) = limited(|s| (s.limits.tool, s.force.kp) = (tool, 1e-4));
+        for k in 0..3000 {
+            let mut sample = world.sample();
+            // Some noise, of the size that an estimate has.
+            sample.force += if k % 2 == 0 { 0.1 } else { -0.1 };
+            let command = controller.step(&target(), &sample);
+            assert_eq!(command.status, Status::Pressing);
+            world.run(&command);
+            assert!((world.force() - 30.0).abs() < 0.2, "{tool:?}: {} N at {k}", world.force());
+        }
+    }
+}
+
+/// An integral that has waited for the displacement does not send it on once the force is there.
+#[test]
+fn what_the_displacement_lags_is_not_made_up_for() {
+    let (mut controller, mut world) = pressing();
+    let mut go_on = |force: f64, count: u32| {
+        let mut at = 0.0;
+        for k in 0..count {
+            // Alive, and no contact that is lost for long.
+            let force = force + 1e-3 * f64::from(k % 2);
+            at = controller.step(&target(), &Sample { force, ..world.sample() }).displacement;
+            world.t += T;
+        }
+        at
+    };
+    let before = go_on(30.0, 1);
+    let sent = go_on(3.0, 50);
+    let after = go_on(30.0, 200);
+    // Asked for: 0.27 m/s, 13 mm in all; allowed: 0.1 m/s, 0.25 mm to brake from it, and the mean of
+    // 20 steps.
+    assert!(sent - before > 3e-3 && after - sent < 1.5e-3, "{before} {sent} {after}");
+}
+
+/// 30 N more at once, at 100 N/s: a millimetre of the proportional part in 0.1 s.
+#[test]
+fn a_force_that_leaps_is_come_to_by_its_rate() {
+    let mut settings = settings();
+    (settings.limits.force_rate, settings.force.kp, settings.force.ki) = (100.0, 1e-4, 0.0);
+    let mut controller = Controller::new(Gantry::default(), settings).unwrap();
+    let world = World::new();
+    let mut way = [0.0; 600];
+    for k in 0..600_u32 {
+        let target = Target { force: Some(if k < 400 { 30.0 } else { 60.0 }), ..target() };
+        let sample = Sample { t: T * f64::from(k), force: 30.0 + 1e-6 * f64::from(k % 2), ..world.sample() };
+        way[k as usize] = controller.step(&target, &sample).displacement;
+    }
+    assert!(way[399].abs() < 1e-6 && (way[499] - 1e-3).abs() < 1e-4, "{} {}", way[399], way[499]);
 }
 
 /// Speeds that come and go without an acceleration, at a place that stays.

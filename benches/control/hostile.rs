@@ -3,9 +3,60 @@
 
 use std::time::Instant;
 
-use denavit::control::law::{Command, Controller, Estimator, Fault, Limits, Sample, Settings, Target};
+use denavit::control::law::{Command, Controller, Estimator, Fault, Limits, Model, Sample, Settings, Target, Tool};
 
 use super::{ESTIMATOR, Lwr, N, STIFFNESS, nanoseconds};
+
+/// What is wrong with a model.
+#[derive(Clone, Copy, PartialEq)]
+enum Failure {
+    None,
+    /// Gravity and torques are no numbers, or such as no drive could hold.
+    Dumb(f64),
+    /// Neither a posture nor a point of contact.
+    Lost,
+    /// Another branch of the inverse.
+    Flipped,
+}
+
+/// A model that may fail.
+#[derive(Clone)]
+struct Failing {
+    arm: Lwr,
+    failure: Failure,
+}
+
+impl Model<N> for Failing {
+    fn gravity(&mut self, q: &[f64; N]) -> [f64; N] {
+        let mut gravity = self.arm.gravity(q);
+        if let Failure::Dumb(by) = self.failure {
+            gravity[3] *= by;
+        }
+        gravity
+    }
+
+    fn moving(&mut self, q: &[f64; N], dq: &[f64; N], ddq: &[f64; N]) -> [f64; N] {
+        let mut moving = self.arm.moving(q, dq, ddq);
+        if let Failure::Dumb(by) = self.failure {
+            moving[1] *= by;
+        }
+        moving
+    }
+
+    fn pressing(&mut self, q: &[f64; N], along: &[f64; 3]) -> [f64; N] {
+        self.arm.pressing(q, along)
+    }
+
+    fn touch(&mut self, q: &[f64; N]) -> Option<Tool<N>> {
+        self.arm.touch(q).filter(|_| self.failure != Failure::Lost)
+    }
+
+    fn displaced(&mut self, q: &[f64; N], by: &[f64; 3], near: &[f64; N]) -> Option<[f64; N]> {
+        let mut found = self.arm.displaced(q, by, near).filter(|_| self.failure != Failure::Lost)?;
+        found[2] += if self.failure == Failure::Flipped { std::f64::consts::PI } else { 0.0 };
+        Some(found)
+    }
+}
 
 /// A xorshift.
 struct Random(u64);
@@ -117,7 +168,22 @@ fn hurt(random: &mut Random, kind: u64, target: &mut Target<N>, sample: &mut Sam
         19 => sample.force = 25.0 + random.unit(),
         20 => target.q[3] = 1e-3 * random.unit(),
         21 => target.q[5] = 1e-3 * random.unit(),
+        // The wall is gone.
+        22 => (sample.force, sample.push) = (0.1 * random.unit(), [0.0; 3]),
+        // The model fails, and nothing else.
+        23..=26 => {}
         _ => sample.t += 10.0,
+    }
+}
+
+/// What a model does under each kind.
+fn failure(kind: u64) -> Failure {
+    match kind {
+        23 => Failure::Dumb(f64::NAN),
+        24 => Failure::Dumb(1e9),
+        25 => Failure::Lost,
+        26 => Failure::Flipped,
+        _ => Failure::None,
     }
 }
 
@@ -160,8 +226,9 @@ impl Record {
 pub fn run(lwr: Lwr, settings: Settings<N>, steps: u64) {
     let limits =
         Limits { torque_rate: [1e5; N], saturated: 0.1, frozen: [0.05; N], stuck: [2e-3, 0.2], ..settings.limits };
-    let settings = Settings { most: 170.0, give_up: 2.0, limits, ..settings };
-    let Ok(mut controller) = Controller::new(lwr.clone(), settings) else { return };
+    let settings = Settings { most: 170.0, give_up: 0.5, limits, ..settings };
+    let model = Failing { arm: lwr.clone(), failure: Failure::None };
+    let Ok(mut controller) = Controller::new(model, settings) else { return };
     let mut estimator = Estimator::new(lwr, ESTIMATOR);
     let mut random = Random(0x9e37_79b9_7f4a_7c15);
     let times = [(); 2].map(|()| (Histogram(vec![0; 32 * 27]), 0));
@@ -171,7 +238,7 @@ pub fn run(lwr: Lwr, settings: Settings<N>, steps: u64) {
     for k in 0..steps {
         let (mut target, mut sample, mut tau) = stroke(k, last.map_or(0.0, |l| l.displacement), &mut random);
         if left == 0 {
-            (kind, ill, frozen) = (random.one(24), !ill, Some(sample));
+            (kind, ill, frozen) = (random.one(28), !ill, Some(sample));
             left = 1 + if random.one(3) == 0 { random.one(1000) } else { random.one(12) };
         }
         left -= 1;
@@ -179,8 +246,9 @@ pub fn run(lwr: Lwr, settings: Settings<N>, steps: u64) {
             hurt(&mut random, kind, &mut target, &mut sample, frozen);
             tau[0] = if kind == 4 { random.any() } else { tau[0] };
         }
+        controller.model().failure = if ill { failure(kind) } else { Failure::None };
         let (was, before) = (controller.clone(), estimator.clone());
-        let round = |controller: &mut Controller<Lwr, N>, estimator: &mut Estimator<Lwr, N>| {
+        let round = |controller: &mut Controller<Failing, N>, estimator: &mut Estimator<Lwr, N>| {
             let begin = Instant::now();
             std::hint::black_box(std::hint::black_box(estimator).step(&sample.q, &tau));
             let command = std::hint::black_box(controller).step(&target, &sample);

@@ -165,7 +165,7 @@ impl Force {
             .map_err(|e| Failure::input(format!("{}: {e}", self.robot.display())))?;
         let effected = predictor.as_ref().map(|p| Effected(p));
         let torques: &dyn Torques = effected.as_ref().map_or(&linear, |e| e);
-        let prepare = self.preparation.prepare(&file.robot)?;
+        let prepare = Prepare { thinned: false, ..self.preparation.prepare(&file.robot)? };
         let prepare = Prepare { raw_torque: true, margins: true, wrench: true, temperature: true, ..prepare };
         let settings = EstimationSettings { bias: self.bias_of(&arm, torques, &prepare)?, ..self.settings(&prepare) };
         let (uncertainty, known_from) = self.uncertainty(&arm, torques, &prepare)?;

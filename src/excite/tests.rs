@@ -385,6 +385,52 @@ fn a_torque_is_within_its_limit_or_not() {
     }
 }
 
+/// To either side, with the limit that is broken.
+#[test]
+fn a_position_is_within_its_range_or_not() {
+    let mut robot = robot("kuka-lwr4");
+    let q = [0.3, 0.9, -0.2, 1.1, 0.1, -0.6, 0.2];
+    let rows = |x: &[f64]| vec![x.to_vec(); 3];
+    for (range, broken) in [([0.31, 1.0], Some(0.31)), ([-1.0, 0.29], Some(0.29)), ([0.29, 0.31], None)] {
+        robot.joints[0].limits.position = Some(range);
+        let motion = Written { t: vec![0.0, 0.1, 0.2], q: rows(&q), dq: rows(&[0.0; 7]), ddq: rows(&[0.0; 7]) };
+        let findings = check(&robot, &motion, Some(0.5)).unwrap().findings;
+        let found = findings.iter().find(|f| f.kind == "position" && f.broken).map(|f| f.limit);
+        assert_eq!(found, broken, "{range:?}");
+    }
+}
+
+/// Balls come nearer by what each of the two is larger.
+#[test]
+fn both_balls_of_a_pair_take_room() {
+    let robot = robot("kuka-lwr4");
+    let arm = Differentiated::new(&robot);
+    let task = Task::new(&arm, &robot, 3.0, 0.5).unwrap();
+    let mut bodies = super::bodies::Bodies::new(&robot);
+    let q = vec![0.3, 0.9, -0.2, 1.1, 0.1, -0.6, 0.2];
+    let states = States { len: 1, q, dq: vec![0.0; 7], ddq: vec![0.0; 7] };
+    let value = |bodies: &super::bodies::Bodies| {
+        let constraints = super::constraints::Constraints {
+            arm: &arm,
+            limits: &task.limits,
+            standard: None,
+            bodies,
+            torque_margin: 0.0,
+            distance_margin: 0.0,
+        };
+        constraints.values(&[super::constraints::Constraint::Pair(0)], &states)[0]
+    };
+    let (a, b) = bodies.pairs[0];
+    let before = value(&bodies);
+    for ball in [a, b] {
+        let radius = bodies.balls[ball].radius;
+        bodies.balls[ball].radius += 0.02;
+        // In units of 0.1 m.
+        assert!((value(&bodies) - before - 0.2).abs() < 1e-9, "{ball}");
+        bodies.balls[ball].radius = radius;
+    }
+}
+
 /// Positions, speeds and accelerations of a sine that is sampled eight times a turn belong together:
 /// the trapezium alone would miss the positions by a twentieth.
 #[test]

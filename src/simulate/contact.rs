@@ -127,3 +127,17 @@ pub(super) fn in_base(pose: &[f64; 12], wrench: &[f64; 6]) -> [f64; 6] {
         (0..3).map(|k| pose[4 * row + k] * wrench[from + k]).sum()
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Friction acts against the sliding, across the normal.
+    #[test]
+    fn a_wall_holds_back_what_slides_on_it() {
+        let wall = Wall { friction: 0.4, damping: 0.0, ..Wall::new([0.0; 3], [0.0, 0.0, 1.0]) };
+        let pose = [1.0, 0.0, 0.0, 0.3, 0.0, 1.0, 0.0, 0.1, 0.0, 0.0, 1.0, -1e-3];
+        let [x, y, z, ..] = wall.wrench(0.0, &pose, &[3.0, -4.0, 0.0, 0.0, 0.0, 0.0]).wrench;
+        assert!((x + 4.8).abs() < 1e-4 && (y - 6.4).abs() < 1e-4 && (z - 20.0).abs() < 1e-9, "{x} {y} {z}");
+    }
+}

@@ -214,4 +214,14 @@ mod tests {
             }
         }
     }
+
+    /// An encoder that is mounted 0.1 rad on says 0.1 rad less.
+    #[test]
+    fn an_encoder_says_less_by_its_offset() {
+        let sensors = Sensors::perfect(1e3);
+        let drives = [Drive { encoder_offset: 0.1, ..Drive::ideal(10.0) }];
+        let mut gauges = Gauges::new(&sensors, &drives, 1);
+        let seen = (0..9).map(|k| gauges.see(1e-3 * f64::from(k), &[0.7], &[0.0]).q[0]).last();
+        assert!((seen.unwrap() - 0.6).abs() < 1e-12, "{seen:?}");
+    }
 }

@@ -104,3 +104,19 @@ pub fn states(a: &DMatrix<f64>, b: &DVector<f64>, z: Complex<f64>) -> Option<DVe
 pub fn radius(a: &DMatrix<f64>) -> f64 {
     a.complex_eigenvalues().iter().fold(0.0, |most: f64, v| most.max(v.norm()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `10 / jw (1 + jw / 10)` falls to one at 7.86 rad/s, 51.8 degrees from -1.
+    #[test]
+    fn a_phase_margin_is_the_angle_to_minus_one() {
+        let period = 1e-3;
+        let margins = Margins::of(period, 0.5, |z| {
+            let s = Complex::new(0.0, z.arg() / period);
+            Complex::new(10.0, 0.0) / (s * (Complex::new(1.0, 0.0) + s / 10.0))
+        });
+        assert!((margins.crossover - 7.86).abs() < 0.3 && (margins.phase - 51.8).abs() < 1.5, "{margins:?}");
+    }
+}

@@ -75,6 +75,8 @@ struct State<const N: usize> {
     gravity: [f64; N],
     /// Whether the model gave numbers when it was last asked.
     answers: bool,
+    /// The force that is pressed with, on its way to the one that the plan asks for.
+    asked: f64,
     carried: f64,
     aside: [f64; 3],
 }
@@ -95,6 +97,7 @@ impl<const N: usize> State<N> {
             torque: None,
             gravity: [0.0; N],
             answers: true,
+            asked: 0.0,
             carried: 0.0,
             aside: [0.0; 3],
         }
@@ -123,7 +126,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             model,
             bounds: settings.bounds(),
             watch: Watch::new(settings.period, settings.patience, fastest),
-            force: ForceLoop::new(settings.force),
+            force: settings.force_loop(),
             state: State::new(),
             drag: Drag::default(),
             settings,
@@ -293,10 +296,10 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             None => self.state.plan.last().copied(),
         };
         // Nothing to follow, or nothing that it could be trusted to follow.
-        let Some(target) = target else {
+        let Some(mut target) = target else {
             self.state.desired = Some(*q);
             self.force.reset();
-            (self.state.carried, self.state.aside) = (0.0, [0.0; 3]);
+            (self.state.asked, self.state.carried, self.state.aside) = (0.0, 0.0, [0.0; 3]);
             let torque = self.settings.joints.rest([q, before], dt, &self.state.gravity);
             return self.answer(torque, *q, true);
         };
@@ -304,6 +307,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             let desired = self.state.desired.unwrap_or(*q);
             return self.answer(self.state.torque.unwrap_or(self.state.gravity), desired, false);
         }
+        target.force = self.asks(target.force, dt);
         self.press(&target, sample.force, has_force, dt);
         let last = self.state.desired.unwrap_or(*q);
         let desired = self.send(&target, &last, dt);
@@ -327,6 +331,13 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         self.answer(torque, desired, false)
     }
 
+    /// The force to press with: what the plan asks for, come to no faster than its limit allows.
+    fn asks(&mut self, wanted: Option<f64>, dt: f64) -> Option<f64> {
+        let (step, last) = (self.settings.limits.force_rate * dt, self.state.asked);
+        self.state.asked = wanted.map_or(0.0, |wanted| wanted.clamp(last - step, last + step));
+        wanted.map(|_| self.state.asked)
+    }
+
     /// Moves the displacement.
     fn press(&mut self, target: &Target<N>, force: f64, has_force: bool, dt: f64) {
         match (self.state.machine.status(), target.force) {
@@ -336,11 +347,15 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             (Status::Free, _) => {
                 self.force.go(0.0, dt);
             }
-            (Status::Approaching | Status::Pressing | Status::Lost, Some(wanted)) if has_force => {
+            (status @ (Status::Approaching | Status::Pressing | Status::Lost), Some(wanted)) if has_force => {
                 let ceiling = self.state.contact.ceiling(&self.settings.search());
-                self.force.press(wanted - force, dt, ceiling, target.ahead);
+                if status == Status::Pressing {
+                    self.force.press(wanted - force, dt, ceiling, target.ahead);
+                } else {
+                    self.force.approach(wanted - force, dt, ceiling, target.ahead);
+                }
             }
-            _ => {}
+            _ => self.force.hold(),
         }
     }
 

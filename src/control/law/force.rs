@@ -1,5 +1,6 @@
 //! The outer loop, equation (15): `dP = Kp (F_d - F) + Ki integral (F_d - F)`, along the normal,
-//! with limits of place and speed. What is known to be needed anyway is added to it.
+//! with limits of place and speed. What is known to be needed anyway is added to it. Without contact
+//! it has limits of acceleration and jerk too; in contact they would cost it its margins.
 
 /// Gains and limits of the force loop.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,23 +20,39 @@ pub struct ForceSettings {
 pub struct ForceLoop {
     settings: ForceSettings,
     integral: f64,
-    displacement: f64,
+    way: Way,
 }
 
 impl ForceLoop {
-    /// At rest, nothing displaced.
+    /// At rest, nothing displaced, without limits of acceleration and jerk.
     pub fn new(settings: ForceSettings) -> Self {
-        Self { settings, integral: 0.0, displacement: 0.0 }
+        Self { settings, integral: 0.0, way: Way::new(f64::INFINITY, 1) }
+    }
+
+    /// With limits of acceleration (m/s^2) and jerk (m/s^3), for steps of a period (s).
+    #[must_use]
+    pub fn within(self, [acceleration, jerk]: [f64; 2], period: f64) -> Self {
+        // A mean over so many steps turns from one acceleration to the other no faster than the jerk.
+        let change = jerk * period;
+        let most = acceleration.min(0.5 * change * SMOOTHED as f64);
+        let count = if change.is_finite() { (1..SMOOTHED).find(|n| *n as f64 * change >= 2.0 * most) } else { Some(1) };
+        Self { way: Way::new(most, count.unwrap_or(SMOOTHED)), ..self }
     }
 
     /// Last command, m.
     pub fn displacement(&self) -> f64 {
-        self.displacement
+        self.way.mean
     }
 
     /// Restarts.
     pub fn reset(&mut self) {
-        (self.integral, self.displacement) = (0.0, 0.0);
+        self.integral = 0.0;
+        self.way.stand(0.0);
+    }
+
+    /// Stands still where it is.
+    pub fn hold(&mut self) {
+        self.way.stand(self.way.mean);
     }
 
     /// Presses. Arguments are the error of the force (desired less actual, N), the time since the
@@ -43,30 +60,136 @@ impl ForceLoop {
     /// loop's own displacement (m; all limits hold for the sum). The integral stands still while
     /// the displacement is held by a limit and the error pushes against it.
     pub fn press(&mut self, error: f64, dt: f64, ceiling: f64, ahead: f64) -> f64 {
+        self.follow(error, dt, ceiling, ahead, false)
+    }
+
+    /// The same without contact, within the limits of acceleration and jerk. The integral stands
+    /// still while the displacement is behind by more than it needs to brake.
+    pub fn approach(&mut self, error: f64, dt: f64, ceiling: f64, ahead: f64) -> f64 {
+        self.follow(error, dt, ceiling, ahead, true)
+    }
+
+    fn follow(&mut self, error: f64, dt: f64, ceiling: f64, ahead: f64, gently: bool) -> f64 {
         let ForceSettings { kp, ki, range, rate } = self.settings;
         // So large that it is a limit anyway, and small enough never to overflow.
         let error = error.clamp(-1e9, 1e9);
-        let step = rate * dt;
-        let top = range[1].min(ceiling.max(range[0])).min(self.displacement + step);
-        let bottom = range[0].max(self.displacement - step).min(top);
+        let top = range[1].min(ceiling.max(range[0]));
         let integral = self.integral + ki * error * dt;
         let wanted = kp * error + integral + ahead;
-        self.displacement = wanted.clamp(bottom, top);
-        let pushes_out = (wanted > top && error > 0.0) || (wanted < bottom && error < 0.0);
+        if gently {
+            self.way.go(wanted, [range[0], top], rate, dt);
+        } else {
+            self.way.leap(wanted.clamp(range[0], top), rate, dt);
+        }
+        let (at, room) = if gently { (self.way.at, self.way.brakes_within(dt)) } else { (self.way.mean, 0.0) };
+        let behind = wanted - at;
+        let pushes_out = behind * error > 0.0 && behind.abs() > room;
         if !pushes_out {
             self.integral = integral.clamp(range[0], range[1]);
         }
-        self.displacement
+        self.way.mean
     }
 
-    /// Goes to a displacement at the largest speed, without looking at the force; the integral goes
-    /// along, so that pressing begins without a jump.
+    /// Goes to a displacement at the largest speed, without looking at the force. What goes the other
+    /// way stops at once: a tool that is to leave the wall does not go deeper first. The integral
+    /// goes along, so that pressing begins without a jump.
     pub fn go(&mut self, to: f64, dt: f64) -> f64 {
         let ForceSettings { range, rate, .. } = self.settings;
-        let step = rate * dt;
-        let to = to.clamp(range[0], range[1]);
-        self.displacement = to.clamp(self.displacement - step, self.displacement + step);
-        self.integral = self.displacement;
-        self.displacement
+        if (to - self.way.at) * self.way.speed < 0.0 {
+            self.way.stand(self.way.mean);
+        }
+        self.way.go(to, range, rate, dt);
+        self.integral = self.way.at;
+        self.way.mean
+    }
+
+    /// What the limits of acceleration and jerk add to the time of a way, s.
+    pub(super) fn delay(&self, period: f64) -> f64 {
+        self.settings.rate / self.way.acceleration + self.way.count as f64 * period
+    }
+}
+
+/// Steps that the displacement is smoothed over at most.
+const SMOOTHED: usize = 32;
+
+/// A way with limits of speed, acceleration and jerk.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Way {
+    acceleration: f64,
+    /// Within the limits of speed and acceleration: place (m) and speed (m/s).
+    at: f64,
+    speed: f64,
+    /// The last places, as many as count, and their mean: within the limit of jerk too.
+    last: [f64; SMOOTHED],
+    count: usize,
+    next: usize,
+    mean: f64,
+}
+
+impl Way {
+    fn new(acceleration: f64, count: usize) -> Self {
+        Self { acceleration, at: 0.0, speed: 0.0, last: [0.0; SMOOTHED], count, next: 0, mean: 0.0 }
+    }
+
+    fn stand(&mut self, at: f64) {
+        *self = Self { at, mean: at, last: [at; SMOOTHED], ..Self::new(self.acceleration, self.count) };
+    }
+
+    /// The way to stop from a speed that is a step's acceleration higher, m.
+    fn brakes_within(&self, dt: f64) -> f64 {
+        let change = self.acceleration * dt;
+        let speed = self.speed.abs() + 1.5 * change;
+        if change.is_finite() { 0.5 * speed * speed / self.acceleration } else { 0.0 }
+    }
+
+    /// Goes to a place for a step, within the limit of speed alone. The last places are those of a
+    /// way at this speed, so that a gentle one goes on from it.
+    fn leap(&mut self, to: f64, rate: f64, dt: f64) {
+        let (before, step) = (self.mean, rate * dt);
+        let now = to.clamp(before - step, before + step);
+        let middle = 0.5 * (self.count - 1) as f64;
+        for (k, place) in self.last[..self.count].iter_mut().enumerate() {
+            *place = now + (now - before) * (k as f64 - middle);
+        }
+        (self.at, self.speed) = (now + (now - before) * middle, (now - before) / dt);
+        (self.mean, self.next) = (now, 0);
+    }
+
+    /// Goes towards a place within bounds for a step, no faster than `rate`.
+    fn go(&mut self, to: f64, [low, high]: [f64; 2], rate: f64, dt: f64) {
+        let way = to.clamp(low, high) - self.at;
+        let side = if way < 0.0 { -1.0 } else { 1.0 };
+        let speed =
+            if self.acceleration.is_finite() { self.speed_for(way.abs(), side * self.speed, rate, dt) } else { rate };
+        // To the place itself, if it is that near and can be stopped at.
+        let least = side * self.speed - self.acceleration * dt;
+        let by = if speed * dt < way.abs() { side * speed * dt } else { side * way.abs().max(least * dt) };
+        let now = if by == way { to.clamp(low, high) } else { (self.at + by).clamp(low, high) };
+        (self.speed, self.at) = ((now - self.at) / dt, now);
+        self.last[self.next] = now;
+        self.next = (self.next + 1) % self.count;
+        let last = &self.last[..self.count];
+        // Not beyond them by rounding, nor beyond the bounds from a way that was faster.
+        let [least, most] = last.iter().fold([now; 2], |[least, most], x| [least.min(*x), most.max(*x)]);
+        self.mean = (last.iter().sum::<f64>() / self.count as f64).clamp(least, most).clamp(low, high);
+    }
+
+    /// The largest speed after `speed` from which it can still stop within a way (m), braking in
+    /// steps; if there is none, the least that the acceleration allows.
+    fn speed_for(&self, way: f64, speed: f64, rate: f64, dt: f64) -> f64 {
+        let change = self.acceleration * dt;
+        let fastest = (speed + change).min(rate);
+        // Braking in steps takes `(v + change / 2)^2 / 2 a` at most; below one change, one step. By
+        // Newton's steps from above, as there is no square root.
+        let room = 2.0 * self.acceleration * way;
+        let mut root = fastest.max(0.0) + 0.5 * change;
+        for _ in 0..16 {
+            if root * root <= room {
+                break;
+            }
+            root = 0.5 * (root + room / root);
+        }
+        let v = fastest.min((root - 0.5 * change).max((way / dt).min(change)));
+        v.max(speed - change)
     }
 }

@@ -17,8 +17,12 @@ pub struct Limits<const N: usize> {
     /// Largest planned jerk, rad/s^3 or m/s^3.
     pub jerk: [f64; N],
     /// Largest planned speed (m/s), acceleration (m/s^2) and jerk (m/s^3) of the point of contact
-    /// ([`Model::touch`](super::Model::touch)).
+    /// ([`Model::touch`](super::Model::touch)). Without contact the displacement by the force
+    /// loop keeps to the last two by itself.
     pub tool: [f64; 3],
+    /// Fastest change of the force that is pressed with, N/s: a plan that asks for another one is
+    /// followed no faster.
+    pub force_rate: f64,
     /// Fastest change of the torques, N m/s.
     pub torque_rate: [f64; N],
     /// How long torques may stay at a limit of size or rate, s.
@@ -38,6 +42,7 @@ impl<const N: usize> Limits<N> {
         acceleration: [f64::INFINITY; N],
         jerk: [f64::INFINITY; N],
         tool: [f64::INFINITY; 3],
+        force_rate: f64::INFINITY,
         torque_rate: [f64::INFINITY; N],
         saturated: f64::INFINITY,
         frozen: [f64::INFINITY; N],
@@ -48,7 +53,7 @@ impl<const N: usize> Limits<N> {
         let positive = |x: &f64| *x > 0.0;
         let ranges = self.position.iter().all(|[low, high]| low < high);
         let motion = self.acceleration.iter().chain(&self.jerk).chain(&self.tool).all(positive);
-        let torque = self.torque_rate.iter().all(positive) && positive(&self.saturated);
+        let torque = self.torque_rate.iter().all(positive) && positive(&self.saturated) && positive(&self.force_rate);
         let still = self.frozen.iter().chain(&self.stuck).all(positive);
         (!(ranges && motion && torque && still)).then_some(ControllerError::Limits)
     }
@@ -114,6 +119,7 @@ impl<const N: usize> Plan<N> {
                 && within(&change(&target.dq, &from.dq), &limits.acceleration)
                 && within(&change(&target.ddq, &from.ddq), &limits.jerk)
                 && displacement * displacement * turn <= reach * reach
+                && (target.ahead - from.ahead).abs() <= reach
         };
         let sound = is_sound(target)
             && target.force.is_none_or(|force| force <= *most)

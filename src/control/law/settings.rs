@@ -2,7 +2,7 @@
 
 use super::contact::Search;
 use super::error::ControllerError;
-use super::force::ForceSettings;
+use super::force::{ForceLoop, ForceSettings};
 use super::joint::JointLoop;
 use super::limits::Limits;
 use super::machine::Bounds;
@@ -96,8 +96,15 @@ impl<const N: usize> Settings<N> {
         let ForceSettings { range, rate, .. } = self.force;
         // A conversion saturates, and a NaN is 0.
         let steps = |seconds: f64| (seconds / self.period) as u32;
-        let leave = steps((range[1] - range[0]) / rate + self.stop).saturating_add(self.patience).saturating_add(2);
+        let way = (range[1] - range[0]) / rate + self.force_loop().delay(self.period);
+        let leave = steps(way + self.stop).saturating_add(self.patience).saturating_add(2);
         Bounds { patience: self.patience, leave, stop: steps(self.stop + REST).saturating_add(2) }
+    }
+
+    /// Without contact the displacement keeps to the tool's limits of acceleration and jerk.
+    pub(super) fn force_loop(&self) -> ForceLoop {
+        let [_, acceleration, jerk] = self.limits.tool;
+        ForceLoop::new(self.force).within([acceleration, jerk], self.period)
     }
 
     /// Limits of the search for a contact.

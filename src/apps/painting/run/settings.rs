@@ -13,6 +13,8 @@ use crate::simulate::Simulator;
 const ASIDE_POLE: f64 = 4.0;
 /// Time of a stop along the path, s.
 const STOP: f64 = 0.25;
+/// Time in which the force comes up to the one that is asked for, s.
+const RISE: f64 = 0.05;
 /// Share of its torque limit that a joint's spring may have while its position does not change by a
 /// bit: above static friction.
 const STUCK: f64 = 0.15;
@@ -29,7 +31,7 @@ fn strength<const N: usize>(robot: &Robot) -> [[f64; N]; 2] {
 /// Limits of the file; what it has not is libfranka's for the tool (its jerk is what takes 2 ms to
 /// the full acceleration, for joints too), and for the torques a wide one, their range
 /// in 2 ms: where the displacement begins to move, the joints' loops answer its speed at once.
-fn limits_of<const N: usize>(robot: &Robot, kp: &[f64; N], torque: &[f64; N]) -> Limits<N> {
+fn limits_of<const N: usize>(robot: &Robot, kp: &[f64; N], torque: &[f64; N], force: f64) -> Limits<N> {
     let limits: Vec<_> = robot.moving().iter().map(|&row| &robot.joints[row].limits).collect();
     let acceleration: [f64; N] = std::array::from_fn(|j| limits[j].acceleration.unwrap_or(f64::INFINITY));
     Limits {
@@ -37,6 +39,7 @@ fn limits_of<const N: usize>(robot: &Robot, kp: &[f64; N], torque: &[f64; N]) ->
         acceleration,
         jerk: std::array::from_fn(|j| limits[j].jerk.unwrap_or(acceleration[j] / 2e-3)),
         tool: [1.7, 13.0, 6500.0],
+        force_rate: force / RISE,
         torque_rate: torque.map(|most| most / 1e-3),
         saturated: 0.1,
         frozen: std::array::from_fn(|j| STUCK * torque[j] / kp[j].max(1e-6)),
@@ -86,7 +89,7 @@ pub(super) fn controller<const N: usize>(known: &Known<'_>, task: &RunTask<'_>, 
         aside_pole: ASIDE_POLE,
         drag: task.law.drag,
         corner: task.corner,
-        limits: limits_of(known.robot, &kp, &torque),
+        limits: limits_of(known.robot, &kp, &torque, task.force),
         stop: STOP,
     }
 }
