@@ -607,7 +607,7 @@ const UNSAFE: &str = include_str!("architecture/unsafe.txt");
 #[test]
 fn unsafe_stands_where_it_is_listed() {
     let mut found = BTreeMap::new();
-    for folder in ["src", "dh-macro", "tests", "benches", "examples", "fuzz"] {
+    for folder in ["src", "dh-macro", "tests", "benches", "examples", "fuzz", "fleet"] {
         for path in files(folder, "rs") {
             let text = fs::read_to_string(root().join(&path)).unwrap();
             let Ok(tokens) = text.parse::<TokenStream>() else { continue };
