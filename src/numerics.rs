@@ -3,6 +3,7 @@
 pub(crate) mod butterworth;
 pub(crate) mod chebyshev;
 pub(crate) mod cholesky;
+pub(crate) mod eigen;
 pub mod elastic_joint;
 pub(crate) mod fft;
 pub(crate) mod integrators;

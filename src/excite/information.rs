@@ -4,10 +4,11 @@
 //! that digits are at stake, the factor `R` of `W = Q R` is taken instead, which has the singular
 //! values themselves.
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 
 use crate::identify::RFactor;
 use crate::model::{Gradient, States};
+use crate::numerics::eigen;
 
 use super::columns::{Columns, Entry};
 use super::criterion::{Criterion, Slope};
@@ -105,7 +106,7 @@ impl Information {
             None => {
                 let scale: Vec<f64> = (0..n).map(|k| unit(self.gram[(k, k)].sqrt())).collect();
                 let scaled = DMatrix::from_fn(n, n, |i, k| self.gram[(i, k)] * scale[i] * scale[k]);
-                let eigen = SymmetricEigen::new(scaled);
+                let eigen = eigen::symmetric(scaled);
                 let floor = eigen.eigenvalues.max() * 1e-30;
                 (eigen.eigenvalues.iter().map(|l| l.max(floor).sqrt()).collect(), eigen.eigenvectors, scale)
             }
@@ -248,7 +249,7 @@ fn factor(columns: &Columns<'_>, values: &[f64], len: usize, scaling: &Scaling) 
         triangle.absorb(&mut block, len);
     }
     if let Some(prior) = &scaling.prior {
-        let eigen = SymmetricEigen::new(prior.clone());
+        let eigen = eigen::symmetric(prior.clone());
         let root =
             DMatrix::from_diagonal(&eigen.eigenvalues.map(|l| l.max(0.0).sqrt())) * eigen.eigenvectors.transpose();
         triangle.absorb(&mut root.as_slice().to_vec(), count);

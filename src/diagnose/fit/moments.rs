@@ -4,11 +4,12 @@
 use std::ops::Range;
 use std::sync::Arc;
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 
 use super::regulariser::Regulariser;
 use crate::diagnose::windows::windowed_data::{BLOCKS, Column, WindowedData};
 use crate::identify::dot;
+use crate::numerics::eigen;
 use crate::numerics::parallel::{parallel, threads};
 
 /// Products of a joint's columns with each other and with the torque, over one part of the data.
@@ -543,7 +544,7 @@ pub fn pseudo_inverse(matrix: &DMatrix<f64>) -> DMatrix<f64> {
             return inverse;
         }
     }
-    let eigen = SymmetricEigen::new(scaled);
+    let eigen = eigen::symmetric(scaled);
     let largest = eigen.eigenvalues.iter().fold(0.0_f64, |m, v| m.max(*v));
     let mut inverse = DMatrix::zeros(n, n);
     for (value, vector) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()) {

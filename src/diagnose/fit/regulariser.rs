@@ -12,9 +12,10 @@
 //! determine is drawn to the file, as a plain normal prior would. How strong is left to the data as
 //! well: what predicts stretches of the logs best that are left out in turn.
 
-use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
+use nalgebra::{Cholesky, DMatrix, DVector};
 
 use crate::model::{Inertial, PerturbableArm, StandardParameter};
+use crate::numerics::eigen;
 
 /// How many times less than that of the prior the data's variance has to be for a direction to be
 /// taken by half: what is tried.
@@ -52,7 +53,7 @@ impl Regulariser {
         if !information.iter().all(|x| x.is_finite()) {
             return None;
         }
-        let eigen = SymmetricEigen::new(information);
+        let eigen = eigen::symmetric(information);
         let all = white(full);
         let inverse = root.clone().try_inverse()?;
         let (mut precision, mut spread) = (DMatrix::zeros(n, n), DMatrix::zeros(n, n));

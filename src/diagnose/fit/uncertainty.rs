@@ -1,12 +1,13 @@
 //! Uncertainty of a fit: standard deviations that include the shapes', and directions that the data
 //! leave open.
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 
 use super::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use super::moments::pseudo_inverse;
 use crate::diagnose::hypotheses::{Estimate, Named, UNIT};
 use crate::diagnose::windows::windowed_data::Column;
+use crate::numerics::eigen;
 
 /// Covariance of everything that was estimated.
 pub struct Uncertainty {
@@ -168,7 +169,7 @@ fn undetermined(information: &DMatrix<f64>, std: &[f64]) -> DMatrix<f64> {
     if !white.iter().all(|x| x.is_finite()) {
         return DMatrix::zeros(n, 0);
     }
-    let eigen = SymmetricEigen::new(white);
+    let eigen = eigen::symmetric(white);
     let columns: Vec<_> =
         (0..n).filter(|&k| eigen.eigenvalues[k] < 1.0).map(|k| eigen.eigenvectors.column(k).into_owned()).collect();
     if columns.is_empty() { DMatrix::zeros(n, 0) } else { DMatrix::from_columns(&columns) }

@@ -1,7 +1,7 @@
 //! Least squares over possible bodies beside further unknowns, of which some have a lower bound:
 //! what a diagnosis fits.
 
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 
 use super::ConsistentError;
 use super::ConsistentSettings;
@@ -10,6 +10,7 @@ use super::VANISHING;
 use super::newton::Weights;
 use super::setup::{Data, Layout, Setup, grouping};
 use crate::model::{BaseParameter, StandardParameter};
+use crate::numerics::eigen;
 
 /// Eigenvalues of the scaled normal matrix below this share of the largest say nothing.
 const RANK: f64 = 1e-13;
@@ -120,7 +121,7 @@ fn root(normal: &DMatrix<f64>, rhs: &DVector<f64>) -> Data {
     let n = rhs.len();
     let size: Vec<f64> = (0..n).map(|i| if normal[(i, i)] > 0.0 { normal[(i, i)].sqrt() } else { 1.0 }).collect();
     let scaled = DMatrix::from_fn(n, n, |i, k| 0.5 * (normal[(i, k)] + normal[(k, i)]) / (size[i] * size[k]));
-    let eigen = SymmetricEigen::new(scaled);
+    let eigen = eigen::symmetric(scaled);
     let most = eigen.eigenvalues.iter().fold(0.0_f64, |m, x| m.max(*x));
     let (mut r, mut z) = (DMatrix::zeros(n, n), DVector::zeros(n));
     for (k, (&value, axis)) in eigen.eigenvalues.iter().zip(eigen.eigenvectors.column_iter()).enumerate() {

@@ -14,6 +14,7 @@ use crate::identify::validation::preference::Errors;
 use crate::identify::validation::preference::Preference;
 use crate::identify::validation::preference::compare;
 use crate::model::Arm;
+use crate::numerics::eigen;
 
 /// Parts that are left out in turn.
 const PARTS: usize = 8;
@@ -113,7 +114,7 @@ fn factor(gram: &[f64], n: usize) -> RFactor {
     let scale: Vec<f64> = (0..n).map(|k| gram[k + k * n].max(0.0).sqrt()).collect();
     let inverse = |k: usize| if scale[k] > 0.0 { scale[k].recip() } else { 0.0 };
     let unit = DMatrix::from_fn(n, n, |i, k| inverse(i) * gram[i + k * n] * inverse(k));
-    let eigen = unit.symmetric_eigen();
+    let eigen = eigen::symmetric(unit);
     let least = 1e-13 * eigen.eigenvalues.max();
     let root = |i: usize| if eigen.eigenvalues[i] > least { eigen.eigenvalues[i].sqrt() } else { 0.0 };
     let rows = DMatrix::from_fn(n, n, |i, k| root(i) * eigen.eigenvectors[(k, i)] * scale[k]);
