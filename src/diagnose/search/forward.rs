@@ -35,6 +35,10 @@ const SAME: f64 = 1e-3;
 /// Share by which the error of a joint on left-out stretches may grow.
 const SPOILT: f64 = 0.3;
 
+/// A level of friction that ends below zero by no more than this part of the file's, or of the
+/// noise, is one that is zero.
+const BELOW: f64 = 0.25;
+
 /// What acts in a part of a log gains at least so many times what it would gain in the upper
 /// quartile of all other parts.
 const ALONE: f64 = 3.0;
@@ -361,7 +365,11 @@ impl Forward<'_, '_> {
         let evidence = |share: f64, left_out: f64| {
             Some(Evidence { effect: cause.effect(), place: place.clone(), share, left_out })
         };
-        if plain(candidate).is_none() && !trial.last().is_some_and(|last| judge.stands(last, after)) {
+        let stands = match plain(candidate) {
+            Some(k) => !self.drives(k, after),
+            None => trial.last().is_some_and(|last| judge.stands(last, after)),
+        };
+        if !stands {
             return None;
         }
         if cause.local() {
@@ -385,6 +393,14 @@ impl Forward<'_, '_> {
         }
         let taken = 1.0 - after.solution.rss[main] / before.solution.rss[main].max(f64::MIN_POSITIVE);
         evidence(taken, share(main))
+    }
+
+    /// Whether a level of plain friction is far below zero in a fit. Friction would drive the joint
+    /// then: along a motion in one direction an offset looks like that.
+    fn drives(&self, k: usize, fitted: &Fitted) -> bool {
+        let file = given_friction(self.tested.plant)[k / 3][k % 3].unwrap_or(0.0).max(0.0);
+        let level = file + fitted.solution.x[fitted.friction + k];
+        k % 3 < 2 && level < -BELOW * file.max(self.noise[k / 3])
     }
 
     /// Whether what acts in a part of a log gains far more there than it would anywhere else: a

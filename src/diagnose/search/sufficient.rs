@@ -28,7 +28,10 @@ impl Forward<'_, '_> {
         if link.cause.effect() != EffectKind::LinkInertiaError {
             return None;
         }
-        let main = self.with(&[link], |_, _, after| main_joint(fitted, after));
+        // A link that is not worth having by itself gives way to nothing.
+        let main = self.with(&[link], |search, trial, after| {
+            search.holds((ranked, at), trial, [fitted, after], before).map(|_| main_joint(fitted, after))
+        })?;
         let count = |c: &Candidate| unknowns(c.cause, &c.shape, c.gain.x.len());
         let simple = |c: &Candidate| {
             let steady = !c.cause.moves_time() && !c.cause.local() && c.cause.kind() != Kind::Body;
