@@ -266,7 +266,7 @@ fn opened(
 }
 
 /// Lets the allocator keep what is freed between two chunks of a log. glibc hands blocks above the
-/// size of the largest that was freed back to the kernel, which clears each page anew: two thirds of
+/// size of the largest that was freed back to the kernel, which then clears each page: two thirds of
 /// the kernel's time of a long log. No page of this block is touched.
 fn keep_pages() {
     drop(std::hint::black_box(Vec::<u8>::with_capacity(31 << 20)));

@@ -36,7 +36,7 @@ const SAME: f64 = 1e-3;
 const SPOILT: f64 = 0.3;
 
 /// A level of friction that ends below zero by no more than this part of the file's, or of the
-/// noise, is one that is zero.
+/// noise in N m (of a viscous one: in N m at 1 rad/s), is one that is zero.
 const BELOW: f64 = 0.25;
 
 /// What acts in a part of a log gains at least so many times what it would gain in the upper
