@@ -194,6 +194,8 @@ impl Diagnose {
         let ([fit, validate], thinning) = held.recordings();
         let left_out = thinning.as_ref().map(thinned);
         let provenance = provenance.logs(&logbook);
+        // By what the logs are recognised takes 34 MB, and memory is short.
+        drop(logbook);
         let bar = ProgressBar::new_spinner();
         bar.enable_steady_tick(std::time::Duration::from_millis(120));
         let settings = Settings { rate: self.rate, ..Settings::default() };

@@ -153,8 +153,8 @@ struct Known {
 }
 
 impl Known {
-    /// Most numbers: 32 MB. What comes first stays, for a search walks through all in each round.
-    const MOST: usize = 4 << 20;
+    /// Most numbers: 16 MB. What comes first stays, for a search walks through all in each round.
+    const MOST: usize = 2 << 20;
 
     fn keep(&mut self, key: Key, terms: &Arc<Vec<Term>>) {
         let size: usize = terms.iter().flat_map(|t| &t.column.rows).map(|(_, series)| series.len()).sum();

@@ -13,7 +13,7 @@ use crate::model::Arm;
 
 /// Memory of a diagnosis beside what does not grow with the recordings, bytes: with the program, the
 /// fingerprints of the logs and the columns that a search keeps, less than 200 MB.
-const MOST: usize = 95_000_000;
+const MOST: usize = 90_000_000;
 
 /// Bytes of a joint's sample: in the recording, in the part of it that is fitted or validated, in the
 /// errors of two models.
