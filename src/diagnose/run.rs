@@ -193,6 +193,12 @@ fn next_experiment(causes: &[Cause]) -> Option<NextExperiment> {
     })
 }
 
+/// What is fitted and what is measured on, where there is no validating log.
+fn halves(recordings: &[Recording]) -> [Vec<Recording>; 2] {
+    let (first, rest) = recordings.iter().map(|r| <(_, _)>::from(r.split(KEPT))).unzip();
+    [first, rest]
+}
+
 /// [`diagnose`] with the effects of the file kept.
 fn once(
     plant: &dyn PerturbableArm,
@@ -202,10 +208,6 @@ fn once(
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnoseError> {
     let own_validation = !validate.is_empty();
-    let halves = |recordings: &[Recording]| -> [Vec<Recording>; 2] {
-        let (first, rest) = recordings.iter().map(|r| <(_, _)>::from(r.split(KEPT))).unzip();
-        [first, rest]
-    };
     let recorded = fit.iter().chain(validate).flat_map(|r| &r.stretches);
     let dof = plant.dof();
     let torque_rms = if own_validation { torque_rms(validate, 0.0, dof) } else { torque_rms(fit, KEPT, dof) };
