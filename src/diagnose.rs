@@ -30,5 +30,6 @@ pub use next_experiment::{Separation, discriminating_motion};
 pub use robot_file::extended;
 pub use run::{DiagnoseError, Settings, diagnose, misses};
 pub use search::SearchSettings;
+pub use windows::holding::{Coming, Holding, Thinning, Use};
 pub use windows::recording::{HIGHEST, Recording, Stretch, fixed_preparation, preparation};
 pub use written::written_errors;

@@ -19,7 +19,7 @@ use super::provenance::Provenance;
 use super::reading::ReadOptions;
 use crate::data::log::Acceptance;
 use crate::data::signal::{Motion, Prepare, Prepared, lower_cutoff};
-use crate::diagnose::{self, Cause, Diagnosis, Recording, Separation, Settings};
+use crate::diagnose::{self, Cause, Diagnosis, Holding, Recording, Separation, Settings, Thinning, Use};
 use crate::identify::implausible_links;
 use crate::identify::recording::torque_constants;
 use crate::model::file_torque_model::FileTorqueModel;
@@ -95,6 +95,8 @@ pub(super) struct Diagnosed {
     /// The next motion, and where it goes.
     next: Option<(Separation, PathBuf)>,
     prepared: Vec<Prepared>,
+    /// A sentence, where the logs were too long to be used whole.
+    left_out: Option<String>,
     provenance: Provenance,
 }
 
@@ -116,32 +118,37 @@ fn impossible(robot: &Robot) -> Vec<usize> {
 /// Rows per second of the motion that is written.
 const NEXT_RATE: f64 = 100.0;
 
-/// Samples of joints that a diagnosis holds at most: ten minutes of seven joints at 1 kHz.
-const MOST_HELD: usize = 4_200_000;
+/// A log of which one piece is too much.
+fn too_fast(path: &Path) -> Failure {
+    let path = path.display();
+    Failure::input(format!(
+        "{path}: a few seconds of it are more than a diagnosis holds in memory: give a log of a lower rate"
+    ))
+}
 
-/// Refuses logs that are too long together.
-fn within_memory(held: usize, dof: usize) -> Result<(), Failure> {
-    if held <= MOST_HELD {
-        return Ok(());
-    }
-    Err(Failure::input(format!(
-        "up to here the logs have {} samples of {dof} joints; a diagnosis holds all of them in memory, {} at most: give shorter or fewer logs, or such of a lower \
-         rate",
-        held / dof.max(1),
-        MOST_HELD / dof.max(1)
-    )))
+/// What of long logs was used.
+fn thinned(thinning: &Thinning) -> String {
+    let Thinning { piece, seconds: [used, all], without } = *thinning;
+    let more = if without > 0 {
+        format!(" Of {without} of the logs, which are short, nothing was used.")
+    } else {
+        String::new()
+    };
+    format!(
+        "The logs have {all:.0} s of motion, more than a diagnosis holds in memory: pieces of {piece:.0} s were used, evenly spread, \
+         {used:.0} s in all.{more}"
+    )
 }
 
 /// Facts about the logs after reading them.
-#[derive(Default)]
 struct LogsRead {
     prepared: Vec<Prepared>,
     logbook: Logbook,
     provenance: Provenance,
     /// How the columns are read.
     columns: crate::data::log::Reading,
-    /// Samples of joints that are held.
-    held: usize,
+    /// What is held of their samples.
+    held: Holding,
 }
 
 impl Diagnose {
@@ -174,14 +181,21 @@ impl Diagnose {
             provenance,
             logbook: Logbook::of(&file.text),
             columns: self.read.map.reading(Some(&file.robot))?,
-            ..LogsRead::default()
+            prepared: Vec::new(),
+            held: Holding::new(&plant, self.rate),
         };
-        let mut read = |purpose: Purpose, paths: &[PathBuf]| -> Result<Vec<Recording>, Failure> {
-            paths.iter().map(|path| self.record(purpose, path, &file.robot, &check, keep, &mut reading)).collect()
-        };
-        let (fit, validate) = (read(Purpose::Fit, &self.logs)?, read(Purpose::Validate, &self.validate)?);
-        let LogsRead { prepared, logbook, provenance, .. } = reading;
+        for path in &self.logs {
+            self.record(Purpose::Fit, path, &file.robot, &check, keep, &mut reading)?;
+        }
+        for path in &self.validate {
+            self.record(Purpose::Validate, path, &file.robot, &check, keep, &mut reading)?;
+        }
+        let LogsRead { prepared, logbook, provenance, held, .. } = reading;
+        let ([fit, validate], thinning) = held.recordings();
+        let left_out = thinning.as_ref().map(thinned);
         let provenance = provenance.logs(&logbook);
+        // By what the logs are recognised takes 34 MB, and memory is short.
+        drop(logbook);
         let bar = ProgressBar::new_spinner();
         bar.enable_steady_tick(std::time::Duration::from_millis(120));
         let settings = Settings { rate: self.rate, ..Settings::default() };
@@ -194,7 +208,7 @@ impl Diagnose {
         bar.finish_and_clear();
         let measured = if self.validate.is_empty() { &fit } else { &validate };
         let written = self.out.as_ref().map(|path| self.extended_file(path, &found, file, measured, &provenance));
-        Ok(Diagnosed { found, written, next, prepared, provenance })
+        Ok(Diagnosed { found, written, next, prepared, left_out, provenance })
     }
 
     fn check_options(&self) -> Result<(), Failure> {
@@ -258,8 +272,9 @@ impl Diagnose {
     /// Files and text; `identified`: the identification that the robot file comes from, where it
     /// was made on the way.
     pub(super) fn deliver(&self, made: &Diagnosed, identified: Option<&Identified<'_>>) -> Result<(), Failure> {
-        let Diagnosed { found, written, next, prepared, provenance } = made;
+        let Diagnosed { found, written, next, prepared, left_out, provenance } = made;
         let mut warnings = report::diagnose_warnings(found, prepared);
+        left_out.iter().for_each(|sentence| warnings.push(sentence));
         let failed = match written {
             Some(Err(failure)) => Some(&failure.message),
             Some(Ok(file)) => file.differs.as_ref(),
@@ -335,11 +350,11 @@ impl Diagnose {
         check: &ColumnCheck<'_>,
         keep: Acceptance,
         reading: &mut LogsRead,
-    ) -> Result<Recording, Failure> {
+    ) -> Result<(), Failure> {
         let by_the_log = self.cutoff.is_none();
         let constants = torque_constants(robot);
-        let LogsRead { columns: map, logbook, held: before, .. } = reading;
-        let before = *before;
+        let LogsRead { columns: map, logbook, held, .. } = reading;
+        let of = if purpose == Purpose::Validate { Use::Validate } else { Use::Fit };
         let mut pass = |cutoff: f64| {
             let prepare = Prepare {
                 torque: self.read.torque.quantity(),
@@ -348,19 +363,14 @@ impl Diagnose {
                 keep,
                 ..if by_the_log { diagnose::preparation(cutoff) } else { diagnose::fixed_preparation(cutoff) }
             };
-            let mut recording = Recording::new(&path.display().to_string());
+            let mut coming = held.begin(of, &path.display().to_string());
             let mut columns = check.columns();
-            let mut held = before;
             let sink = |motion: &Motion| {
                 check.absorb(&mut columns, motion);
-                held += motion.core.len() * constants.len();
-                // What is too much is counted, and not held.
-                if held <= MOST_HELD {
-                    recording.absorb(motion);
-                }
+                held.absorb(&mut coming, motion);
             };
             match logbook.try_pass(purpose, path, constants.len(), &prepare, sink) {
-                Ok(prepared) => prepared.map(|found| Ok((found, recording, columns, held))),
+                Ok(prepared) => prepared.map(|found| Ok((found, coming, columns))),
                 Err(failure) => Ok(Err(failure)),
             }
         };
@@ -368,9 +378,10 @@ impl Diagnose {
             Some(cutoff) => (pass(cutoff).map_err(Failure::input)?, cutoff),
             None => lower_cutoff(diagnose::HIGHEST, pass).map_err(Failure::input)?,
         };
-        let (found, recording, columns, held) = found?;
-        reading.held = held;
-        within_memory(held, constants.len())?;
+        let (found, coming, columns) = found?;
+        if !reading.held.end(coming) {
+            return Err(too_fast(path));
+        }
         let mut found = warned(path, found);
         against_limits(std::slice::from_mut(&mut found), robot, keep)?;
         check.finish(&columns, &mut found)?;
@@ -379,6 +390,6 @@ impl Diagnose {
             let what = format!("cut-off for {}, which is sampled slowly", path.display());
             reading.provenance = std::mem::take(&mut reading.provenance).with(&what, format!("{cutoff} Hz"));
         }
-        Ok(recording)
+        Ok(())
     }
 }

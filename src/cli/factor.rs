@@ -11,7 +11,7 @@ use super::delivery::deliver;
 use super::files;
 use super::motors;
 use super::output::Output;
-use super::prepare::{Preparation, hashed_pass};
+use super::prepare::{Preparation, hashed_pass, keep_pages};
 use super::provenance::{Provenance, hexadecimal};
 use super::terminal;
 use crate::data::log::Source;
@@ -120,6 +120,7 @@ impl Factor {
 fn recording(path: &Path, name: &str, reader: &RecordingReader<'_>) -> FactorRow {
     let file = path.display().to_string();
     let read = |source: &mut dyn Source| reader.factor(&file, source).map_err(Failure::input);
+    keep_pages();
     let passed = hashed_pass(path, &reader.preparation().reading, read);
     match passed.and_then(|(found, sha256)| Ok((found?, sha256))) {
         Ok((found, sha256)) => FactorRow::of(name, &file, sha256, found),

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use dh_codegen::robot::files_of_runs;
 
 use super::Failure;
-use super::prepare::{Recognised, recognised_pass};
+use super::prepare::{Recognised, keep_pages, recognised_pass};
 use crate::data::log::{Common, Finding, Fingerprint, Kind, Severity};
 use crate::data::signal::{Motion, Prepare, PrepareError, Prepared};
 
@@ -70,6 +70,7 @@ impl Logbook {
         prepare: &Prepare,
         sink: impl FnMut(&Motion),
     ) -> Result<Prepared, Failure> {
+        keep_pages();
         self.try_pass(purpose, path, dof, prepare, sink)?.map_err(Failure::input)
     }
 

@@ -170,6 +170,7 @@ pub(super) fn try_pass(
     prepare: &Prepare,
     sink: impl FnMut(&Motion),
 ) -> Result<Result<Prepared, PrepareError>, Failure> {
+    keep_pages();
     let (bar, mut source) = open(path, &prepare.reading, None)?;
     let prepared = each_motion(&mut *source, dof, prepare, sink);
     bar.finish_and_clear();
@@ -224,6 +225,7 @@ fn open(
 
 /// A log as its file has it, and its name for messages.
 pub(super) fn table(path: &Path, reading: &Reading) -> Result<(String, Box<dyn Table>), Failure> {
+    keep_pages();
     opened(path, reading, None).map(|(_, name, table)| (name, table))
 }
 
@@ -234,7 +236,6 @@ fn opened(
     reading: &Reading,
     digest: Option<&Rc<RefCell<Sha256>>>,
 ) -> Result<(ProgressBar, String, Box<dyn Table>), Failure> {
-    keep_pages();
     let name = if files::is_stdin(path) { "standard input".into() } else { path.display().to_string() };
     let inside = recorded_in(path)?;
     let path = inside.as_deref().unwrap_or(path);
@@ -268,7 +269,9 @@ fn opened(
 /// Lets the allocator keep what is freed between two chunks of a log. glibc hands blocks above the
 /// size of the largest that was freed back to the kernel, which then clears each page: two thirds of
 /// the kernel's time of a long log. No page of this block is touched.
-fn keep_pages() {
+///
+/// A diagnosis, which holds what it has read, does without: it would keep holes between.
+pub(super) fn keep_pages() {
     drop(std::hint::black_box(Vec::<u8>::with_capacity(31 << 20)));
 }
 

@@ -529,7 +529,7 @@ fn geometric(first: f64, last: f64, count: usize) -> Vec<f64> {
 
 /// Largest speed of joint `j`, rad/s.
 pub(super) fn fastest(scene: &WindowedData<'_>, j: usize) -> f64 {
-    scene.own[j].iter().flat_map(|o| &o.v).fold(0.0, |m, v| m.max(v.abs()))
+    scene.own[j].iter().flat_map(|o| o.v.iter()).fold(0.0, |m, v| m.max(v.abs()))
 }
 
 /// Smallest and largest position of joint `j`, rad.

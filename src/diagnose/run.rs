@@ -17,7 +17,7 @@ use super::select::offer::Choice;
 use super::select::refine_and_select::{Selected, Session};
 use super::select::suspects::{likelier, name};
 use super::windows::motion_error::budget;
-use super::windows::recording::{Recording, unexplained};
+use super::windows::recording::{Recording, Stretch, unexplained};
 use super::windows::torque_noise::torque_noise;
 use crate::identify::ConsistentError;
 use crate::model::PerturbableArm;
@@ -147,10 +147,11 @@ pub(super) const KEPT: f64 = 0.7;
 /// differences of bodies, further orders.
 const ADDS_UP: [EffectKind; 3] = [EffectKind::TimeDelay, EffectKind::LinkInertiaError, EffectKind::TorqueRipple];
 
-/// Root mean square of each joint's torque, N m.
-fn torque_rms(recordings: &[Recording], dof: usize) -> Vec<f64> {
+/// Root mean square of each joint's torque, N m, behind the first `share` of each stretch.
+fn torque_rms(recordings: &[Recording], share: f64, dof: usize) -> Vec<f64> {
     let stretches = || recordings.iter().flat_map(|r| &r.stretches);
-    let all = |j: usize| stretches().flat_map(|s| s.of(&s.tau, j).iter().copied()).collect::<Vec<f64>>();
+    let behind = |s: &Stretch| (share * s.states.len as f64).round() as usize;
+    let all = |j: usize| stretches().flat_map(|s| s.of(&s.tau, j)[behind(s)..].iter().copied()).collect::<Vec<f64>>();
     (0..dof).map(|j| root_mean_square(&all(j))).collect()
 }
 
@@ -192,6 +193,12 @@ fn next_experiment(causes: &[Cause]) -> Option<NextExperiment> {
     })
 }
 
+/// What is fitted and what is measured on, where there is no validating log.
+fn halves(recordings: &[Recording]) -> [Vec<Recording>; 2] {
+    let (first, rest) = recordings.iter().map(|r| <(_, _)>::from(r.split(KEPT))).unzip();
+    [first, rest]
+}
+
 /// [`diagnose`] with the effects of the file kept.
 fn once(
     plant: &dyn PerturbableArm,
@@ -201,18 +208,14 @@ fn once(
     progress: &dyn Fn(&str),
 ) -> Result<Diagnosis, DiagnoseError> {
     let own_validation = !validate.is_empty();
-    let halves = |recordings: &[Recording]| -> [Vec<Recording>; 2] {
-        let parts: Vec<[Recording; 2]> = recordings.iter().map(|r| r.split(KEPT)).collect();
-        [0, 1].map(|which| parts.iter().map(|p| p[which].clone()).collect())
-    };
-    let recorded = [fit, validate].concat();
-    let measured = if own_validation { validate.to_vec() } else { halves(fit)[1].clone() };
+    let recorded = fit.iter().chain(validate).flat_map(|r| &r.stretches);
+    let dof = plant.dof();
+    let torque_rms = if own_validation { torque_rms(validate, 0.0, dof) } else { torque_rms(fit, KEPT, dof) };
     let (whole, other) = (unexplained(plant, fit), unexplained(plant, validate));
     let [first, rest] = if own_validation { [Vec::new(), Vec::new()] } else { halves(&whole) };
     let (fit, validate) = if own_validation { (&whole[..], &other[..]) } else { (&first[..], &rest[..]) };
     let seconds: f64 = fit.iter().map(Recording::seconds).sum();
-    let dof = plant.dof();
-    let noise = torque_noise(&recorded, dof);
+    let noise = torque_noise(recorded.clone(), dof);
     let start = ModelUnderTest::new(plant, fit, settings.rate, Mode::Trusted, &plant.delays(), false);
     if seconds < 2.0 || start.scene.len < 100 {
         return Err(DiagnoseError::TooShort { seconds });
@@ -230,16 +233,17 @@ fn once(
         moving: before.steady.clone(),
     };
     let before = before.error;
-    let torque_rms = torque_rms(&measured, dof);
 
-    let refit = Refit::new(plant, fit, validate, own_validation, settings)?;
+    let (refit, refitted) = Refit::new(plant, fit, validate, own_validation, settings)?;
     let has_links = plant.given().is_some_and(|g| g.iter().any(|v| *v != 0.0));
     // The contribution of sensors, motion and clock to the error is no evidence.
-    let scene = if has_links { &start.scene } else { &refit.tested.scene };
-    let budget = budget(scene, &recorded, &noise).within(&least(&baseline.fit, &refit.errors.fit));
+    let scene = if has_links { &start.scene } else { &refitted.scene };
+    let budget = budget(scene, recorded, &noise).within(&least(&baseline.fit, &refit.errors.fit));
     let (noise, motion) = (&budget.floor()[..], &budget.of_motion()[..]);
     let ground: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.max(0.004 * t)).collect::<Vec<f64>>();
     let file_out = start.file_left_out();
+    // The searches have models of their own, and memory is short.
+    drop((start, refitted));
 
     // Unit of a gain: the noise, or a fiftieth of the torque where the noise is less.
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
@@ -266,7 +270,8 @@ fn once(
     let extended = Errors { fit: after_fit.rms.clone(), validate: after.rms.clone(), moving: after.steady.clone() };
     let offered = if causes.iter().any(Cause::has_law) { Offered::Extended } else { offered };
     unknown(&mut causes, &left, [&baseline, &extended], noise, scale);
-    let maps = (0..dof).map(|j| after.view.maps(j, &before[j], &after.error[j])).collect();
+    let view = after.view(plant, validate);
+    let maps = (0..dof).map(|j| view.maps(j, &before[j], &after.error[j])).collect();
     Ok(Diagnosis {
         robot: plant.name().to_string(),
         verdict,
@@ -289,7 +294,7 @@ fn once(
         causes,
         own_validation,
         seconds: [seconds, validate.iter().map(Recording::seconds).sum()],
-        curves: (0..dof).map(|j| curve(j, &after, &before)).collect(),
+        curves: (0..dof).map(|j| curve(j, &after, &view, &before)).collect(),
         maps,
     })
 }

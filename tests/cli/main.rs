@@ -15,6 +15,8 @@ mod ik;
 mod import;
 mod law;
 mod log;
+#[cfg(target_os = "linux")]
+mod memory;
 mod new;
 mod outputs;
 mod paint;

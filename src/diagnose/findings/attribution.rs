@@ -4,6 +4,7 @@
 use super::calibration::{self, Change, Features};
 use super::evidence;
 use super::evidence::Shown;
+use super::maps::View;
 use super::reported_cause::{Item, friction_values, place_of};
 use super::result::{Cause, Curve, measured_on};
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
@@ -14,7 +15,7 @@ use crate::diagnose::search::baseline_friction::BaselineFriction;
 use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::Accepted;
 use crate::diagnose::select::beside::Shares;
-use crate::diagnose::select::measure::{Measured, share, taken_of};
+use crate::diagnose::select::measure::{Figures, Measured, share, taken_of};
 use dh_codegen::robot::{EffectKind, effects};
 
 /// A model whose causes get probabilities.
@@ -41,7 +42,7 @@ impl Attribution<'_> {
     pub(in crate::diagnose) fn attribute(
         &self,
         item: &Item,
-        [without, with]: [&Measured; 2],
+        [without, with]: [&Figures; 2],
         shares: Shares,
         interval: [f64; 2],
         on: &'static str,
@@ -228,13 +229,13 @@ pub(in crate::diagnose) fn confusable(
 }
 
 /// Torque and errors over time, at most 2,000 points.
-pub(in crate::diagnose) fn curve(j: usize, after: &Measured, before: &[Vec<f64>]) -> Curve {
+pub(in crate::diagnose) fn curve(j: usize, after: &Measured, view: &View, before: &[Vec<f64>]) -> Curve {
     let n = after.error[j].len().min(before[j].len());
     let every = n.div_ceil(2000).max(1);
     let fine = |x: &[f64]| -> Vec<f64> { x[..n].iter().step_by(every).copied().collect() };
     Curve {
-        t: fine(&after.view.clock()),
-        measured: fine(&after.view.torque[j]),
+        t: fine(&view.clock()),
+        measured: fine(&view.torque[j]),
         before: fine(&before[j]),
         after: fine(&after.error[j]),
     }

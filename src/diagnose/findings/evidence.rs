@@ -115,17 +115,17 @@ pub(in crate::diagnose) fn curve(
     let mut says = vec![0.0; scene.len];
     for (term, x) in terms.iter().zip(&chosen.x) {
         for (_, series) in term.column.rows.iter().filter(|r| r.0 == joint) {
-            says.iter_mut().zip(series).for_each(|(a, s)| *a += x * s);
+            says.iter_mut().zip(&**series).for_each(|(a, s)| *a += x * s);
         }
     }
-    let coarse = |f: &dyn Fn(&JointSeries, usize) -> f64| -> Vec<f64> {
+    let coarse = |f: &dyn Fn(&JointSeries<'_>, usize) -> f64| -> Vec<f64> {
         scene.own[joint].iter().flat_map(|own| scene.average_of(own, |k| f(own, k))).collect()
     };
     let (over, x): (&str, Vec<f64>) = match chosen.cause.over() {
         Over::Position => ("position, rad", coarse(&|o, k| o.q[k])),
         Over::Velocity => ("velocity, rad/s", coarse(&|o, k| o.v[k])),
         Over::Acceleration => ("acceleration, rad/s^2", coarse(&|o, k| o.a[k])),
-        Over::Torque => ("torque of the model, N m", scene.whole[joint].clone()),
+        Over::Torque => ("torque of the model, N m", scene.whole[joint].to_vec()),
         Over::Time => ("time, s", scene.time.clone()),
     };
     let live: Vec<usize> = (0..scene.len).filter(|&w| scene.live[joint][w]).collect();

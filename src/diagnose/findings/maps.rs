@@ -2,6 +2,8 @@
 //! since a reversal. Further its spectra over frequency and over periods per turn, its dependence
 //! on another joint's motion, and the residual of the model shifted in time.
 
+use std::sync::Arc;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::result::ErrorMap;
@@ -26,14 +28,14 @@ pub(in crate::diagnose) struct View {
     /// Time since the recording began, s.
     pub time: Vec<f64>,
     /// Measured torque, N m.
-    pub torque: Vec<Vec<f64>>,
+    pub torque: Vec<Arc<Vec<f64>>>,
     runs: Vec<std::ops::Range<usize>>,
     /// Motion of all joints, once for each delay.
-    states: Vec<States>,
+    states: Vec<Arc<States>>,
     /// Which of these goes with a joint's torque.
     state_of_joint: Vec<usize>,
     /// Torque of the model, per joint, N m.
-    model: Vec<Vec<f64>>,
+    model: Vec<Arc<Vec<f64>>>,
     /// Per joint; empty where it was not recorded.
     temperature: Vec<Vec<f64>>,
     /// Motor turns per joint turn, if the file has them.
@@ -47,10 +49,10 @@ const SAMPLES: usize = 6000;
 const SHIFT: f64 = 0.08;
 
 impl View {
-    /// Of a scene whose windows are single samples.
-    pub fn of(scene: &WindowedData<'_>) -> Self {
+    /// Of a scene whose windows are single samples, and what a model says of the torques there, N m.
+    pub fn of(scene: &WindowedData<'_>, model: &[Arc<Vec<f64>>]) -> Self {
         let temperature =
-            scene.own.iter().map(|own| own.iter().flat_map(|o| o.temperature.clone()).collect()).collect();
+            scene.own.iter().map(|own| own.iter().flat_map(|o| o.temperature.iter().copied()).collect()).collect();
         let gears = scene.plant.gear_ratios().to_vec();
         Self {
             time: scene.time.clone(),
@@ -58,7 +60,7 @@ impl View {
             runs: scene.runs.clone(),
             states: scene.states.clone(),
             state_of_joint: scene.state_of_joint.clone(),
-            model: scene.whole.clone(),
+            model: model.to_vec(),
             temperature,
             gears,
         }
@@ -73,11 +75,6 @@ impl View {
     fn over(&self, j: usize) -> [&[f64]; 4] {
         let [q, v, a] = self.motion(j)[j];
         [q, v, a, &self.model[j]]
-    }
-
-    /// Velocity of a joint, rad/s.
-    pub fn velocity(&self, joint: usize) -> &[f64] {
-        self.over(joint)[1]
     }
 
     /// Time with one log after the other, s.
@@ -324,11 +321,11 @@ mod tests {
     fn view(time: Vec<f64>, x: Vec<f64>) -> View {
         let len = time.len();
         View {
-            torque: vec![vec![0.0; len]],
+            torque: vec![Arc::new(vec![0.0; len])],
             runs: vec![0..len / 2, len / 2..len],
-            states: vec![States { len, q: x.clone(), dq: x.clone(), ddq: x }],
+            states: vec![Arc::new(States { len, q: x.clone(), dq: x.clone(), ddq: x })],
             state_of_joint: vec![0],
-            model: vec![vec![0.0; len]],
+            model: vec![Arc::new(vec![0.0; len])],
             temperature: vec![Vec::new()],
             gears: vec![None],
             time,
@@ -379,7 +376,7 @@ mod tests {
         assert!((map.x[peak] - 30.0).abs() < 2.5 && map.after.iter().all(|a| *a == 0.0), "{}", map.x[peak]);
         // The torque is the model's of 20 ms ago.
         let wave = |t: f64| (3.0 * t).sin() + 0.5 * (11.0 * t).cos();
-        view.torque = vec![time.iter().map(|t| wave(t - 0.02)).collect()];
+        view.torque = vec![Arc::new(time.iter().map(|t| wave(t - 0.02)).collect())];
         let late: Vec<f64> = time.iter().map(|t| wave(t - 0.02) - wave(*t)).collect();
         let map = view.shifts(0, &late, &vec![0.0; 6000]).unwrap();
         let least = (0..map.x.len()).min_by(|a, b| map.before[*a].total_cmp(&map.before[*b])).unwrap();

@@ -3,6 +3,7 @@
 use super::attribution::{MOST_MARGIN, taken};
 use super::calibration;
 use super::formula::{self, Formula, formula};
+use super::maps::View;
 use super::result::{Cause, Errors, measured_on};
 use super::structure::Structure;
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
@@ -24,8 +25,12 @@ impl Session<'_> {
         file_holds: bool,
         torque: &[f64],
     ) -> Vec<Structure> {
-        let laws =
-            with_formulas(causes, &left, [&mut *fit, &mut *validate], self.noise, self.own_validation, !file_holds);
+        if left.is_empty() {
+            return left;
+        }
+        let views = [fit.view(self.plant, self.fit), validate.view(self.plant, self.validate)];
+        let errors = [&mut *fit, &mut *validate];
+        let laws = with_formulas(causes, &left, errors, &views, self.noise, self.own_validation, !file_holds);
         if laws.is_empty() || file_holds {
             return left;
         }
@@ -107,6 +112,7 @@ fn with_formulas(
     causes: &mut Vec<Cause>,
     left: &[Structure],
     [after_fit, after]: [&mut Measured; 2],
+    views: &[View; 2],
     floor: &[f64],
     own_validation: bool,
     offered: bool,
@@ -118,7 +124,7 @@ fn with_formulas(
     let shifted = |j: usize| causes.iter().any(|c| c.cause == effects::EncoderOffset::NAME && c.joints == [j + 1]);
     joints.retain(|j| !shifted(*j));
     let law = |j: usize| {
-        let [fit, validate] = [&*after_fit, &*after].map(|m| (m.view.motion(j), &m.error[j]));
+        let [fit, validate] = [(&*after_fit, &views[0]), (&*after, &views[1])].map(|(m, v)| (v.motion(j), &m.error[j]));
         let errors = |(motion, error)| formula::Errors { motion, error };
         formula(j, errors((&fit.0[..], &fit.1[..])), errors((&validate.0[..], &validate.1[..])))
     };
@@ -126,9 +132,9 @@ fn with_formulas(
     for law in &found {
         let before = after.rms.clone();
         if offered {
-            for measured in [&mut *after_fit, &mut *after] {
-                let torque = law.along(&measured.view.motion(law.joint));
-                measured.explain(law.joint, &torque);
+            for (measured, view) in [&mut *after_fit, &mut *after].into_iter().zip(views) {
+                let motion = view.motion(law.joint);
+                measured.explain(law.joint, &law.along(&motion), motion[law.joint][1]);
             }
         }
         let mut rms_after = before.clone();

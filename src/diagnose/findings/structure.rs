@@ -103,10 +103,13 @@ fn loudest(scene: &WindowedData<'_>, j: usize, e: &[f64]) -> f64 {
         .unwrap_or(0.0)
 }
 
+/// A function of what one joint does, and of the number of the sample.
+type Of = fn(&JointSeries<'_>, usize) -> f64;
+
 /// General families of functions of what is measured.
 fn maps(scene: &WindowedData<'_>, j: usize) -> Vec<(&'static str, Vec<Vec<f64>>)> {
     let series =
-        |f: &dyn Fn(&JointSeries, usize) -> f64| scene.pointwise(j, f).rows.pop().map(|r| r.1).unwrap_or_default();
+        |f: &dyn Fn(&JointSeries<'_>, usize) -> f64| scene.own_series(j, |o| (0..o.v.len()).map(|k| f(o, k)).collect());
     let fastest = crate::diagnose::hypotheses::fastest(scene, j).max(1e-9);
     let load = scene.rigid[j].iter().fold(1e-9_f64, |m, t| m.max(t.abs()));
     let long = scene.time.iter().fold(1.0_f64, |m, t| m.max(*t));
@@ -136,8 +139,8 @@ fn maps(scene: &WindowedData<'_>, j: usize) -> Vec<(&'static str, Vec<Vec<f64>>)
         (1..=3)
             .flat_map(|k| {
                 [
-                    series(&|o, s| (o.load[s] / load).powi(k)),
-                    series(&|o, s| o.sign[s] * (o.load[s] / load).abs().powi(k)),
+                    series(&|o, s| (o.load(s) / load).powi(k)),
+                    series(&|o, s| o.sign[s] * (o.load(s) / load).abs().powi(k)),
                 ]
             })
             .collect(),
@@ -147,16 +150,14 @@ fn maps(scene: &WindowedData<'_>, j: usize) -> Vec<(&'static str, Vec<Vec<f64>>)
         (1..=4)
             .flat_map(|k| {
                 let phase = f64::from(k) * std::f64::consts::PI / long;
-                [series(&|o, s| (phase * o.t[s]).cos()), series(&|o, s| o.sign[s] * (phase * o.t[s]).cos())]
+                [series(&|o, s| (phase * o.t(s)).cos()), series(&|o, s| o.sign[s] * (phase * o.t(s)).cos())]
             })
             .collect(),
     ));
     let own_acceleration = series(&|o, s| o.a[s]);
     let mut others = vec![own_acceleration];
     for k in (0..scene.dof()).filter(|k| *k != j) {
-        for f in
-            [(|o: &JointSeries, s: usize| o.sign[s]) as fn(&JointSeries, usize) -> f64, |o, s| o.v[s], |o, s| o.a[s]]
-        {
+        for f in [(|o: &JointSeries<'_>, s: usize| o.sign[s]) as Of, |o, s| o.v[s], |o, s| o.a[s]] {
             let mut column: Vec<f64> = Vec::with_capacity(scene.len);
             for own in &scene.own[k] {
                 column.extend(scene.average_of(own, |s| f(own, s)));

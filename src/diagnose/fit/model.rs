@@ -144,6 +144,26 @@ pub(in crate::diagnose) fn near(next: &[f64], shape: &[f64]) -> bool {
 /// Key that distinguishes sets of terms.
 type Key = (&'static str, Vec<usize>, Vec<u64>);
 
+/// Terms by cause, place and shape, as many as fit.
+#[derive(Default)]
+struct Known {
+    terms: HashMap<Key, Arc<Vec<Term>>>,
+    /// Numbers in their series.
+    held: usize,
+}
+
+impl Known {
+    /// Most numbers: 16 MB. What comes first stays, for a search walks through all in each round.
+    const MOST: usize = 2 << 20;
+
+    fn keep(&mut self, key: Key, terms: &Arc<Vec<Term>>) {
+        let size: usize = terms.iter().flat_map(|t| &t.column.rows).map(|(_, series)| series.len()).sum();
+        if self.held + size <= Self::MOST && self.terms.insert(key, terms.clone()).is_none() {
+            self.held += size;
+        }
+    }
+}
+
 /// Data with what is known about them.
 pub struct ModelUnderTest<'a> {
     /// The arm.
@@ -170,13 +190,14 @@ pub struct ModelUnderTest<'a> {
     pub motion_error: Vec<f64>,
     /// Whether every window counts.
     all: bool,
-    /// Terms of families that depend on the motion alone, by cause, place and shape.
-    known: Mutex<HashMap<Key, Arc<Vec<Term>>>>,
+    /// Terms of families that depend on the motion alone.
+    known: Mutex<Known>,
     /// Equations in the rigid arm's unknowns and friction's alone, in pieces from everywhere and in
     /// stretches.
     ground: [OnceLock<Moments>; 2],
     /// Columns of the rigid arm's unknowns, where it is fitted.
     base: Vec<Column>,
+    /// Those of friction, three per joint; none where every sample counts.
     friction: Vec<Column>,
     y: Vec<Vec<f64>>,
 }
@@ -229,12 +250,13 @@ impl<'a> ModelUnderTest<'a> {
     /// Columns that do not depend on what is found, of the `moved` joints.
     fn prepare(&mut self, moved: &[bool]) {
         self.ground = Default::default();
-        let (scene, plant) = (&self.scene, self.plant);
-        let of = |j: usize| [&VISCOUS, &COULOMB, &OFFSET].map(|p| p.terms(scene, &[j], &[]).remove(0).column);
         let mut friction = std::mem::take(&mut self.friction);
-        friction.resize(3 * scene.dof(), Column::default());
-        for j in (0..scene.dof()).filter(|&j| moved[j]) {
-            friction[3 * j..3 * j + 3].clone_from_slice(&of(j));
+        let (scene, plant) = (&self.scene, self.plant);
+        if !self.all {
+            friction.resize(3 * scene.dof(), Column::default());
+            for j in (0..scene.dof()).filter(|&j| moved[j]) {
+                friction[3 * j..3 * j + 3].clone_from_slice(&friction_columns(scene, j));
+            }
         }
         let mut base = std::mem::take(&mut self.base);
         if self.refits_here() {
@@ -246,7 +268,7 @@ impl<'a> ModelUnderTest<'a> {
                     if let Some(at) = wanted.iter().position(|w| *w == b)
                         && series.iter().any(|x| *x != 0.0)
                     {
-                        base[at].rows.push((j, series));
+                        base[at].rows.push((j, Arc::new(series)));
                     }
                 }
             }
@@ -269,20 +291,29 @@ impl<'a> ModelUnderTest<'a> {
             _ => vec![vec![0.0; scene.len]; scene.dof()],
         };
         let of = |j: usize| {
-            let mut y = scene.y[j].clone();
+            let mut y = scene.y[j].to_vec();
+            let friction = self.plain(j);
             let series = y.iter_mut().zip(&rigid[j]).zip(&scene.live[j]);
             series.for_each(|((y, r), live)| *y -= if *live { *r } else { 0.0 });
             for which in 0..3 {
                 let value = given[j][which].unwrap_or(0.0);
                 if value != 0.0
-                    && let Some((_, series)) = self.friction[3 * j + which].rows.first()
+                    && let Some((_, series)) = friction[which].rows.first()
                 {
-                    y.iter_mut().zip(series).for_each(|(y, s)| *y -= value * s);
+                    y.iter_mut().zip(&**series).for_each(|(y, s)| *y -= value * s);
                 }
             }
             y
         };
         (0..scene.dof()).map(|j| if moved[j] { of(j) } else { Vec::new() }).collect()
+    }
+
+    /// Columns of a joint's friction.
+    fn plain(&self, j: usize) -> [Column; 3] {
+        match self.friction.get(3 * j..3 * j + 3) {
+            Some(held) => std::array::from_fn(|which| held[which].clone()),
+            None => friction_columns(&self.scene, j),
+        }
     }
 
     /// Torque to be explained: the measured one without the parts taken from the file.
@@ -326,12 +357,18 @@ impl<'a> ModelUnderTest<'a> {
         }
         let key = (cause.name(), place.to_vec(), shape.iter().map(|s| s.to_bits()).collect());
         let lock = || self.known.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(found) = lock().get(&key) {
+        if let Some(found) = lock().terms.get(&key) {
             return found.clone();
         }
         let made = Arc::new(cause.terms(&self.scene, place, shape));
-        lock().insert(key, made.clone());
+        lock().keep(key, &made);
         made
+    }
+
+    /// Gives back the memory of what can be computed again: a search has ended.
+    pub fn forget(&mut self) {
+        self.known = Mutex::default();
+        self.scene.forget();
     }
 
     /// Fits rigid arm (where unknown), friction and the chosen causes together. Families that are
@@ -585,12 +622,13 @@ impl<'a> ModelUnderTest<'a> {
             let (fv, fc, fo) = (value(0), value(1), given[j][2].unwrap_or(0.0));
             let with_rigid = |fc: f64| -> Vec<f64> {
                 let own = self.scene.own[j].iter();
-                let friction =
-                    own.flat_map(|own| self.scene.average_of(own, |k| fv * own.v[k] + fc * own.sign[k] + fo));
-                friction.zip(&self.scene.rigid[j]).map(|(f, r)| f + r).collect()
+                let friction = own.map(|own| self.scene.average_of(own, |k| fv * own.v[k] + fc * own.sign[k] + fo));
+                let mut torque = self.scene.joined(friction);
+                torque.iter_mut().zip(&*self.scene.rigid[j]).for_each(|(f, r)| *f += r);
+                torque
             };
             let (whole, smooth) = (with_rigid(fc), with_rigid(0.0));
-            (self.scene.whole[j], self.scene.smooth[j]) = (whole, smooth);
+            (self.scene.whole[j], self.scene.smooth[j]) = (Arc::new(whole), Arc::new(smooth));
         }
     }
 
@@ -618,11 +656,12 @@ impl<'a> ModelUnderTest<'a> {
         }
         let mut add = |column: &Column| {
             for (j, series) in &column.rows {
-                rows[*j].iter_mut().zip(series).for_each(|(r, s)| *r += x[at] * s);
+                rows[*j].iter_mut().zip(&**series).for_each(|(r, s)| *r += x[at] * s);
             }
             at += 1;
         };
-        self.base.iter().chain(&self.friction).for_each(&mut add);
+        self.base.iter().for_each(&mut add);
+        (0..self.scene.dof()).for_each(|j| self.plain(j).iter().for_each(&mut add));
         for (chosen, terms) in chosen.iter().zip(&terms) {
             // A family that this data can't show still has its place among the unknowns.
             for k in 0..chosen.x.len() {
@@ -634,6 +673,11 @@ impl<'a> ModelUnderTest<'a> {
         }
         rows
     }
+}
+
+/// Columns of a joint's plain friction: viscous, Coulomb's, offset.
+fn friction_columns(scene: &WindowedData<'_>, j: usize) -> [Column; 3] {
+    [&VISCOUS, &COULOMB, &OFFSET].map(|p| p.terms(scene, &[j], &[]).remove(0).column)
 }
 
 pub(in crate::diagnose) fn without_friction(plant: &dyn PerturbableArm, standard: &[f64]) -> Vec<f64> {

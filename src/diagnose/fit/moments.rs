@@ -150,7 +150,7 @@ impl Moments {
         for (c, column) in more.iter().enumerate() {
             for (j, series) in &column.rows {
                 all.joints[*j].columns.push(self.unknowns + c);
-                all.joints[*j].series.push(Arc::new(series.clone()));
+                all.joints[*j].series.push(series.clone());
             }
         }
         for (j, joint) in all.joints.iter_mut().enumerate() {
@@ -424,14 +424,14 @@ impl Moments {
         let joints = touched
             .into_iter()
             .map(|j| {
-                let here: Vec<(usize, &Vec<f64>)> = terms
+                let here: Vec<(usize, &[f64])> = terms
                     .iter()
                     .enumerate()
-                    .filter_map(|(i, t)| t.rows.iter().find(|r| r.0 == j).map(|r| (i, &r.1)))
+                    .filter_map(|(i, t)| t.rows.iter().find(|r| r.0 == j).map(|r| (i, &r.1[..])))
                     .collect();
                 let joint = &self.joints[j];
                 let others: Vec<&[f64]> = joint.series.iter().map(|s| &s[..]).collect();
-                let own: Vec<&[f64]> = here.iter().map(|h| &h.1[..]).collect();
+                let own: Vec<&[f64]> = here.iter().map(|h| h.1).collect();
                 let of = |with: &[&[f64]]| -> Vec<f64> { own.iter().flat_map(|o| products(o, with)).collect() };
                 TrialJoint {
                     joint: j,

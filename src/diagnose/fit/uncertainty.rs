@@ -104,20 +104,21 @@ pub(in crate::diagnose) fn derivative(
     if sides.iter().any(|s| s.len() != fitted.terms[index].len()) {
         return None;
     }
-    let mut column = Column::default();
+    let mut rows: Vec<(usize, Vec<f64>)> = Vec::new();
     for (terms, sign) in sides.iter().zip([1.0, -1.0]) {
         for (term, x) in terms.iter().zip(&chosen.x) {
             for (joint, series) in &term.column.rows {
-                let at = column.rows.iter().position(|r| r.0 == *joint).unwrap_or_else(|| {
-                    column.rows.push((*joint, vec![0.0; series.len()]));
-                    column.rows.len() - 1
+                let at = rows.iter().position(|r| r.0 == *joint).unwrap_or_else(|| {
+                    rows.push((*joint, vec![0.0; series.len()]));
+                    rows.len() - 1
                 });
                 let by = sign * x / (2.0 * step);
-                column.rows[at].1.iter_mut().zip(series).for_each(|(c, s)| *c += by * s);
+                rows[at].1.iter_mut().zip(&**series).for_each(|(c, s)| *c += by * s);
             }
         }
     }
-    column.rows.iter().flat_map(|r| &r.1).any(|v| *v != 0.0).then_some(column)
+    let acts = rows.iter().flat_map(|r| &r.1).any(|v| *v != 0.0);
+    acts.then(|| Column::new(rows))
 }
 
 /// Values of a chosen cause's parameters with standard deviations, under the names of a robot file.

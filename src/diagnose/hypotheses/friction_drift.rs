@@ -76,7 +76,7 @@ impl Hypothesis for FrictionDrift {
             if !Self::recorded(scene, j) {
                 return Vec::new();
             }
-            let warm = |k: usize, o: &JointSeries| o.temperature[k] - REFERENCE;
+            let warm = |k: usize, o: &JointSeries<'_>| o.temperature[k] - REFERENCE;
             return vec![
                 Term::new(Symbol::Own("DCK"), scene.pointwise(j, |o, k| o.sign[k] * warm(k, o)), Sign::Any),
                 Term::new(Symbol::Own("DVK"), scene.pointwise(j, |o, k| o.v[k] * warm(k, o)), Sign::Any),
@@ -84,8 +84,8 @@ impl Hypothesis for FrictionDrift {
         }
         let fade = |t: f64| (-t / shape[0]).exp();
         vec![
-            Term::new(Symbol::Own("DC"), scene.pointwise(j, |o, k| o.sign[k] * fade(o.t[k])), Sign::Any),
-            Term::new(Symbol::Own("DV"), scene.pointwise(j, |o, k| o.v[k] * fade(o.t[k])), Sign::Any),
+            Term::new(Symbol::Own("DC"), scene.pointwise(j, |o, k| o.sign[k] * fade(o.t(k))), Sign::Any),
+            Term::new(Symbol::Own("DV"), scene.pointwise(j, |o, k| o.v[k] * fade(o.t(k))), Sign::Any),
         ]
     }
 

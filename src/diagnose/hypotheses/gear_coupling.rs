@@ -73,12 +73,10 @@ impl Hypothesis for GearCoupling {
                 scene.masked(joint, &mut out);
                 out
             };
-            Column {
-                rows: vec![
-                    (k.min(m), series(k.min(m), if k < m { on_k } else { on_m })),
-                    (k.max(m), series(k.max(m), if k < m { on_m } else { on_k })),
-                ],
-            }
+            Column::new(vec![
+                (k.min(m), series(k.min(m), if k < m { on_k } else { on_m })),
+                (k.max(m), series(k.max(m), if k < m { on_m } else { on_k })),
+            ])
         };
         let (own_m, own_k) = (&scene.own[m], &scene.own[k]);
         let sum = |i: usize, s: usize| own_m[i].v[s] + ratio * own_k[i].v[s];

@@ -64,7 +64,7 @@ impl<'s, 'a> Link<'s, 'a> {
 
     /// The highest resonance that the motion can show, Hz.
     fn highest(&self) -> f64 {
-        let filters = self.scene.own[self.joint].iter().filter_map(|own| own.band.narrow.first());
+        let filters = self.scene.own[self.joint].iter().filter_map(|own| own.filters.narrow.first());
         filters.map(|filter| SEEN * filter.cutoff).fold(HIGHEST, f64::min)
     }
 

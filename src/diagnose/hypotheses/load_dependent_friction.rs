@@ -45,7 +45,7 @@ impl Hypothesis for LoadDependentFriction {
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let j = place[0];
         let among = |wanted: &dyn Fn(f64) -> bool| {
-            scene.pointwise(j, |o, k| if wanted(o.load[k] * o.sign[k]) { o.sign[k] * o.load[k].abs() } else { 0.0 })
+            scene.pointwise(j, |o, k| if wanted(o.load(k) * o.sign[k]) { o.sign[k] * o.load(k).abs() } else { 0.0 })
         };
         if shape.first() == Some(&0.0) {
             return vec![Term::new(effects::LoadDependentFriction::FL, among(&|_| true), Sign::Positive)];

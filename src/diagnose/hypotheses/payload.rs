@@ -19,20 +19,18 @@ pub struct Payload;
 /// parameters that they belong to.
 pub(super) fn body_columns(scene: &WindowedData<'_>, row: usize) -> [Vec<Vec<f64>>; 10] {
     let base = scene.plant.base_parameters();
-    let rows = scene.base_rows(&vec![true; scene.dof()]);
-    std::array::from_fn(|which| {
-        let standard = 10 * row + which;
-        let factor: Vec<f64> =
-            base.iter().map(|b| b.coefficients.iter().filter(|c| c.0 == standard).map(|c| c.1).sum::<f64>()).collect();
-        let torque = |entries: &Vec<(usize, Vec<f64>)>| {
-            let mut out = vec![0.0; scene.len];
-            for (b, series) in entries.iter().filter(|(b, _)| factor[*b] != 0.0) {
-                out.iter_mut().zip(series).for_each(|(o, s)| *o += factor[*b] * s);
-            }
-            out
-        };
-        rows.iter().map(torque).collect()
-    })
+    let factors: [Vec<f64>; 10] = std::array::from_fn(|which| {
+        let own = |c: &&(usize, f64)| c.0 == 10 * row + which;
+        base.iter().map(|b| b.coefficients.iter().filter(own).map(|c| c.1).sum::<f64>()).collect()
+    });
+    let mut columns: [Vec<Vec<f64>>; 10] = std::array::from_fn(|_| vec![vec![0.0; scene.len]; scene.dof()]);
+    scene.base_entries(|(joint, b), first, part| {
+        for (column, factor) in columns.iter_mut().zip(&factors).filter(|(_, factor)| factor[b] != 0.0) {
+            let torque = &mut column[joint][first..first + part.len()];
+            torque.iter_mut().zip(part).for_each(|(t, s)| *t += factor[b] * s);
+        }
+    });
+    columns
 }
 
 /// Columns of the ten parameters of a row's body under these keys, those without effect left out.

@@ -19,9 +19,9 @@ use crate::diagnose::windows::windowed_data::{JointSeries, WindowedData};
 pub struct PreslidingHysteresis;
 
 /// Dahl's state, integrated in closed form over each sample: `z -> s + (z - s) exp(-|dq| / HX)`.
-pub fn bristle(own: &JointSeries, distance: f64) -> Vec<f64> {
+pub fn bristle(own: &JointSeries<'_>, distance: f64) -> Vec<f64> {
     // Begins sheared by the motion that the stretch begins with.
-    let mut z = own.sign.iter().copied().find(|s| *s != 0.0).unwrap_or(0.0);
+    let mut z = own.sign.iter().find(|s| *s != 0.0).unwrap_or(0.0);
     let mut last = own.q.first().copied().unwrap_or(0.0);
     own.q
         .iter()

@@ -52,7 +52,7 @@ impl Hypothesis for TimeDelay {
                 // By less than a window no step of friction comes into a window that is used.
                 let torque = if shape[0].abs() < scene.step { &scene.smooth[j] } else { &scene.whole[j] };
                 let late = scene.delayed(torque, shape[0]);
-                late.iter().zip(torque).map(|(a, b)| (a - b) / shape[0]).collect()
+                late.iter().zip(&**torque).map(|(a, b)| (a - b) / shape[0]).collect()
             })
             .collect();
         let column = scene.column(rows);

@@ -26,7 +26,7 @@ impl Hypothesis for TorqueGainError {
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
         let j = place[0];
-        let mut series = scene.whole[j].clone();
+        let mut series = scene.whole[j].to_vec();
         scene.masked(j, &mut series);
         if series.iter().all(|t| *t == 0.0) {
             return Vec::new();

@@ -23,8 +23,8 @@ pub struct TorqueRipple;
 fn peaks(scene: &WindowedData<'_>, j: usize, residual: &[f64]) -> Vec<f64> {
     let [low, high] = travel(scene, j);
     let range = (high - low).max(0.05);
-    let q: Vec<f64> = scene.own_column(j, |o| o.q.clone()).rows.pop().map(|r| r.1).unwrap_or_default();
-    let v: Vec<f64> = scene.own_column(j, |o| o.v.clone()).rows.pop().map(|r| r.1).unwrap_or_default();
+    let q: Vec<f64> = scene.own_series(j, |o| o.q.to_vec());
+    let v: Vec<f64> = scene.own_series(j, |o| o.v.to_vec());
     let used: Vec<usize> = (0..scene.len).filter(|&w| scene.live[j][w]).collect();
     // Beyond this an order goes round within a window for most of the data.
     let mut speeds: Vec<f64> = used.iter().map(|&w| v[w].abs()).collect();

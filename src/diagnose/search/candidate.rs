@@ -70,6 +70,12 @@ pub(in crate::diagnose) fn logs<'a>(before: &'a [f64], after: &'a [f64]) -> impl
     before.iter().zip(after).map(|(a, b)| if *a > 1e-290 && *b > 1e-290 { (a / b).ln() } else { 0.0 })
 }
 
+/// Threads that search at once: a body's ten columns of all joints may take 32 MB together.
+fn at_once(tested: &ModelUnderTest<'_>) -> usize {
+    let body = 10 * tested.scene.dof() * tested.scene.len;
+    threads().min((4 << 20) / body.max(1)).max(1)
+}
+
 /// The best shape of every cause in every place, best first.
 pub fn candidates(
     tested: &ModelUnderTest<'_>,
@@ -86,14 +92,15 @@ pub fn candidates(
         let tried = shapes.iter().filter_map(|shape| evaluate(tested, fitted, *cause, place, shape));
         best_of(tested, fitted, tried)
     };
-    let mut all: Vec<Candidate> = parallel(threads(), tasks.len(), best).into_iter().flatten().collect();
+    let threads = at_once(tested);
+    let mut all: Vec<Candidate> = parallel(threads, tasks.len(), best).into_iter().flatten().collect();
     all.sort_by(|a, b| b.score.total_cmp(&a.score));
     let refined = |at: usize| {
         let mut candidate = all[at].clone();
         refine(tested, fitted, &mut candidate);
         candidate
     };
-    let first = parallel(threads(), all.len().min(10), refined);
+    let first = parallel(threads, all.len().min(10), refined);
     all.splice(..first.len(), first);
     all.retain(|c| !at_edge(c.cause, &c.shape));
     all.sort_by(|a, b| b.score.total_cmp(&a.score));

@@ -193,8 +193,8 @@ impl Judge<'_> {
 /// joint, and a cause of the whole robot can make them seem larger.
 pub(in crate::diagnose) fn stands(tested: &ModelUnderTest<'_>, j: usize) -> bool {
     let (mut moving, mut all) = (0, 0);
-    for sign in tested.scene.own[j].iter().flat_map(|own| &own.sign) {
-        moving += usize::from(*sign != 0.0);
+    for sign in tested.scene.own[j].iter().flat_map(|own| own.sign.iter()) {
+        moving += usize::from(sign != 0.0);
         all += 1;
     }
     2 * moving < all

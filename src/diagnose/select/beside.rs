@@ -8,7 +8,7 @@
 use super::excess::{CHANGED, EXCESS};
 use std::ops::Range;
 
-use super::measure::{Measured, Meter, bootstrap, here, leave_out, root_mean_square, share};
+use super::measure::{Figures, Measured, Meter, bootstrap, here, leave_out, root_mean_square, share};
 use super::refine_and_select::Session;
 use crate::diagnose::findings::reported_cause::Item;
 use crate::diagnose::fit::model::{Chosen, ModelUnderTest};
@@ -39,7 +39,7 @@ impl Shares {
 
 /// Errors of a model without one of its causes.
 pub(in crate::diagnose) struct Without {
-    pub(in crate::diagnose) measured: Measured,
+    pub(in crate::diagnose) measured: Figures,
     /// Interval of what the cause takes.
     pub(in crate::diagnose) interval: [f64; 2],
     /// Of a cause that acts in a part of a log: the largest share of a joint's squared error that
@@ -150,6 +150,6 @@ impl<'a> Beside<'_, 'a> {
         let within = span.map(|span| share_within(span, [&measured, with], noise));
         let repeats = if near { None } else { size(&measured, with) };
         let interval = bootstrap(&measured, with, &item.place);
-        Without { interval, measured, within, near, apart, far_share: None, repeats }
+        Without { interval, measured: measured.figures(), within, near, apart, far_share: None, repeats }
     }
 }

@@ -18,8 +18,7 @@ use crate::model::PerturbableArm;
 
 /// A refit of all base parameters and friction, without any further cause: what remains is
 /// structure.
-pub(in crate::diagnose) struct Refit<'a> {
-    pub(in crate::diagnose) tested: ModelUnderTest<'a>,
+pub(in crate::diagnose) struct Refit {
     /// Errors on stretches of the fitted logs that are left out in turn.
     pub(in crate::diagnose) left_out: LeftOut,
     pub(in crate::diagnose) errors: Errors,
@@ -27,21 +26,22 @@ pub(in crate::diagnose) struct Refit<'a> {
     by_log: Vec<Vec<f64>>,
 }
 
-impl<'a> Refit<'a> {
-    pub(in crate::diagnose) fn new(
+impl Refit {
+    /// The refit, and the model that was fitted.
+    pub(in crate::diagnose) fn new<'a>(
         plant: &'a dyn PerturbableArm,
         fit: &'a [Recording],
         validate: &'a [Recording],
         own_validation: bool,
         settings: &Settings,
-    ) -> Result<Self, DiagnoseError> {
+    ) -> Result<(Self, ModelUnderTest<'a>), DiagnoseError> {
         let mut tested = ModelUnderTest::new(plant, fit, settings.rate, Mode::Refitted, &plant.delays(), false);
         let (plain, left_out) = plainly(&mut tested)?;
         let after = Meter::new(plant, validate, &tested).of(&tested, &plain, &[], true);
         let fitted = Meter::new(plant, fit, &tested).of(&tested, &plain, &[], false).rms;
         let by_log = if own_validation { by_log(plant, validate, &tested, &plain, &[]) } else { Vec::new() };
         let errors = Errors { fit: fitted, validate: after.rms, moving: after.steady };
-        Ok(Self { tested, left_out, errors, by_log })
+        Ok((Self { left_out, errors, by_log }, tested))
     }
 }
 
@@ -94,7 +94,7 @@ impl<'a> Session<'a> {
     pub(in crate::diagnose) fn models(
         &self,
         has_links: bool,
-        refit: &Refit<'_>,
+        refit: &Refit,
         torque: &[f64],
     ) -> Result<Searched<'a>, ConsistentError> {
         let (mut models, mut said, mut suspects) = (Vec::new(), Vec::new(), Vec::new());
@@ -155,7 +155,7 @@ impl<'a> Session<'a> {
     }
 
     /// Whether a model errs more than a plain refit on a validating log.
-    pub(in crate::diagnose) fn worse_than(&self, model: &Selected<'_>, refit: &Refit<'_>) -> bool {
+    pub(in crate::diagnose) fn worse_than(&self, model: &Selected<'_>, refit: &Refit) -> bool {
         self.own_validation && !self.worse_on(model, &refit.by_log).is_empty()
     }
 

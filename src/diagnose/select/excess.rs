@@ -1,7 +1,7 @@
 //! Error beyond what noise explains, and error that the validating logs have and the fitted ones
 //! have not.
 
-use super::measure::{Measured, Meter, root_mean_square, taken_of};
+use super::measure::{Measured, Meter, taken_of};
 use super::refine_and_select::{Selected, Session};
 use crate::diagnose::findings::evidence::short;
 use crate::diagnose::findings::result::Cause;
@@ -30,26 +30,12 @@ const NEARLY: f64 = 0.8;
 /// Sum over joints of the logarithms of error ratios above which a model is worse.
 pub(super) const WORSE: f64 = 0.02;
 
-/// Least speed of a joint, by its fastest, at which its error counts as excess: about a reversal
-/// dry friction is no function of the recorded velocity.
-const SWIFT: f64 = 0.05;
-
-/// Error of joint `j` where it moves swiftly, root mean square, N m; that of all samples where it
-/// hardly does.
-fn swift(measured: &Measured, j: usize) -> f64 {
-    let velocity = measured.view.velocity(j);
-    let fastest = velocity.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
-    let pairs = measured.error[j].iter().zip(velocity).filter(|(_, v)| v.abs() > SWIFT * fastest);
-    let error: Vec<f64> = pairs.map(|(e, _)| *e).collect();
-    if 2 * error.len() < measured.error[j].len() { measured.steady[j] } else { root_mean_square(&error) }
-}
-
 /// Joints that the model misses by more than the floor explains, on fitted and validating logs
 /// alike. `floor`: error of each joint's torque where a model is right, N m.
 pub(in crate::diagnose) fn excess([fit, validate]: [&Measured; 2], floor: &[f64]) -> Vec<Structure> {
     let joint = |j: usize| {
         let least = |of: &dyn Fn(&Measured) -> f64| of(validate).min(of(fit));
-        let rms = least(&|m| swift(m, j)).max(least(&|m| m.steady[j]) * EXCESS / ABOUT_REVERSALS);
+        let rms = least(&|m| m.swift[j]).max(least(&|m| m.steady[j]) * EXCESS / ABOUT_REVERSALS);
         (rms > EXCESS * floor[j]).then(|| Structure {
             joint: j,
             rms: (rms * rms - floor[j] * floor[j]).sqrt(),

@@ -1,9 +1,12 @@
 //! Errors of models on recordings, every sample counted, and what a cause takes of them.
 
+use std::sync::Arc;
+
 use crate::diagnose::findings::maps::View;
 use crate::diagnose::findings::reported_cause::Item;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::windows::recording::Recording;
+use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::PerturbableArm;
 
 /// Errors per joint and sample at the logs' own rate.
@@ -12,25 +15,60 @@ pub(in crate::diagnose) struct Measured {
     /// The same where the joint moves. At reversals the sign of a velocity inside its noise, or of
     /// a joint that sticks, errs by twice the Coulomb level, whatever the cause.
     pub(in crate::diagnose) steady: Vec<f64>,
+    /// The same where it moves swiftly; of all samples where it hardly does.
+    pub(in crate::diagnose) swift: Vec<f64>,
     pub(in crate::diagnose) error: Vec<Vec<f64>>,
     pub(in crate::diagnose) time: Vec<f64>,
     /// Samples that follow each other without a gap.
     pub(in crate::diagnose) runs: Vec<std::ops::Range<usize>>,
-    pub(in crate::diagnose) view: View,
+    /// Torque of the model, per joint, N m.
+    model: Vec<Arc<Vec<f64>>>,
+    /// Delays for which the motion was taken, s.
+    delays: Vec<f64>,
     /// Whether this data can show each of the chosen causes.
     pub(in crate::diagnose) shown: Vec<bool>,
     /// Samples at which each joint moves.
     moves: Vec<Vec<bool>>,
 }
 
+/// [`Measured::rms`] and [`Measured::steady`]: what is kept of a model that was only tried.
+pub(in crate::diagnose) struct Figures {
+    pub(in crate::diagnose) rms: Vec<f64>,
+    pub(in crate::diagnose) steady: Vec<f64>,
+}
+
 impl Measured {
-    /// Takes a torque on one joint, N m, out of what is missed.
-    pub(in crate::diagnose) fn explain(&mut self, joint: usize, torque: &[f64]) {
+    /// The figures alone, without series.
+    pub(in crate::diagnose) fn figures(&self) -> Figures {
+        Figures { rms: self.rms.clone(), steady: self.steady.clone() }
+    }
+
+    /// Motion and torques that go with the errors. They are not held with them, since they are the
+    /// same for all models. `recordings`: those that were measured on.
+    pub(in crate::diagnose) fn view(&self, plant: &dyn PerturbableArm, recordings: &[Recording]) -> View {
+        View::of(&WindowedData::new(plant, recordings, RAW, &self.delays, true), &self.model)
+    }
+
+    /// Takes a torque on one joint, N m, out of what is missed. `velocity`: of the joint, rad/s.
+    pub(in crate::diagnose) fn explain(&mut self, joint: usize, torque: &[f64], velocity: &[f64]) {
         let error = &mut self.error[joint];
         error.iter_mut().zip(torque).for_each(|(e, t)| *e -= t);
         self.rms[joint] = root_mean_square(error);
         self.steady[joint] = where_it_moves(error, &self.moves[joint]);
+        self.swift[joint] = swift(error, velocity, self.steady[joint]);
     }
+}
+
+/// Least speed of a joint, by its fastest, at which its error counts as excess: about a reversal
+/// dry friction is no function of the recorded velocity.
+const SWIFT: f64 = 0.05;
+
+/// Error of a joint where it moves swiftly, root mean square, N m; `steady` where it hardly does.
+fn swift(error: &[f64], velocity: &[f64], steady: f64) -> f64 {
+    let fastest = velocity.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
+    let pairs = error.iter().zip(velocity).filter(|(_, v)| v.abs() > SWIFT * fastest);
+    let swift: Vec<f64> = pairs.map(|(e, _)| *e).collect();
+    if 2 * swift.len() < error.len() { steady } else { root_mean_square(&swift) }
 }
 
 /// Root mean square of an error where the joint moves; of all of it where that is less than half.
@@ -95,10 +133,23 @@ impl<'a> Meter<'a> {
         let rms = error.iter().map(|e| root_mean_square(e)).collect();
         let scene = &self.fine.scene;
         let moves: Vec<Vec<bool>> =
-            scene.own.iter().map(|own| own.iter().flat_map(|own| own.moves.iter().copied()).collect()).collect();
-        let steady = error.iter().zip(&moves).map(|(error, moves)| where_it_moves(error, moves)).collect();
-        let (time, runs, view) = (scene.time.clone(), scene.runs.clone(), View::of(scene));
-        Measured { rms, steady, error, time, runs, view, moves, shown: Vec::new() }
+            scene.own.iter().map(|own| scene.joined(own.iter().map(|own| own.moves.clone()))).collect();
+        let steady: Vec<f64> = error.iter().zip(&moves).map(|(error, moves)| where_it_moves(error, moves)).collect();
+        let velocity = |j: usize| &scene.states[scene.state_of_joint[j]].dq[j * scene.len..(j + 1) * scene.len];
+        let swift = (0..error.len()).map(|j| swift(&error[j], velocity(j), steady[j])).collect();
+        let (time, runs, model) = (scene.time.clone(), scene.runs.clone(), scene.whole.clone());
+        Measured {
+            rms,
+            steady,
+            swift,
+            error,
+            time,
+            runs,
+            model,
+            delays: scene.delays.clone(),
+            moves,
+            shown: Vec::new(),
+        }
     }
 }
 

@@ -52,7 +52,7 @@ impl<'a> Session<'a> {
         &self,
         models: Vec<Selected<'a>>,
         file: &LeftOut,
-        refitted: &Refit<'_>,
+        refitted: &Refit,
     ) -> Result<Choice<'a>, ConsistentError> {
         let refit = &refitted.left_out;
         let [mut believing, mut free] = [None, None];
@@ -110,7 +110,7 @@ impl<'a> Session<'a> {
     }
 
     /// The model of the file's links beside one with other links.
-    fn rival(&self, model: &Selected<'_>, others: &[Selected<'_>], refit: &Refit<'_>) -> Option<Rival> {
+    fn rival(&self, model: &Selected<'_>, others: &[Selected<'_>], refit: &Refit) -> Option<Rival> {
         let refitted = model.tested.mode == Mode::Refitted;
         let other = others.iter().find(|m| refitted && m.tested.mode == Mode::Trusted)?;
         let gain = model.left_out.less(&other.left_out, self.ground);
@@ -173,7 +173,7 @@ impl<'a> Session<'a> {
         &self,
         believing: Option<Selected<'a>>,
         free: Option<Selected<'a>>,
-        refit: &Refit<'_>,
+        refit: &Refit,
         said: &mut Vec<String>,
     ) -> Vec<Selected<'a>> {
         match (believing, free) {

@@ -138,9 +138,11 @@ impl<'a> Session<'a> {
         let settings = &self.settings.search;
         if mode == Mode::Trusted {
             let found = forward(&mut tested, self.noise, settings, self.progress);
+            tested.forget();
             return self.select(tested, found.accepted, Some((found.friction, found.evidence)));
         }
         let accepted = search(&mut tested, self.noise, settings, self.progress);
+        tested.forget();
         self.select(tested, accepted, None)
     }
 
@@ -243,6 +245,7 @@ impl<'a> Session<'a> {
         evidence: &[Evidence],
     ) -> Result<Attributed, ConsistentError> {
         (self.progress)("measuring on data that was not used");
+        tested.forget();
         let chosen = chosen_of(accepted);
         let items = items(tested, accepted, &fitted);
         let [mut far, mut near] = [self.validate, self.fit].map(|data| Meter::new(self.plant, data, tested));
@@ -263,11 +266,12 @@ impl<'a> Session<'a> {
             stretches: &tested.stretches(&chosen_of(accepted)),
             evidence,
         };
+        let [here, there] = [&after_fit, &after].map(Measured::figures);
         let causes = items
             .iter()
             .zip(&others)
             .map(|(item, other)| {
-                let (with, on) = if other.near { (&after_fit, "fit") } else { (&after, "validate") };
+                let (with, on) = if other.near { (&here, "fit") } else { (&there, "validate") };
                 weighing.attribute(item, [&other.measured, with], other.shares(), other.interval, on)
             })
             .collect();

@@ -1,5 +1,7 @@
 //! Columns of the hypotheses on a made-up motion, against their laws written out here.
 
+use std::sync::Arc;
+
 use super::mechanisms::planar;
 use crate::data::signal::Band;
 use crate::diagnose::hypotheses::{Term, hypothesis};
@@ -65,9 +67,9 @@ fn columns_are_what_their_laws_say() {
     let beta = vec![0.4; scene.beta.len()];
     scene.set_model(beta, None);
     let own = scene.own[0][0].clone();
-    let (q, v, load) = (|w: usize| own.q[w], |w: usize| own.v[w], |w: usize| own.load[w]);
+    let (q, v, load) = (|w: usize| own.q[w], |w: usize| own.v[w], |w: usize| own.load(w));
     let sign = |w: usize| v(w).signum();
-    assert!(own.load.iter().any(|l| *l > 0.1) && own.load.iter().any(|l| *l < -0.1));
+    assert!((0..scene.len).any(|w| load(w) > 0.1) && (0..scene.len).any(|w| load(w) < -0.1));
 
     follows(&scene, EffectKind::AsymmetricFriction, &[], &|_, w| v(w).abs());
     follows(&scene, EffectKind::StribeckFriction, &[0.3, 2.0], &|_, w| sign(w) * (-(v(w) / 0.3) * (v(w) / 0.3)).exp());
@@ -85,7 +87,7 @@ fn columns_are_what_their_laws_say() {
         if term == 0 { angle.cos() } else { angle.sin() }
     });
     follows(&scene, EffectKind::FrictionDrift, &[2.5], &|term, w| {
-        (if term == 0 { sign(w) } else { v(w) }) * (-own.t[w] / 2.5).exp()
+        (if term == 0 { sign(w) } else { v(w) }) * (-own.t(w) / 2.5).exp()
     });
 }
 
@@ -96,7 +98,7 @@ fn a_late_torque_is_the_earlier_one() {
     let recordings = [recording()];
     let mut scene = WindowedData::new(&plant, &recordings, 1.0 / PERIOD, &[0.0; 2], false);
     // A torque that rises in time: late, it is smaller.
-    scene.whole = vec![scene.time.clone(), vec![0.0; scene.len]];
+    scene.whole = [scene.time.clone(), vec![0.0; scene.len]].map(Arc::new).to_vec();
     let terms = hypothesis(EffectKind::TimeDelay).terms(&scene, &[0], &[0.02]);
     let (_, series) = &terms[0].column.rows[0];
     let inner = 10..scene.len - 10;
@@ -114,7 +116,7 @@ fn bristles_bend_over_their_length() {
     let terms = hypothesis(EffectKind::PreslidingHysteresis).terms(&scene, &[0], &[length]);
     let (_, series) = &terms[0].column.rows[0];
     // dz = (sign - z) |dq| / length, by small steps along the exact motion.
-    let (first, mut z, steps) = ((scene.own[0][0].t[0] / PERIOD).round(), 0.0, 200);
+    let (first, mut z, steps) = ((scene.own[0][0].t(0) / PERIOD).round(), 0.0, 200);
     let mut checked = 0;
     for w in 1..scene.len {
         for s in 0..steps {

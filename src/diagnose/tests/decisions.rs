@@ -133,7 +133,7 @@ fn stretches_count_by_the_noise_of_their_joints() {
     let both = terms.iter().find(|t| t.column.rows.len() == 2).unwrap();
     let mut body = vec![[0.0; 2]; quiet[0].stretches[0].states.len];
     for (j, series) in &both.column.rows {
-        samples(&scene.scene).into_iter().zip(series).for_each(|(k, torque)| body[k][*j] = 0.01 * torque);
+        samples(&scene.scene).into_iter().zip(&**series).for_each(|(k, torque)| body[k][*j] = 0.01 * torque);
     }
     for seed in 1..=4 {
         let recordings = made(noise, seed, &|j, k| body[k][j]);
@@ -256,7 +256,7 @@ fn a_spring_is_as_stiff_as_its_column_is_large() {
         let scene = tested(&plant, &quiet);
         let terms = scene.family(hypothesis(EffectKind::JointElasticity), &[0], &truth);
         for (j, series) in &terms[0].column.rows {
-            samples(&scene.scene).into_iter().zip(series).for_each(|(k, torque)| body[k][*j] = *torque);
+            samples(&scene.scene).into_iter().zip(&**series).for_each(|(k, torque)| body[k][*j] = *torque);
         }
     }
     let recordings = made([2e-3; 2], 1, &|j, k| body[k][j]);

@@ -1,5 +1,7 @@
 //! Sizes that a fit finds, on torques of the textbook arm with a known addition.
 
+use std::sync::Arc;
+
 use super::columns::{PERIOD, recording};
 use super::mechanisms::planar;
 use crate::diagnose::Recording;
@@ -50,7 +52,7 @@ fn played(
 /// What a spring of joint 1 adds to both torques, from rest in it.
 fn swing(scene: &WindowedData<'_>, shape: &[f64]) -> [Vec<f64>; 2] {
     let terms = hypothesis(EffectKind::JointElasticity).terms(scene, &[0], shape);
-    let row = |j: usize| terms[0].column.rows.iter().find(|row| row.0 == j).map(|row| row.1.clone());
+    let row = |j: usize| terms[0].column.rows.iter().find(|row| row.0 == j).map(|row| row.1.to_vec());
     [0, 1].map(|j| row(j).unwrap())
 }
 
@@ -98,7 +100,7 @@ fn a_start_at_rest_is_found_at_rest() {
     let [wanted, _] = swing(&tested(&plant, &recordings, true).scene, &shape);
     let mut scene = tested(&plant, &recordings, false).scene;
     scene.whole.clone_from(&scene.rigid);
-    scene.y[0] = scene.rigid[0].iter().zip(&wanted).map(|(r, s)| r + s).collect();
+    scene.y[0] = Arc::new(scene.rigid[0].iter().zip(&wanted).map(|(r, s)| r + s).collect());
     let [found, _] = swing(&scene, &shape);
     let (mut off, mut all) = (0.0, 0.0);
     for w in (0..scene.len).filter(|w| scene.live[0][*w]) {

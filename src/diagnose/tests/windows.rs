@@ -24,7 +24,11 @@ fn motion(t: f64) -> ([f64; 2], f64) {
     ([first, 0.5 * first], 0.8 * 2.3 * (2.3 * t).cos())
 }
 
-fn windows<'a>(plant: &'a PerturbableRobot, recordings: &[crate::diagnose::Recording], delay: f64) -> WindowedData<'a> {
+fn windows<'a>(
+    plant: &'a PerturbableRobot,
+    recordings: &'a [crate::diagnose::Recording],
+    delay: f64,
+) -> WindowedData<'a> {
     WindowedData::new(plant, recordings, 1.0 / PERIOD, &[delay; 2], false)
 }
 
@@ -45,7 +49,7 @@ fn a_late_torque_goes_with_the_motion_before() {
     for w in 0..scene.len {
         let then = scene.time[w] - delay;
         let (q, v) = motion(then);
-        assert!((own.t[w] - then).abs() < 1e-9, "{w}: {} {then}", own.t[w]);
+        assert!((own.t(w) - then).abs() < 1e-9, "{w}: {} {then}", own.t(w));
         assert!((own.q[w] - q[0]).abs() < 1e-6 && (states.q[w] - q[0]).abs() < 1e-6, "{w}: {} {}", own.q[w], q[0]);
         assert!((states.q[scene.len + w] - q[1]).abs() < 1e-6, "{w}");
         if v.abs() > 0.05 {

@@ -1,6 +1,6 @@
 //! Torque errors of a model due to errors of the recorded motion.
 
-use super::recording::{Recording, Stretch};
+use super::recording::Stretch;
 use super::windowed_data::WindowedData;
 use crate::data::signal::repeatability;
 use crate::identify::{ErrorBudget, thinned, torque_of_errors};
@@ -9,10 +9,14 @@ use crate::identify::{ErrorBudget, thinned, torque_of_errors};
 const SAMPLES: usize = 128;
 
 /// Contributions to each joint's error that no model causes, N m, before the residual is known:
-/// sensors (`noise`), motion and clock by the rigid model of the data, repetitions of `recordings`.
-pub(in crate::diagnose) fn budget(scene: &WindowedData<'_>, recordings: &[Recording], noise: &[f64]) -> ErrorBudget {
+/// sensors (`noise`), motion and clock by the rigid model of the data, repetitions of what was `recorded`.
+pub(in crate::diagnose) fn budget<'r>(
+    scene: &WindowedData<'_>,
+    recorded: impl Iterator<Item = &'r Stretch> + Clone,
+    noise: &[f64],
+) -> ErrorBudget {
     let dof = scene.dof();
-    let stretches = || recordings.iter().flat_map(|r| &r.stretches);
+    let stretches = || recorded.clone();
     let seconds: f64 = stretches().map(seconds_of).sum::<f64>().max(f64::MIN_POSITIVE);
     let mean = |of: &dyn Fn(&Stretch) -> f64| stretches().map(|s| seconds_of(s) * of(s)).sum::<f64>() / seconds;
     let error = |j: usize, k: usize| mean(&|s| s.error.get(j).map_or(0.0, |e| e[k] * e[k])).sqrt();
@@ -30,7 +34,7 @@ pub(in crate::diagnose) fn budget(scene: &WindowedData<'_>, recordings: &[Record
         sensor: noise.to_vec(),
         motion,
         clock: (0..dof).map(|j| if time > 0.0 { time * rate(j) } else { 0.0 }).collect(),
-        repeatability: repetitions(recordings, dof),
+        repeatability: repetitions(recorded.clone(), dof),
         left: vec![0.0; dof],
     }
 }
@@ -40,9 +44,9 @@ fn seconds_of(stretch: &Stretch) -> f64 {
 }
 
 /// By how much the torques of repeated motions differ, N m, per joint.
-fn repetitions(recordings: &[Recording], dof: usize) -> Option<Vec<f64>> {
+fn repetitions<'r>(recorded: impl Iterator<Item = &'r Stretch>, dof: usize) -> Option<Vec<f64>> {
     let (mut squares, mut all) = (vec![0.0; dof], 0.0);
-    for stretch in recordings.iter().flat_map(|r| &r.stretches) {
+    for stretch in recorded {
         let Some((rms, seconds)) = repeatability(&stretch.states.q, &stretch.tau, stretch.states.len, stretch.period)
         else {
             continue;

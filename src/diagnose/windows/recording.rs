@@ -81,32 +81,10 @@ impl Recording {
     /// Takes in a stretch of motion. Long stretches come in parts, each of which is a stretch of
     /// its own here: its windows do not reach into the next, and it is split by itself.
     pub fn absorb(&mut self, motion: &Motion) {
-        let (dof, len) = (motion.dof(), motion.states.len);
-        let core = motion.core.clone();
         if self.stretches.is_empty() {
             self.begin = motion.segment_start;
         }
-        let cut = |x: &[f64]| part(x, dof, len, core.clone());
-        let states = States {
-            len: core.len(),
-            q: cut(&motion.states.q),
-            dq: cut(&motion.states.dq),
-            ddq: cut(&motion.states.ddq),
-        };
-        self.stretches.push(Stretch {
-            start: motion.time(core.start),
-            period: motion.period,
-            states,
-            tau: cut(&motion.tau),
-            temperature: cut(&motion.temperature),
-            motor: cut(&motion.motor),
-            velocity_noise: motion.velocity_noise.clone(),
-            error: motion.error.clone(),
-            torque_noise: if motion.clock_error > 0.0 { motion.torque_noise.clone() } else { Vec::new() },
-            clock_error: motion.clock_error,
-            stuck: part(&motion.stuck, dof, len, core.clone()),
-            band: motion.band.cut(len, core.clone()),
-        });
+        self.stretches.push(Stretch::new(motion));
     }
 
     /// Seconds of motion.
@@ -208,8 +186,35 @@ fn part<T: Clone>(x: &[T], dof: usize, len: usize, range: std::ops::Range<usize>
 }
 
 impl Stretch {
+    /// The samples of a motion that are to be used.
+    pub(super) fn new(motion: &Motion) -> Self {
+        let (dof, len) = (motion.dof(), motion.states.len);
+        let core = motion.core.clone();
+        let cut = |x: &[f64]| part(x, dof, len, core.clone());
+        let states = States {
+            len: core.len(),
+            q: cut(&motion.states.q),
+            dq: cut(&motion.states.dq),
+            ddq: cut(&motion.states.ddq),
+        };
+        Self {
+            start: motion.time(core.start),
+            period: motion.period,
+            states,
+            tau: cut(&motion.tau),
+            temperature: cut(&motion.temperature),
+            motor: cut(&motion.motor),
+            velocity_noise: motion.velocity_noise.clone(),
+            error: motion.error.clone(),
+            torque_noise: if motion.clock_error > 0.0 { motion.torque_noise.clone() } else { Vec::new() },
+            clock_error: motion.clock_error,
+            stuck: part(&motion.stuck, dof, len, core.clone()),
+            band: motion.band.cut(len, core.clone()),
+        }
+    }
+
     /// Part of it.
-    fn cut(&self, range: std::ops::Range<usize>) -> Self {
+    pub(super) fn cut(&self, range: std::ops::Range<usize>) -> Self {
         let (dof, len) = (self.velocity_noise.len(), self.states.len);
         let take = |x: &[f64]| part(x, dof, len, range.clone());
         Self {

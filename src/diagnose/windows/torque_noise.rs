@@ -1,6 +1,6 @@
 //! Noise of the torques, and autocorrelation time of their errors.
 
-use super::recording::Recording;
+use super::recording::Stretch;
 use crate::data::signal::white_noise;
 use crate::identify::dot;
 
@@ -8,8 +8,8 @@ use crate::identify::dot;
 /// differences of the raw samples, in which motion below a tenth of the sampling rate leaves
 /// nothing. Noise that was low-passed before it was recorded is not seen. Where rows were put on
 /// another clock, that of the rows.
-pub fn torque_noise(recordings: &[Recording], dof: usize) -> Vec<f64> {
-    let all = || recordings.iter().flat_map(|r| &r.stretches);
+pub fn torque_noise<'r>(stretches: impl Iterator<Item = &'r Stretch> + Clone, dof: usize) -> Vec<f64> {
+    let all = || stretches.clone();
     let of = |j: usize| {
         let (mut squares, mut samples) = (0.0, 0);
         for stretch in all().filter(|s| s.torque_noise.len() == dof) {

@@ -6,7 +6,9 @@
 //! size. Windows in which a joint turns about are not used for that joint's own torque, since there
 //! the sign of its velocity is noise.
 
-use std::sync::{Arc, OnceLock};
+use std::borrow::Cow;
+use std::ops::Index;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::model::{Change, DriveTerm, PerturbableArm, StandardParameter, States};
 
@@ -18,9 +20,14 @@ use super::torque_noise::torque_noise;
 /// What is cut off both ends of every stretch, s, so that a delayed state exists for each sample.
 const EDGE: f64 = 0.15;
 
-/// Part of a series of one joint, taken `by` samples earlier; empty where nothing was recorded.
-fn recorded(stretch: &Stretch, series: &[f64], j: usize, span: std::ops::Range<usize>, by: f64) -> Vec<f64> {
-    if series.is_empty() { Vec::new() } else { earlier(stretch.of(series, j), span, by) }
+/// Part of a series, taken `by` samples earlier; empty where nothing was recorded. What is not moved is
+/// not copied: all models read the same recording.
+fn recorded(series: &[f64], span: std::ops::Range<usize>, by: f64) -> Cow<'_, [f64]> {
+    match (series.is_empty(), by == 0.0) {
+        (true, _) => Cow::Borrowed(&[]),
+        (_, true) => Cow::Borrowed(&series[span]),
+        _ => Cow::Owned(earlier(series, span, by)),
+    }
 }
 
 /// Samples that are cut off both ends of what is used of a stretch, `len` samples.
@@ -42,55 +49,116 @@ const PIECE: f64 = 1.0;
 /// memory as everything else.
 const PART: usize = 1024;
 
+/// The same of torques, which are fewer: enough for all threads.
+const BATCH: usize = 1 << 14;
+
+/// Joints whose slopes are held: one by one they are searched, on a few threads.
+const SLOPES: usize = 2;
+
 /// States of some of the samples.
 fn part_of(states: &States, dof: usize, span: std::ops::Range<usize>) -> States {
     let of = |x: &[f64]| -> Vec<f64> { (0..dof).flat_map(|j| &x[j * states.len..][span.clone()]).copied().collect() };
     States { len: span.len(), q: of(&states.q), dq: of(&states.dq), ddq: of(&states.ddq) }
 }
 
+/// Signs of a velocity, a byte each: -1, 0 or 1.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Signs(Vec<i8>);
+
+impl Signs {
+    /// One after the other.
+    pub fn iter(&self) -> impl Iterator<Item = f64> + '_ {
+        self.0.iter().map(|s| f64::from(*s))
+    }
+}
+
+impl Index<usize> for Signs {
+    type Output = f64;
+
+    fn index(&self, k: usize) -> &f64 {
+        match self.0[k] {
+            0 => &0.0,
+            1.. => &1.0,
+            _ => &-1.0,
+        }
+    }
+}
+
 /// One joint during one stretch, at the rate of the log.
 #[derive(Debug, Clone)]
-pub struct JointSeries {
+pub struct JointSeries<'r> {
     /// Position, rad.
-    pub q: Vec<f64>,
+    pub q: Cow<'r, [f64]>,
     /// Velocity, rad/s.
-    pub v: Vec<f64>,
+    pub v: Cow<'r, [f64]>,
     /// Sign of the velocity, 0 inside its noise.
-    pub sign: Vec<f64>,
+    pub sign: Signs,
     /// Whether a law of the velocity says something: outside its noise, and the joint does not
     /// stick.
     pub moves: Vec<bool>,
     /// Acceleration, rad/s^2.
-    pub a: Vec<f64>,
-    /// Torque of the rigid model without the file's rotor: what the gear transmits, N m.
-    pub load: Vec<f64>,
-    /// Time since the recording began, s.
-    pub t: Vec<f64>,
+    pub a: Cow<'r, [f64]>,
     /// Temperature, deg C; empty where there is none.
-    pub temperature: Vec<f64>,
+    pub temperature: Cow<'r, [f64]>,
     /// Position of the motor, rad; empty where there is none.
-    pub motor: Vec<f64>,
-    /// Effect of the low-pass on the position.
-    pub band: Band,
+    pub motor: Cow<'r, [f64]>,
+    /// Low-passes of the position.
+    pub filters: Band,
+    /// Share of the wider one; see [`Band`].
+    share: Cow<'r, [f64]>,
     /// Spacing of the samples, s.
     pub period: f64,
+    /// Time of the stretch's first sample since the recording began, s.
+    start: f64,
+    /// Number of the first sample in the stretch, less the samples by which its torque is late.
+    since: [f64; 2],
+    /// Torque of the rigid model over all windows, N m; empty until it is known.
+    rigid: Arc<Vec<f64>>,
+    /// Rotor of the file, kg m^2.
+    rotor: f64,
     first: usize,
     windows: usize,
     per: usize,
+}
+
+impl JointSeries<'_> {
+    /// Time of a sample since the recording began, s.
+    pub fn t(&self, k: usize) -> f64 {
+        let [first, by] = self.since;
+        self.start + (first + k as f64 - by) * self.period
+    }
+
+    /// Torque of the rigid model without the file's rotor: what the gear transmits, N m.
+    pub fn load(&self, k: usize) -> f64 {
+        match self.rigid.get(self.first..self.first + self.windows) {
+            Some(rigid) => between(rigid, self.per, k) - self.rotor * self.a[k],
+            None => 0.0,
+        }
+    }
+
+    /// Effect of the low-pass on a series of samples, and two derivatives; see [`Band::seen`].
+    fn seen(&self, x: &[f64]) -> [Vec<f64>; 3] {
+        Band { share: self.share.to_vec(), ..self.filters.clone() }.seen(0, x, self.period)
+    }
 }
 
 /// A series of numbers per joint that it acts on: what one unknown adds to the torques, averaged
 /// over the windows.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Column {
-    /// Joint and series (`len` numbers), by joint.
-    pub rows: Vec<(usize, Vec<f64>)>,
+    /// Joint and series (`len` numbers), by joint. Whoever sums up columns shares them.
+    pub rows: Vec<(usize, Arc<Vec<f64>>)>,
 }
 
 impl Column {
+    /// Of these joints and series.
+    pub fn new(rows: Vec<(usize, Vec<f64>)>) -> Self {
+        Self { rows: rows.into_iter().map(|(joint, series)| (joint, Arc::new(series))).collect() }
+    }
+
     /// On one joint alone.
     pub fn on(joint: usize, series: Vec<f64>) -> Self {
-        Self { rows: vec![(joint, series)] }
+        Self::new(vec![(joint, series)])
     }
 }
 
@@ -120,13 +188,18 @@ struct Cut<'r> {
     begin: f64,
 }
 
+/// Samples of a window where there are `rate` windows per second.
+pub(super) fn samples_of_window(rate: f64, period: f64) -> usize {
+    ((1.0 / (rate * period)).round() as usize).max(1)
+}
+
 /// The stretches that are long enough, in order.
 fn cuts(recordings: &[Recording], rate: f64) -> Vec<Cut<'_>> {
     let mut all: Vec<Cut<'_>> = Vec::new();
     let mut first = 0;
     for recording in recordings {
         for stretch in &recording.stretches {
-            let per = ((1.0 / (rate * stretch.period)).round() as usize).max(1);
+            let per = samples_of_window(rate, stretch.period);
             let len = stretch.states.len;
             let edge = edge(stretch, len);
             let windows = len.saturating_sub(2 * edge) / per;
@@ -140,7 +213,7 @@ fn cuts(recordings: &[Recording], rate: f64) -> Vec<Cut<'_>> {
     all
 }
 
-impl Cut<'_> {
+impl<'r> Cut<'r> {
     /// Middle of each window, s since the recording began.
     fn time(&self) -> impl Iterator<Item = f64> + '_ {
         let (start, period) = (self.stretch.start - self.begin, self.stretch.period);
@@ -154,28 +227,30 @@ impl Cut<'_> {
     }
 
     /// Motion of a joint whose torque is late by `delay` s.
-    fn joint(&self, j: usize, delay: f64, signed: &SpeedSign) -> JointSeries {
-        let Self { stretch, span, .. } = self;
+    fn joint(&self, j: usize, delay: f64, signed: &SpeedSign) -> JointSeries<'r> {
+        let (stretch, span): (&'r Stretch, _) = (self.stretch, &self.span);
         let (len, by) = (stretch.states.len, delay / stretch.period);
-        let at = |x: &[f64]| earlier(stretch.of(x, j), span.clone(), by);
-        let v = at(&stretch.states.dq);
+        let own = |x: &'r [f64], by: f64| recorded(x.chunks_exact(len).nth(j).unwrap_or(&[]), span.clone(), by);
+        let v = own(&stretch.states.dq, by);
         let sticks = |k: usize| {
             let then = (k as f64 - by).round().clamp(0.0, (len - 1) as f64) as usize;
             !stretch.stuck.is_empty() && stretch.of(&stretch.stuck, j)[then]
         };
         let SpeedSign { zone, stands, .. } = *signed;
-        let share = stretch.band.share.chunks_exact(len).nth(j);
         JointSeries {
-            q: at(&stretch.states.q),
-            a: at(&stretch.states.ddq),
-            load: vec![0.0; span.len()],
-            t: span.clone().map(|k| stretch.start - self.begin + (k as f64 - by) * stretch.period).collect(),
-            temperature: recorded(stretch, &stretch.temperature, j, span.clone(), 0.0),
-            motor: recorded(stretch, &stretch.motor, j, span.clone(), by),
-            band: stretch.band.of(j, share.map_or(Vec::new(), |share| earlier(share, span.clone(), by))),
+            q: own(&stretch.states.q, by),
+            a: own(&stretch.states.ddq, by),
+            temperature: own(&stretch.temperature, 0.0),
+            motor: own(&stretch.motor, by),
+            filters: stretch.band.of(j, Vec::new()),
+            share: own(&stretch.band.share, by),
             period: stretch.period,
-            moves: span.clone().zip(&v).map(|(k, v)| v.abs() > zone && (stands || !sticks(k))).collect(),
-            sign: v.iter().map(|v| signed.of(*v)).collect(),
+            start: stretch.start - self.begin,
+            since: [span.start as f64, by],
+            rigid: Arc::default(),
+            rotor: 0.0,
+            moves: span.clone().zip(&*v).map(|(k, v)| v.abs() > zone && (stands || !sticks(k))).collect(),
+            sign: Signs(v.iter().map(|v| signed.of(*v)).collect()),
             v,
             first: self.first,
             windows: self.windows,
@@ -197,21 +272,23 @@ struct SpeedSign {
 impl SpeedSign {
     /// Where every sample counts, the sign is that of the file's laws, so that the measure is of
     /// their output; of a joint that stands the sign is nothing but noise.
-    fn of(&self, v: f64) -> f64 {
+    fn of(&self, v: f64) -> i8 {
         let known = if self.all && !self.stands { v != 0.0 } else { v.abs() > self.zone };
-        if known { v.signum() } else { 0.0 }
+        if known { v.signum() as i8 } else { 0 }
     }
 
     /// Windows of a joint that are used.
-    fn live(&self, own: &JointSeries) -> Vec<bool> {
-        let one_way = |w: &[f64]| w.iter().all(|s| *s != 0.0) && w.iter().all(|s| *s == w[0]);
-        own.sign.chunks_exact(own.per).map(|w| self.all || self.stands || one_way(w)).collect()
+    fn live(&self, own: &JointSeries<'_>) -> Vec<bool> {
+        let one_way = |w: &[i8]| w.iter().all(|s| *s != 0) && w.iter().all(|s| *s == w[0]);
+        own.sign.0.chunks_exact(own.per).map(|w| self.all || self.stands || one_way(w)).collect()
     }
 }
 
 /// Motion of all joints in the windows, `delay` s earlier.
 fn states_at(cuts: &[Cut<'_>], dof: usize, delay: f64) -> States {
-    let mut states = States { len: cuts.iter().map(|c| c.windows).sum(), ..States::default() };
+    let len: usize = cuts.iter().map(|c| c.windows).sum();
+    let series = || Vec::with_capacity(dof * len);
+    let mut states = States { len, q: series(), dq: series(), ddq: series() };
     for j in 0..dof {
         for Cut { stretch, span, per, .. } in cuts {
             let mean = |x: &[f64]| average(&earlier(stretch.of(x, j), span.clone(), delay / stretch.period), *per);
@@ -230,9 +307,9 @@ pub struct WindowedData<'a> {
     /// Number of windows.
     pub len: usize,
     /// Measured torque, per joint, N m.
-    pub y: Vec<Vec<f64>>,
+    pub y: Vec<Arc<Vec<f64>>>,
     /// Motion, once for each distinct delay.
-    pub states: Vec<States>,
+    pub states: Vec<Arc<States>>,
     /// Index into [`WindowedData::states`] of the state of a joint's torque.
     pub state_of_joint: Vec<usize>,
     /// Time of each window since its recording began, s.
@@ -244,13 +321,13 @@ pub struct WindowedData<'a> {
     /// Windows that follow each other without a gap.
     pub runs: Vec<std::ops::Range<usize>>,
     /// Each joint's stretches.
-    pub own: Vec<Vec<JointSeries>>,
+    pub own: Vec<Vec<JointSeries<'a>>>,
     /// Torque of the rigid model, per joint, N m.
-    pub rigid: Vec<Vec<f64>>,
+    pub rigid: Vec<Arc<Vec<f64>>>,
     /// Torque of the whole model, per joint, N m.
-    pub whole: Vec<Vec<f64>>,
+    pub whole: Vec<Arc<Vec<f64>>>,
     /// The same without Coulomb's friction, which jumps.
-    pub smooth: Vec<Vec<f64>>,
+    pub smooth: Vec<Arc<Vec<f64>>>,
     /// Base parameters of the rigid model; friction entries zero.
     pub beta: Vec<f64>,
     /// Standard parameters that give `beta`; `None` until it is known.
@@ -274,8 +351,8 @@ pub struct WindowedData<'a> {
     pub period: f64,
     /// Whether every window counts, as where models are measured and not fitted.
     pub all: bool,
-    /// [`WindowedData::slopes`], by joint.
-    slopes: Vec<OnceLock<Arc<Slopes>>>,
+    /// [`WindowedData::slopes`] of the joints that were asked for last, with their numbers.
+    slopes: Mutex<Vec<(usize, Arc<Slopes>)>>,
 }
 
 impl<'a> WindowedData<'a> {
@@ -283,7 +360,13 @@ impl<'a> WindowedData<'a> {
     /// (one per joint).
     ///
     /// With `all`, every window counts, whatever the joint's speed.
-    pub fn new(plant: &'a dyn PerturbableArm, recordings: &[Recording], rate: f64, delays: &[f64], all: bool) -> Self {
+    pub fn new(
+        plant: &'a dyn PerturbableArm,
+        recordings: &'a [Recording],
+        rate: f64,
+        delays: &[f64],
+        all: bool,
+    ) -> Self {
         let dof = plant.dof();
         let cuts = cuts(recordings, rate);
         let len = cuts.last().map_or(0, |c| c.first + c.windows);
@@ -291,8 +374,9 @@ impl<'a> WindowedData<'a> {
         let period = longest_period(recordings);
         let dead = dead_zones(recordings, dof);
         let time = cuts.iter().flat_map(Cut::time).collect();
+        let zero = Arc::new(vec![0.0; len]);
         let mut windowed = Self {
-            y: vec![Vec::new(); dof],
+            y: vec![Arc::default(); dof],
             live: vec![Vec::new(); dof],
             own: vec![Vec::new(); dof],
             states: Vec::new(),
@@ -300,9 +384,9 @@ impl<'a> WindowedData<'a> {
             block: (0..len)
                 .map(|w| (w as f64 * step / PIECE.min(len as f64 * step / BLOCKS as f64)) as usize % BLOCKS)
                 .collect(),
-            rigid: vec![vec![0.0; len]; dof],
-            whole: vec![vec![0.0; len]; dof],
-            smooth: vec![vec![0.0; len]; dof],
+            rigid: vec![zero.clone(); dof],
+            whole: vec![zero.clone(); dof],
+            smooth: vec![zero; dof],
             beta: vec![0.0; plant.base_parameters().len()],
             standard: None,
             velocity_noise_limit: dead.iter().map(|d| d.0).collect(),
@@ -310,10 +394,13 @@ impl<'a> WindowedData<'a> {
             delays: vec![f64::NAN; dof],
             rotors: rotors(plant),
             rated: rated(plant, recordings),
-            noise: torque_noise(recordings, dof).iter().map(|s| s / (step / period).max(1.0).sqrt()).collect(),
+            noise: torque_noise(recordings.iter().flat_map(|r| &r.stretches), dof)
+                .iter()
+                .map(|s| s / (step / period).max(1.0).sqrt())
+                .collect(),
             period,
             all,
-            slopes: vec![OnceLock::new(); dof],
+            slopes: Mutex::default(),
             runs: cuts.iter().map(|c| c.first..c.first + c.windows).collect(),
             plant,
             len,
@@ -326,19 +413,19 @@ impl<'a> WindowedData<'a> {
 
     /// The same windows with torques taken as late by other delays, and the rigid model that goes
     /// with that. `recordings`, `rate`: those of [`WindowedData::new`].
-    pub fn delayed_by(&mut self, recordings: &[Recording], rate: f64, delays: &[f64]) {
+    pub fn delayed_by(&mut self, recordings: &'a [Recording], rate: f64, delays: &[f64]) {
         let before = self.delays.clone();
         self.take_delays(&cuts(recordings, rate), delays);
         let moved: Vec<bool> = before.iter().zip(delays).map(|(a, b)| a != b).collect();
-        let fresh = self.torques_where(&self.beta, &moved, |_| {});
+        let fresh = self.torques_where(&self.beta, &moved, |_, _| {});
         for (j, torque) in fresh.into_iter().enumerate().filter(|(j, _)| moved[*j]) {
-            self.rigid[j] = torque;
+            self.rigid[j] = Arc::new(torque);
         }
         self.model_changed();
     }
 
     /// Motion and torque of the joints whose delay is another than before.
-    fn take_delays(&mut self, cuts: &[Cut<'_>], delays: &[f64]) {
+    fn take_delays(&mut self, cuts: &[Cut<'a>], delays: &[f64]) {
         let dof = self.dof();
         let mut distinct: Vec<f64> = Vec::new();
         let of_joint: Vec<usize> = delays
@@ -355,7 +442,7 @@ impl<'a> WindowedData<'a> {
             let known = self.delays.iter().zip(&self.state_of_joint).find(|(d, _)| *d == delay);
             match known {
                 Some((_, &index)) => std::mem::take(&mut before[index]),
-                None => states_at(cuts, dof, *delay),
+                None => Arc::new(states_at(cuts, dof, *delay)),
             }
         });
         self.states = states.collect();
@@ -364,12 +451,20 @@ impl<'a> WindowedData<'a> {
             let (zone, stands) = (self.velocity_noise_limit[j], self.stands[j]);
             let signed = SpeedSign { zone, stands, all: self.all };
             self.own[j] = cuts.iter().map(|cut| cut.joint(j, delays[j], &signed)).collect();
-            self.live[j] = self.own[j].iter().flat_map(|own| signed.live(own)).collect();
-            self.y[j] = cuts.iter().flat_map(|cut| cut.torque(j)).collect();
-            let series = self.y[j].iter_mut().zip(&self.live[j]);
-            series.filter(|(_, live)| !**live).for_each(|(y, _)| *y = 0.0);
+            self.live[j] = self.joined(self.own[j].iter().map(|own| signed.live(own)));
+            let mut y = self.joined(cuts.iter().map(|cut| cut.torque(j)));
+            self.masked(j, &mut y);
+            self.y[j] = Arc::new(y);
         }
         self.delays = delays.to_vec();
+    }
+
+    /// A series over the windows from its stretches; one that grows by itself would take up to twice
+    /// its length.
+    pub fn joined<T>(&self, stretches: impl Iterator<Item = Vec<T>>) -> Vec<T> {
+        let mut all = Vec::with_capacity(self.len);
+        stretches.for_each(|stretch| all.extend(stretch));
+        all
     }
 
     /// Degrees of freedom.
@@ -378,22 +473,24 @@ impl<'a> WindowedData<'a> {
     }
 
     /// A column that acts on joint `j` alone, from what that joint does at the log's rate.
-    pub fn own_column(&self, j: usize, f: impl Fn(&JointSeries) -> Vec<f64>) -> Column {
-        let mut series = Vec::with_capacity(self.len);
-        for own in &self.own[j] {
-            series.extend(average(&f(own), own.per));
-        }
+    pub fn own_column(&self, j: usize, f: impl Fn(&JointSeries<'_>) -> Vec<f64>) -> Column {
+        Column::on(j, self.own_series(j, f))
+    }
+
+    /// Its series.
+    pub fn own_series(&self, j: usize, f: impl Fn(&JointSeries<'_>) -> Vec<f64>) -> Vec<f64> {
+        let mut series = self.joined(self.own[j].iter().map(|own| average(&f(own), own.per)));
         self.masked(j, &mut series);
-        Column::on(j, series)
+        series
     }
 
     /// [`WindowedData::own_column`] of a function without memory.
-    pub fn pointwise(&self, j: usize, f: impl Fn(&JointSeries, usize) -> f64) -> Column {
+    pub fn pointwise(&self, j: usize, f: impl Fn(&JointSeries<'_>, usize) -> f64) -> Column {
         self.own_column(j, |own| (0..own.v.len()).map(|k| f(own, k)).collect())
     }
 
     /// Averages over one stretch's windows of `f` (number of the sample in the stretch).
-    pub fn average_of(&self, own: &JointSeries, f: impl Fn(usize) -> f64) -> Vec<f64> {
+    pub fn average_of(&self, own: &JointSeries<'_>, f: impl Fn(usize) -> f64) -> Vec<f64> {
         average(&(0..own.v.len()).map(f).collect::<Vec<_>>(), own.per)
     }
 
@@ -457,7 +554,7 @@ impl<'a> WindowedData<'a> {
         for (j, mut series) in rows.into_iter().enumerate() {
             self.masked(j, &mut series);
             if series.iter().any(|x| *x != 0.0) {
-                column.rows.push((j, series));
+                column.rows.push((j, Arc::new(series)));
             }
         }
         column
@@ -491,6 +588,18 @@ impl<'a> WindowedData<'a> {
         rows
     }
 
+    /// Entries of the base regressor, each joint's over its own states, a part of the windows at a time:
+    /// joint and base parameter, first window, values. Memory is that of a part.
+    pub fn base_entries(&self, mut take: impl FnMut((usize, usize), usize, &[f64])) {
+        for index in 0..self.states.len() {
+            self.base_parts(index, |_, &(row, column), first, part| {
+                if self.state_of_joint[row] == index {
+                    take((row, column), first, part);
+                }
+            });
+        }
+    }
+
     /// Entries of the base regressor over the states of a delay, a part of the windows at a time:
     /// number and pattern of the entry, first window, values.
     fn base_parts(&self, index: usize, mut take: impl FnMut(usize, &(usize, usize), usize, &[f64])) {
@@ -507,17 +616,27 @@ impl<'a> WindowedData<'a> {
     }
 
     /// Torques of the rigid arm with these base parameters, N m, of the `wanted` joints, where each
-    /// window's motion is first changed by `change`; zero of the others.
-    fn torques_where(&self, base: &[f64], wanted: &[bool], change: impl Fn(&mut States)) -> Vec<Vec<f64>> {
+    /// window's motion is first changed by `change` (a part of the motion, and which); zero of the
+    /// others.
+    fn torques_where(
+        &self,
+        base: &[f64],
+        wanted: &[bool],
+        change: impl Fn(&mut States, std::ops::Range<usize>),
+    ) -> Vec<Vec<f64>> {
         let mut rows = vec![vec![0.0; self.len]; self.dof()];
-        let mut out = vec![0.0; self.dof() * self.len];
         let used = |index: &usize| self.state_of_joint.iter().zip(wanted).any(|(own, wanted)| own == index && *wanted);
         for index in (0..self.states.len()).filter(used) {
-            let mut states = self.states[index].clone();
-            change(&mut states);
-            self.plant.base_torques(&states, base, &mut out);
-            let own = rows.iter_mut().zip(out.chunks_exact(self.len.max(1))).zip(&self.state_of_joint);
-            own.filter(|(_, own)| **own == index).for_each(|((row, torque), _)| row.copy_from_slice(torque));
+            for first in (0..self.len).step_by(BATCH) {
+                let span = first..(first + BATCH).min(self.len);
+                let mut states = part_of(&self.states[index], self.dof(), span.clone());
+                change(&mut states, span.clone());
+                let mut out = vec![0.0; self.dof() * states.len];
+                self.plant.base_torques(&states, base, &mut out);
+                let own = rows.iter_mut().zip(out.chunks_exact(states.len)).zip(&self.state_of_joint);
+                own.filter(|(_, own)| **own == index)
+                    .for_each(|((row, torque), _)| row[span.clone()].copy_from_slice(torque));
+            }
         }
         rows
     }
@@ -525,29 +644,27 @@ impl<'a> WindowedData<'a> {
     /// Torques of the rigid arm with these base parameters, N m, of the `wanted` joints; zero of the
     /// others.
     pub fn base_torques(&self, base: &[f64], wanted: &[bool]) -> Vec<Vec<f64>> {
-        self.torques_where(base, wanted, |_| {})
+        self.torques_where(base, wanted, |_, _| {})
     }
 
-    /// Torque of the rigid model where each window's motion is first changed by `change`.
-    pub fn rigid_with(&self, change: impl Fn(&mut States)) -> Vec<Vec<f64>> {
+    /// Torque of the rigid model where each window's motion is first changed, as above.
+    fn rigid_with(&self, change: impl Fn(&mut States, std::ops::Range<usize>)) -> Vec<Vec<f64>> {
         self.torques_where(&self.beta, &vec![true; self.dof()], change)
     }
 
     /// Takes base parameters (friction entries zero) for the rigid model.
     pub fn set_model(&mut self, beta: Vec<f64>, standard: Option<Vec<f64>>) {
         (self.beta, self.standard) = (beta, standard);
-        self.rigid = self.rigid_with(|_| {});
+        self.rigid = self.rigid_with(|_, _| {}).into_iter().map(Arc::new).collect();
         self.model_changed();
     }
 
     /// Brings up to date what follows from the rigid torques.
     fn model_changed(&mut self) {
-        self.slopes.fill(OnceLock::new());
+        self.forget();
         for (j, stretches) in self.own.iter_mut().enumerate() {
             for own in stretches {
-                let rigid = &self.rigid[j][own.first..own.first + own.windows];
-                own.load = spread(rigid, own.per);
-                own.load.iter_mut().zip(&own.a).for_each(|(t, a)| *t -= self.rotors[j] * a);
+                (own.rigid, own.rotor) = (self.rigid[j].clone(), self.rotors[j]);
             }
         }
     }
@@ -560,7 +677,7 @@ impl<'a> WindowedData<'a> {
         for own in &self.own[j] {
             let fine = spread(&series[own.first..own.first + own.windows], own.per);
             let changed: Vec<f64> = fine.into_iter().map(&change).collect();
-            for (out, seen) in out.iter_mut().zip(own.band.seen(0, &changed, own.period)) {
+            for (out, seen) in out.iter_mut().zip(own.seen(&changed)) {
                 out.extend(average(&seen, own.per));
             }
         }
@@ -571,36 +688,50 @@ impl<'a> WindowedData<'a> {
     /// (position, velocity, acceleration over the windows) more: the torques per unit of `scale`,
     /// all joints.
     pub fn moved(&self, j: usize, by: &[Vec<f64>; 3], scale: f64) -> Vec<Vec<f64>> {
-        let span = j * self.len..(j + 1) * self.len;
-        let mut rows = self.rigid_with(|states| {
+        let mut rows = self.rigid_with(|states, part| {
+            let own = j * part.len()..(j + 1) * part.len();
             for (x, by) in [&mut states.q, &mut states.dq, &mut states.ddq].into_iter().zip(by) {
-                x[span.clone()].iter_mut().zip(by).for_each(|(x, by)| *x += scale * by);
+                x[own.clone()].iter_mut().zip(&by[part.clone()]).for_each(|(x, by)| *x += scale * by);
             }
         });
         for (row, rigid) in rows.iter_mut().zip(&self.rigid) {
-            row.iter_mut().zip(rigid).for_each(|(a, b)| *a = (*a - b) / scale);
+            row.iter_mut().zip(&**rigid).for_each(|(a, b)| *a = (*a - b) / scale);
         }
         rows
     }
 
+    /// Gives back the memory of what can be computed again.
+    pub fn forget(&mut self) {
+        self.slopes = Mutex::default();
+    }
+
     /// How the rigid torques change with joint `j`'s motion.
     pub fn slopes(&self, j: usize) -> Arc<Slopes> {
-        let made = self.slopes[j].get_or_init(|| {
-            let span = j * self.len..(j + 1) * self.len;
-            let by = |step: f64, what: fn(&mut States) -> &mut Vec<f64>| {
-                let mut rows = self.rigid_with(|states| what(states)[span.clone()].iter_mut().for_each(|x| *x += step));
-                for (row, rigid) in rows.iter_mut().zip(&self.rigid) {
-                    row.iter_mut().zip(rigid).for_each(|(a, b)| *a = (*a - b) / step);
-                }
-                rows
-            };
-            Arc::new(Slopes {
-                position: by(1e-3, |s| &mut s.q),
-                velocity: by(1e-2, |s| &mut s.dq),
-                acceleration: by(1.0, |s| &mut s.ddq),
-            })
+        let lock = || self.slopes.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some((_, known)) = lock().iter().find(|(joint, _)| *joint == j) {
+            return known.clone();
+        }
+        let by = |step: f64, what: fn(&mut States) -> &mut Vec<f64>| {
+            let mut rows = self.rigid_with(|states, part| {
+                let own = j * part.len()..(j + 1) * part.len();
+                what(states)[own].iter_mut().for_each(|x| *x += step);
+            });
+            for (row, rigid) in rows.iter_mut().zip(&self.rigid) {
+                row.iter_mut().zip(&**rigid).for_each(|(a, b)| *a = (*a - b) / step);
+            }
+            rows
+        };
+        let made = Arc::new(Slopes {
+            position: by(1e-3, |s| &mut s.q),
+            velocity: by(1e-2, |s| &mut s.dq),
+            acceleration: by(1.0, |s| &mut s.ddq),
         });
-        made.clone()
+        let mut held = lock();
+        held.push((j, made.clone()));
+        if held.len() > SLOPES {
+            held.remove(0);
+        }
+        made
     }
 
     /// Time derivative of a series over the windows, by central differences within each run.
@@ -628,14 +759,15 @@ fn average(x: &[f64], per: usize) -> Vec<f64> {
 
 /// From windows back to samples, on lines between the windows' middles.
 fn spread(x: &[f64], per: usize) -> Vec<f64> {
-    let last = x.len().saturating_sub(1) as f64;
-    (0..x.len() * per)
-        .map(|k| {
-            let at = ((k as f64 - 0.5 * (per - 1) as f64) / per as f64).clamp(0.0, last);
-            let (i, f) = (at.floor() as usize, at.fract());
-            x[i] + f * (x[(i + 1).min(x.len() - 1)] - x[i])
-        })
-        .collect()
+    (0..x.len() * per).map(|k| between(x, per, k)).collect()
+}
+
+/// The same at one sample.
+fn between(x: &[f64], per: usize, k: usize) -> f64 {
+    let last = x.len().saturating_sub(1);
+    let at = ((k as f64 - 0.5 * (per - 1) as f64) / per as f64).clamp(0.0, last as f64);
+    let (i, f) = (at.floor() as usize, at.fract());
+    x[i] + f * (x[(i + 1).min(last)] - x[i])
 }
 
 /// `x` at `span`, each sample taken `by` samples earlier: cubic through four neighbours.

@@ -222,3 +222,41 @@ impl Problem {
         Ok((v.as_slice().to_vec(), far + close))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// `-A'b` is the slope of all but the misfit, by central differences: of a body, scalars known and
+    /// not, a free variable and a wall.
+    #[test]
+    fn the_slope_of_the_function_is_the_models() {
+        let n = 13;
+        let problem = Problem {
+            j: DMatrix::zeros(1, n),
+            z: DVector::zeros(1),
+            links: vec![Link { start: 0, share: 0.7 }],
+            scalars: vec![Scalar { index: 10, known: true }, Scalar { index: 11, known: false }],
+            free: vec![(12, 0.4)],
+            walls: vec![Wall { a: vec![(0, 1.0), (10, -0.5)], b: 0.2 }],
+            equal: None,
+            margin: 0.05,
+        };
+        let mut v = DVector::zeros(n);
+        [1.3, 0.9, 1.1, 1.2, 0.1, -0.05, 0.08, 0.02, 0.1, -0.1].iter().enumerate().for_each(|(k, x)| v[k] = *x);
+        (v[10], v[11], v[12]) = (0.8, 1.7, -0.3);
+        let weights = Weights { w: 0.6, mu: 0.3 };
+        let (a, b) = problem.model(&v, weights).unwrap();
+        let slope = -(a.transpose() * b);
+        let h = 1e-5;
+        for k in 0..n {
+            let at = |by: f64| {
+                let mut next = v.clone();
+                next[k] += by;
+                problem.value(next.as_slice(), weights).unwrap()
+            };
+            let wanted = (at(h) - at(-h)) / (2.0 * h);
+            assert!((slope[k] - wanted).abs() < 1e-7, "{k}: {} {wanted}", slope[k]);
+        }
+    }
+}

@@ -185,3 +185,34 @@ fn inflation(
     let most = if joint.independent > 0.0 { samples / joint.independent } else { 1.0 };
     if white > 1e-6 && lambda.is_finite() { lambda.clamp(1.0, samples) } else { most }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::identify::RFactor;
+
+    /// One parameter, seen alike by batches with these scores; `shown / white` by hand: each batch adds
+    /// its squared score by the sum of squares, and `1/4 - 1/16` of its own is expected.
+    fn by_scores(scores: &[f64]) -> f64 {
+        let joint = JointSystem {
+            columns: vec![0],
+            triangle: RFactor::new(2),
+            gram: vec![0.0; 4],
+            samples: 100,
+            independent: 20.0,
+            torque_rms: 1.0,
+            travel: 1.0,
+            batches: scores.iter().map(|s| vec![1.0, *s, *s, s * s]).collect(),
+        };
+        inflation(&joint, &[(0, 0)], &DMatrix::from_element(1, 1, 0.25), [1.0, 1.0], &[0.0])
+    }
+
+    #[test]
+    fn scores_that_scatter_more_than_white_noise_widen() {
+        let found = by_scores(&[3.0, -3.0, 3.0, -3.0]);
+        assert!((found - 0.25 * 36.0 / 0.75).abs() < 1e-12, "{found}");
+        // Never narrower than white noise, nor wider than one sample's; of no batch, what the band has
+        // room for.
+        assert_eq!([by_scores(&[0.1; 4]), by_scores(&[60.0; 4]), by_scores(&[])], [1.0, 100.0, 5.0]);
+    }
+}

@@ -174,6 +174,17 @@ mod tests {
         (0..count).map(|_| next()).collect()
     }
 
+    /// Errors of the second that are three stretches above and three below those of the first, 24 in
+    /// all. Products of neighbours sum to 9, of every other to -6; those of lags 3 and 4 are negative.
+    /// So the variance is that of 24 alone and twice 3, and the stretches count for 24 / 30 each.
+    #[test]
+    fn stretches_that_go_with_their_neighbours_count_for_less() {
+        let second = (0..24).map(|t| if t / 3 % 2 == 0 { 2.5 } else { 1.5 }).collect();
+        let errors = Errors { squares: [vec![vec![2.0; 24]], vec![second]], samples: vec![240] };
+        let found = compare(&[errors]).unwrap();
+        assert!((found.independent - 24.0 * 24.0 / 30.0).abs() < 1e-9 && found.percent.abs() < 1e-9, "{found:?}");
+    }
+
     /// Two models over the same torques, the second's error larger by a known factor, with errors
     /// that are autocorrelated over several stretches. The interval has its nominal coverage, and
     /// two equally good models are distinguished at the nominal rate.
