@@ -37,6 +37,7 @@ mod torque_saturation;
 
 pub use asymmetric_friction::AsymmetricFriction;
 pub use plain::{COULOMB, OFFSET, VISCOUS};
+pub use point_mass::inertia as point_inertia;
 
 /// Kind of a cause: causes of one kind on one joint look alike.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -9,6 +9,7 @@
 
 pub(super) mod baseline_friction;
 pub(super) mod candidate;
+pub(super) mod driving_friction;
 pub(super) mod forward;
 pub(super) mod judge;
 pub(super) mod merge_bodies;

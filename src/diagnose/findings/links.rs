@@ -217,11 +217,10 @@ impl Session<'_> {
 }
 
 /// Gives a cause of refitted links no more probability than that all of them are better than the
-/// file's links with other causes, which are named beside it. A validating log that refutes those
-/// makes it one half at least.
+/// file's links with other causes, which are named beside it.
 fn no_surer(cause: &mut Cause, rival: &Rival) {
-    let Rival { gain, refuted, causes: rivals } = rival;
-    let better = calibration::links(gain.gain, gain.error).max(if *refuted { 0.5 } else { 0.0 });
+    let Rival { gain, causes: rivals } = rival;
+    let better = calibration::links(gain.gain, gain.error);
     if better >= cause.probability {
         return;
     }
@@ -261,9 +260,8 @@ mod tests {
     /// no surer than that, and the spring is named beside it.
     #[test]
     fn a_link_is_no_surer_than_its_model() {
-        let rival = |gain: f64, refuted: bool| Rival {
+        let rival = |gain: f64| Rival {
             gain: Paired { gain, error: 0.04, whole: true },
-            refuted,
             causes: vec![cause("joint_elasticity", &[1], 0.7), cause("payload", &[], 0.3)],
         };
         let capped = |rival: &Rival| {
@@ -271,17 +269,16 @@ mod tests {
             no_surer(&mut link, rival);
             link
         };
-        let doubtful = capped(&rival(0.04, false));
-        assert!((doubtful.probability - 0.1).abs() < 1e-12);
+        let doubtful = capped(&rival(0.12));
+        assert!((doubtful.probability - 0.2).abs() < 1e-12);
         assert_eq!(doubtful.not_distinguished_from, ["joint_elasticity", "payload"]);
         assert!(
-            doubtful.evidence.contains("joint_elasticity of joint 1, payload err 8 +- 8 %"),
+            doubtful.evidence.contains("joint_elasticity of joint 1, payload err 24 +- 8 %"),
             "{}",
             doubtful.evidence
         );
-        assert!((capped(&rival(0.04, true)).probability - 0.5).abs() < 1e-12);
-        assert!((capped(&rival(-0.2, false)).probability).abs() < 1e-12);
-        let sure = capped(&rival(0.9, false));
+        assert!((capped(&rival(-0.2)).probability).abs() < 1e-12);
+        let sure = capped(&rival(1.2));
         assert!(sure.probability == 0.95 && sure.not_distinguished_from.is_empty());
     }
 }

@@ -4,12 +4,13 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::model::{Chosen, Fitted, Mode, ModelUnderTest};
-use super::moments::{Gain, Trial, reduced_normal};
-use crate::diagnose::hypotheses::{Hypothesis, Symbol, Term};
+use super::moments::{Gain, Trial, pseudo_inverse, reduced_normal};
+use crate::diagnose::hypotheses::{Hypothesis, Symbol, Term, point_inertia};
+use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::identify::{BoundedLeastSquares, ConsistentSettings};
 use crate::model::likely_bodies::{PriorBody, Source};
 use crate::model::pseudo_inertia::is_body;
-use crate::model::{BaseParameter, Inertial, PerturbableArm, StandardParameter};
+use crate::model::{BaseParameter, Inertial, StandardParameter};
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
 
@@ -22,14 +23,21 @@ pub struct Body {
     /// Without the change; what is fixed to the flange is nothing.
     given: [f64; 10],
     prior: PriorBody,
-    /// Which of the ten parameters each coefficient adds to.
+    /// What each coefficient adds, by one, to the ten parameters: one of them, and where a body is a
+    /// mass at a point, the inertia that goes with it.
+    columns: Vec<[f64; 10]>,
+    /// Which of the ten parameters that is.
     which: Vec<usize>,
+    /// How large each coefficient may be, one standard deviation.
+    std: Option<Vec<f64>>,
 }
 
 impl Body {
-    /// Of a cause whose coefficients add to parameters of a body; `None` where that is none of the
-    /// file's, or where the file's is not possible itself.
-    pub fn of(plant: &dyn PerturbableArm, effect: EffectKind, place: &[usize], terms: &[Term]) -> Option<Self> {
+    /// Of a chosen cause whose coefficients add to parameters of a body; `None` where that is none
+    /// of the file's, or where the file's is not possible itself.
+    pub fn of(scene: &WindowedData<'_>, chosen: &Chosen, terms: &[Term]) -> Option<Self> {
+        let Chosen { cause, place, shape, .. } = chosen;
+        let effect = cause.effect();
         let keys = match effect {
             EffectKind::Payload => effects::Payload::BODY,
             EffectKind::LinkInertiaError => effects::LinkInertiaError::BODY,
@@ -37,14 +45,16 @@ impl Body {
         };
         let of = |term: &Term| keys.iter().position(|key| Symbol::Key(*key) == term.symbol);
         let which = terms.iter().map(of).collect::<Option<Vec<usize>>>()?;
+        let columns = which.iter().map(|&k| column(k, shape)).collect();
+        let std = cause.prior_std(scene, place, terms);
         if effect == EffectKind::Payload {
             let prior = PriorBody { body: BALL, source: Source::Geometric };
-            return Some(Self { given: [0.0; 10], prior, which });
+            return Some(Self { given: [0.0; 10], prior, columns, which, std });
         }
-        let first = 10 * plant.rows().get(*place.first()?)?;
-        let given: [f64; 10] = plant.given()?.get(first..first + 10)?.try_into().ok()?;
+        let first = 10 * scene.plant.rows().get(*place.first()?)?;
+        let given: [f64; 10] = scene.plant.given()?.get(first..first + 10)?.try_into().ok()?;
         let prior = PriorBody { body: given, source: Source::File };
-        is_body(&given).then_some(Self { given, prior, which })
+        is_body(&given).then_some(Self { given, prior, columns, which, std })
     }
 
     /// Number of coefficients.
@@ -55,7 +65,9 @@ impl Body {
     /// The changed body.
     fn changed(&self, x: &[f64]) -> [f64; 10] {
         let mut body = self.given;
-        self.which.iter().zip(x).for_each(|(&k, x)| body[k] += x);
+        for (column, x) in self.columns.iter().zip(x) {
+            body.iter_mut().zip(column).for_each(|(b, c)| *b += c * x);
+        }
         body
     }
 
@@ -63,6 +75,31 @@ impl Body {
     pub fn holds(&self, x: &[f64]) -> bool {
         is_body(&self.changed(x))
     }
+
+    /// Information of the prior on each coefficient: none where there is no prior.
+    fn precision(&self) -> Vec<f64> {
+        let one = |k: usize| self.std.as_ref().map_or(0.0, |std| std[k].max(f64::MIN_POSITIVE).powi(-2));
+        (0..self.len()).map(one).map(|p| if p.is_finite() { p } else { 0.0 }).collect()
+    }
+}
+
+/// What one of the ten parameters adds to all of them, in a body with a centre of mass of its own
+/// if that is a `shape`.
+fn column(which: usize, shape: &[f64]) -> [f64; 10] {
+    let mut column = [0.0; 10];
+    column[which] = 1.0;
+    if let (Some(axis @ 0..3), [_, _, _]) = (which.checked_sub(1), shape) {
+        column[4..].copy_from_slice(&point_inertia(axis, shape));
+    }
+    column
+}
+
+/// The normal matrix of some bodies' coefficients with what is known before: that the data leave
+/// directions open is no reason for a mass of tonnes there.
+fn with_prior(bodies: &[Body], mut normal: DMatrix<f64>) -> DMatrix<f64> {
+    let precision: Vec<f64> = bodies.iter().flat_map(Body::precision).collect();
+    precision.into_iter().enumerate().for_each(|(k, p)| normal[(k, k)] += p);
+    normal
 }
 
 /// Least squares of changes of bodies, `normal` and `rhs` in units of the noise of independent
@@ -99,36 +136,40 @@ pub fn possible_changes(bodies: &[Body], normal: &DMatrix<f64>, rhs: &DVector<f6
     problem.solve(normal, &(rhs + normal * &given)).ok().map(|found| found.x - given)
 }
 
-/// Whether all that a cause changes of a body is among its coefficients. The inertia of a mass at a
-/// point follows from its other numbers.
-fn changes_a_body(cause: &dyn Hypothesis) -> bool {
-    cause.within_links() && cause.shape().is_empty()
-}
-
 /// Independent windows by all windows.
 pub(super) fn independent_share(counts: &[f64], memory: &[f64]) -> f64 {
     let independent: f64 = counts.iter().zip(memory).map(|(n, m)| n / m).sum();
     (independent / counts.iter().sum::<f64>()).min(1.0)
 }
 
-/// Unknowns of bodies that are not possible in a least-squares solution, and the values that are,
-/// everything else refitted; `None` where all bodies are possible, or the solver finds none.
+/// Unknowns of bodies, and their values with what is known before, possible ones where a solver
+/// finds such, everything else refitted; `None` where the solution has them already.
 pub(super) fn possible_values(
     bodies: &[(Body, usize)],
     x: &DVector<f64>,
     inverse: &DMatrix<f64>,
     share: f64,
 ) -> Option<(Vec<usize>, DVector<f64>)> {
-    let unknowns = |(body, first): &(Body, usize)| *first..*first + body.len();
-    let value = |x: &DVector<f64>, of: &(Body, usize)| unknowns(of).map(|k| x[k]).collect::<Vec<f64>>();
-    if bodies.iter().all(|of| of.0.holds(&value(x, of))) {
-        return None;
-    }
-    let own: Vec<usize> = bodies.iter().flat_map(unknowns).collect();
-    let normal = reduced_normal(inverse, &own) * share;
-    let rhs = &normal * x.select_rows(&own);
+    let own: Vec<usize> = bodies.iter().flat_map(|(body, first)| *first..*first + body.len()).collect();
+    let free = x.select_rows(&own);
     let all: Vec<Body> = bodies.iter().map(|b| b.0.clone()).collect();
-    Some((own, possible_changes(&all, &normal, &rhs)?))
+    let normal = reduced_normal(inverse, &own) * share;
+    let rhs = &normal * &free;
+    let values = limited(&all, normal, &rhs, free.clone())?;
+    (values != free).then_some((own, values))
+}
+
+/// Least squares of changes of bodies with what is known before; `free` where nothing is.
+fn limited(bodies: &[Body], normal: DMatrix<f64>, rhs: &DVector<f64>, free: DVector<f64>) -> Option<DVector<f64>> {
+    let known = bodies.iter().any(|body| body.std.is_some());
+    let normal = with_prior(bodies, normal);
+    let x = if known { pseudo_inverse(&normal) * rhs } else { free };
+    let mut first = 0;
+    let hold = bodies.iter().all(|body| {
+        first += body.len();
+        body.holds(&x.as_slice()[first - body.len()..first])
+    });
+    if hold { Some(x) } else { possible_changes(bodies, &normal, rhs) }
 }
 
 impl ModelUnderTest<'_> {
@@ -139,15 +180,17 @@ impl ModelUnderTest<'_> {
             return Vec::new();
         }
         let own = chosen.iter().zip(&fitted.first).zip(&fitted.terms);
-        let own = own.filter(|((c, _), terms)| changes_a_body(c.cause) && !terms.is_empty());
-        own.filter_map(|((c, first), terms)| Some((Body::of(self.plant, c.cause.effect(), &c.place, terms)?, *first)))
-            .collect()
+        let own = own.filter(|((c, _), terms)| c.cause.within_links() && !terms.is_empty());
+        own.filter_map(|((c, first), terms)| Some((Body::of(&self.scene, c, terms)?, *first))).collect()
     }
 
     /// A fit with the bodies that are not possible moved to where they are, all else refitted;
     /// unchanged where the solver finds none.
     pub(super) fn with_possible_bodies(&self, chosen: &[Chosen], fitted: Fitted) -> Fitted {
         let bodies = self.changed_bodies(chosen, &fitted);
+        if bodies.is_empty() {
+            return fitted;
+        }
         let Fitted { solution, moments, .. } = &fitted;
         let share = independent_share(&solution.counts, &fitted.memory);
         let Some((own, values)) = possible_values(&bodies, &solution.x, &solution.inverse, share) else {
@@ -158,25 +201,34 @@ impl ModelUnderTest<'_> {
         Fitted { solution, memory: self.memory(&residual), residual, ..fitted }
     }
 
+    /// Whether a body that a cause changes is possible with it.
+    pub(in crate::diagnose) fn is_possible(&self, chosen: &Chosen, terms: &[Term]) -> bool {
+        let body = || Body::of(&self.scene, chosen, terms);
+        self.mode == Mode::Refitted || !chosen.cause.within_links() || body().is_none_or(|b| b.holds(&chosen.x))
+    }
+
     /// What a cause's columns gain beside a fit; a body that a cause changes stays possible. `None`
     /// where the fit explains the same, or no possible body was found.
     pub(in crate::diagnose) fn limited_gain(
         &self,
         fitted: &Fitted,
-        cause: &dyn Hypothesis,
-        place: &[usize],
+        cause: &'static dyn Hypothesis,
+        (place, shape): (&[usize], &[f64]),
         terms: &[Term],
         trial: &Trial,
     ) -> Option<Gain> {
         let Fitted { moments, solution, memory, .. } = fitted;
         let reduced = moments.reduced(solution, trial)?;
         let free = reduced.solution();
-        let limited = self.mode == Mode::Trusted && changes_a_body(cause);
-        let body = limited.then(|| Body::of(self.plant, cause.effect(), place, terms)).flatten();
-        let x = match body.filter(|body| !body.holds(free.as_slice())) {
+        let limits = self.mode == Mode::Trusted && cause.within_links();
+        let chosen = || Chosen { cause, place: place.to_vec(), shape: shape.to_vec(), x: Vec::new() };
+        let body = limits.then(|| Body::of(&self.scene, &chosen(), terms)).flatten();
+        let x = match body {
             Some(body) => {
                 let share = independent_share(&solution.counts, memory);
-                possible_changes(&[body], &(&reduced.normal * share), &(&reduced.rhs * share))?
+                let (normal, rhs) = (&reduced.normal * share, &reduced.rhs * share);
+                let found = limited(std::slice::from_ref(&body), normal, &rhs, free)?;
+                body.holds(found.as_slice()).then_some(found)?
             }
             None => free,
         };
@@ -194,7 +246,8 @@ mod tests {
 
     fn link() -> Body {
         let prior = PriorBody { body: LINK, source: Source::File };
-        Body { given: LINK, prior, which: (0..10).collect() }
+        let columns = (0..10).map(|k| column(k, &[])).collect();
+        Body { given: LINK, prior, columns, which: (0..10).collect(), std: None }
     }
 
     /// A well-conditioned normal matrix of ten columns, in units of a noise that says much.
@@ -254,5 +307,41 @@ mod tests {
         assert!(first[0] > -2.0 && link().holds(first) && link().holds(second));
         let body = link().changed(first);
         assert!(pseudo_inertia(&body).symmetric_eigenvalues().min() >= 0.0);
+    }
+
+    /// A direction of which the data say nothing has no size; what they say stays.
+    #[test]
+    fn a_prior_keeps_what_the_data_leave_open_at_a_robots_size() {
+        let columns: Vec<[f64; 10]> = (0..4).map(|k| column(k, &[0.0, 0.0, 0.0])).collect();
+        let prior = PriorBody { body: LINK, source: Source::File };
+        let std = Some(vec![2.0, 0.3, 0.3, 0.3]);
+        let body = Body { given: LINK, prior, columns, which: (0..4).collect(), std };
+        // Known to a thousandth: MSX; 0.01 M - MSZ. Of their sum, MSY: nothing.
+        let mut normal = DMatrix::zeros(4, 4);
+        normal[(1, 1)] = 1e6;
+        for (i, a) in [(0, 0.01), (3, -1.0)] {
+            for (k, b) in [(0, 0.01), (3, -1.0)] {
+                normal[(i, k)] = 1e6 * a * b;
+            }
+        }
+        // What least squares may answer: 300 kg, held by 3 kg m.
+        let free = DVector::from_vec(vec![300.0, 0.05, 0.0, 3.0 - 0.02]);
+        let found = limited(&[body], normal.clone(), &(&normal * &free), free).unwrap();
+        assert!(found[0].abs() < 0.5 && found[2].abs() < 0.01, "{found}");
+        assert!((found[1] - 0.05).abs() < 1e-3 && (0.01 * found[0] - found[3] - 0.02).abs() < 1e-3, "{found}");
+    }
+
+    /// The inertia of a mass at a point goes with its first moments: a heavy one far away takes a
+    /// light link's inertia below zero nowhere, a negative one does.
+    #[test]
+    fn a_mass_at_a_point_is_possible_where_the_whole_link_is() {
+        let centre = [0.0, 0.0, 0.2];
+        let prior = PriorBody { body: LINK, source: Source::File };
+        let columns = (0..4).map(|k| column(k, &centre)).collect();
+        let body = Body { given: LINK, prior, columns, which: (0..4).collect(), std: None };
+        let mass = |m: f64| [m, 0.0, 0.0, m * centre[2]];
+        assert!(body.holds(&mass(3.0)) && !body.holds(&mass(-3000.0)) && !body.holds(&mass(-1.9)));
+        let inertia = body.changed(&mass(3.0));
+        assert!((inertia[4] - LINK[4] - 3.0 * 0.04).abs() < 1e-12 && (inertia[6] - LINK[6]).abs() < 1e-12);
     }
 }

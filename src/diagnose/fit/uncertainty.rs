@@ -15,8 +15,6 @@ pub struct Uncertainty {
     pub covariance: DMatrix<f64>,
     /// Position of each cause's shape in it; `None` for a value that is no estimate.
     shapes: Vec<Vec<Option<usize>>>,
-    /// Those of them that are taken to be integers, by preference.
-    integer_priors: Vec<usize>,
 }
 
 impl Uncertainty {
@@ -40,43 +38,49 @@ impl Uncertainty {
             shapes.push(places.collect());
         }
         if more.is_empty() {
-            return Self { covariance: fitted.covariance(), shapes, integer_priors: Vec::new() };
+            return Self { covariance: fitted.covariance(), shapes };
         }
         let (moments, solution) = fitted.moments.beside(&fitted.solution, &more);
         let mut covariance = moments.covariance(&solution, &fitted.memory);
         // Prior information: one more measurement of an unknown.
         let units = chosen.iter().enumerate().filter(|(_, c)| c.cause.unit() && !c.x.is_empty());
-        for (at, std) in units.map(|(index, _)| (fitted.first[index], UNIT)).chain(integer_priors.iter().copied()) {
+        for (at, std) in units.map(|(index, _)| (fitted.first[index], UNIT)).chain(integer_priors) {
             measure(&mut covariance, at, std);
         }
-        Self { covariance, shapes, integer_priors: integer_priors.into_iter().map(|h| h.0).collect() }
+        Self { covariance, shapes }
     }
 }
 
 impl Uncertainty {
-    /// By how much a cause's coefficients stand out of their uncertainty, in Wald's statistic;
-    /// below zero it may be none. With the shape that was found they must exceed a level that
-    /// chance reaches once in some 150,000 times (a normal number beyond 4.5), for that shape was
-    /// the best of many. With the shape unknown the level is once in a hundred (beyond 2.5).
-    pub fn stands_out(&self, tested: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
-        let first = fitted.first[index];
-        if chosen.x.is_empty() {
-            // Its columns are gone: of what is known now it is nothing.
-            return f64::NEG_INFINITY;
+    /// By how much a cause's parameters exceed zero, in Wald's statistic, above a level that chance
+    /// reaches once in a hundred times: its coefficients with the shape that was found, or the
+    /// number of its shape that is its size.
+    pub fn exceeds_zero(&self, tested: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
+        let Some(x) = above_resolution(tested, chosen) else { return f64::NEG_INFINITY };
+        if let (true, Some(&[Some(at), ..])) = (chosen.cause.unit(), self.shapes.get(index).map(Vec::as_slice)) {
+            let variance = self.covariance[(at, at)].max(f64::MIN_POSITIVE);
+            return chosen.shape[0].powi(2) / variance - once_in_a_hundred(1.0);
         }
-        let x = DVector::from_vec(chosen.cause.above_resolution(&tested.scene, &chosen.place, &chosen.x));
-        let unknowns = x.len() as f64;
-        let wald = |covariance: &DMatrix<f64>| {
-            let own = covariance.view((first, first), (x.len(), x.len())).into_owned();
-            x.dot(&(pseudo_inverse(&own) * &x))
-        };
-        // Quantiles of chi-squared, on lines.
-        let known = wald(&fitted.covariance()) - (18.0 + 2.5 * unknowns);
-        let mut covariance = self.covariance.clone();
-        self.integer_priors.iter().for_each(|&at| measure(&mut covariance, at, 0.0));
-        let unknown = wald(&covariance) - (4.2 + 2.1 * unknowns);
-        known.min(unknown)
+        wald(&fitted.covariance(), fitted.first[index], &x) - once_in_a_hundred(x.len() as f64)
     }
+}
+
+/// A cause's coefficients above the resolution of the data; `None` where its columns are gone: of
+/// what is known now it is nothing.
+fn above_resolution(tested: &ModelUnderTest<'_>, chosen: &Chosen) -> Option<DVector<f64>> {
+    let x = || DVector::from_vec(chosen.cause.above_resolution(&tested.scene, &chosen.place, &chosen.x));
+    (!chosen.x.is_empty()).then(x)
+}
+
+/// Wald's statistic of some unknowns, from `first` on: their squares by their covariance.
+fn wald(covariance: &DMatrix<f64>, first: usize, x: &DVector<f64>) -> f64 {
+    let own = covariance.view((first, first), (x.len(), x.len())).into_owned();
+    x.dot(&(pseudo_inverse(&own) * x))
+}
+
+/// What chi-squared of so many degrees of freedom exceeds once in a hundred times, on a line.
+fn once_in_a_hundred(unknowns: f64) -> f64 {
+    4.2 + 2.1 * unknowns
 }
 
 /// The covariance when one unknown has been measured, too.

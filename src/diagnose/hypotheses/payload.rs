@@ -8,9 +8,16 @@ use super::Kind;
 use super::Law;
 use super::Scope;
 use super::Sign;
+use super::Symbol;
 use super::Term;
 use super::point_mass::POINT_PAYLOAD;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData};
+use crate::model::{Inertial, StandardParameter};
+
+/// A payload by the arm's own mass: a third to a half is what light arms are rated for.
+const CARRIED: f64 = 0.3;
+/// How far its centre of mass may be from the last frame, m.
+const AWAY: f64 = 0.15;
 
 /// The ten parameters of a body in the last frame.
 pub struct Payload;
@@ -73,6 +80,24 @@ impl Hypothesis for Payload {
 
     fn same_on_paper(&self) -> &'static [&'static str] {
         &[effects::LinkInertiaError::NAME]
+    }
+
+    /// As heavy as arms carry, a hand's breadth away.
+    fn prior_std(&self, scene: &WindowedData<'_>, _: &[usize], terms: &[Term]) -> Option<Vec<f64>> {
+        let given = scene.plant.given()?;
+        let arm: f64 = scene
+            .plant
+            .standard_parameters()
+            .iter()
+            .zip(given)
+            .filter(|(p, _)| matches!(p, StandardParameter::Link(_, Inertial::M)))
+            .map(|(_, m)| m.max(0.0))
+            .sum();
+        let of = |symbol: Symbol| {
+            let at = effects::Payload::BODY.iter().position(|key| Symbol::Key(*key) == symbol)?;
+            Some(CARRIED * arm * AWAY.powi([0, 1, 2][usize::from(at > 0) + usize::from(at > 3)]))
+        };
+        if arm > 0.0 { terms.iter().map(|t| of(t.symbol)).collect() } else { None }
     }
 
     fn says(&self) -> &'static str {

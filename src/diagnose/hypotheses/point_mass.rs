@@ -33,7 +33,7 @@ const fn axis(name: &'static str) -> Shape {
 
 /// Inertia of a first moment of 1 kg m along axis `k` at centre of mass `c`: `XX, YY, ZZ, XY, XZ,
 /// YZ`. Of `m c` at `c` the sum over the axes is that of a point mass.
-fn inertia(k: usize, c: &[f64]) -> [f64; 6] {
+pub fn inertia(k: usize, c: &[f64]) -> [f64; 6] {
     let along = |i: usize| if i == k { c[i] } else { 0.0 };
     let product = |i: usize, j: usize| {
         let of = |a: usize, b: usize| if a == k { -0.5 * c[b] } else { 0.0 };

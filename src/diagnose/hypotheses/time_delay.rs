@@ -18,6 +18,13 @@ use crate::diagnose::windows::windowed_data::{MOST_DELAY, WindowedData};
 /// `tau(t)` belongs to the motion at `t - TD`: of one joint, or of all.
 pub struct TimeDelay;
 
+/// The delay that most joints have.
+fn common(delays: &[f64]) -> f64 {
+    let mut sorted = delays.to_vec();
+    sorted.sort_by(f64::total_cmp);
+    sorted.get(sorted.len() / 2).copied().unwrap_or(0.0)
+}
+
 impl Hypothesis for TimeDelay {
     fn effect(&self) -> EffectKind {
         EffectKind::TimeDelay
@@ -82,12 +89,11 @@ impl Hypothesis for TimeDelay {
 
     /// Beyond half a sample, the resolution of sampling times. Of one joint: from the others.
     fn above_resolution(&self, scene: &WindowedData<'_>, place: &[usize], x: &[f64]) -> Vec<f64> {
-        let own: Vec<usize> = if place.is_empty() { (0..scene.dof()).collect() } else { place.to_vec() };
-        let mut others: Vec<f64> = (0..scene.dof()).filter(|j| !own.contains(j)).map(|j| scene.delays[j]).collect();
-        others.sort_by(f64::total_cmp);
-        let usual = others.get(others.len() / 2).copied().unwrap_or(0.0);
-        let late = own.iter().map(|&j| (scene.delays[j] + x[0] - usual).abs()).fold(0.0, f64::max);
-        vec![(late - 0.5 * scene.period).max(0.0)]
+        let late = match place {
+            [] => common(&scene.delays) + x[0],
+            [j, ..] => scene.delays[*j] + x[0] - common(&[&scene.delays[..*j], &scene.delays[j + 1..]].concat()),
+        };
+        vec![(late.abs() - 0.5 * scene.period).max(0.0)]
     }
 
     fn moves_time(&self) -> bool {
@@ -95,8 +101,8 @@ impl Hypothesis for TimeDelay {
     }
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
-        let joint = found.place.first().copied().unwrap_or(0);
-        vec![Named::new(effects::TimeDelay::TD, found.scene.delays[joint] + found.x[0], Some(found.std(0)))]
+        let delay = found.place.first().map_or_else(|| common(&found.scene.delays), |j| found.scene.delays[*j]);
+        vec![Named::new(effects::TimeDelay::TD, delay + found.x[0], Some(found.std(0)))]
     }
 
     fn over(&self) -> Over {
@@ -109,5 +115,16 @@ impl Hypothesis for TimeDelay {
 
     fn shown_by(&self) -> &'static str {
         "the same motion at half and at double the speed"
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_common_delay_is_that_of_most_joints() {
+        assert_eq!(common(&[0.004, 0.004, 0.02, 0.004, -0.01]), 0.004);
+        assert_eq!(common(&[]), 0.0);
     }
 }

@@ -51,7 +51,7 @@ pub(in crate::diagnose) fn evaluate(
     }
     let columns: Vec<_> = terms.iter().map(|t| &t.column).collect();
     let trial = fitted.moments.trial(&columns);
-    let gain = tested.limited_gain(fitted, cause, place, &terms, &trial)?;
+    let gain = tested.limited_gain(fitted, cause, (place, shape), &terms, &trial)?;
     let signed = terms.iter().zip(&gain.x).all(|(t, x)| match t.sign {
         Sign::Any => true,
         Sign::Positive => *x > 0.0,
@@ -145,7 +145,8 @@ fn least_change_first(all: &mut [Candidate], tested: &ModelUnderTest<'_>) {
         let std = c.cause.prior_std(&tested.scene, &c.place, &terms)?;
         Some(c.gain.x.iter().zip(std).map(|(x, s)| (x / s).powi(2)).sum::<f64>().sqrt())
     };
-    let last = |c: &Candidate| c.place.first().is_some_and(|j| j + 1 == tested.scene.dof());
+    // A payload is on the last link.
+    let last = |c: &Candidate| c.place.first().is_none_or(|j| j + 1 == tested.scene.dof());
     let Some(best) = all.first().filter(|c| !last(c)) else { return };
     let Some(mut least) = change(best) else { return };
     let near = SAME * best.score;

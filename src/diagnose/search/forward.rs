@@ -8,11 +8,12 @@
 
 use super::baseline_friction::BaselineFriction;
 use super::candidate::{Candidate, candidates, evaluate, logs, refine, rivals, unknowns};
+use super::driving_friction::level_drives;
 use super::judge::{Accepted, Judge, THROUGHOUT, adopt, chosen_of};
 use super::{SearchSettings, equivalent_robot_cause, simplify};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::regulariser::Regulariser;
-use crate::diagnose::hypotheses::{COULOMB, Hypothesis, Kind, OFFSET, VISCOUS, laws};
+use crate::diagnose::hypotheses::{COULOMB, Hypothesis, Kind, OFFSET, Over, VISCOUS, laws};
 use crate::diagnose::select::model_choice::LeftOut;
 use dh_codegen::robot::EffectKind;
 
@@ -26,7 +27,8 @@ const REFUSED: usize = 8;
 const SIMPLER: f64 = 0.05;
 
 /// The same of plain friction beside a friction law with a memory or of position, which follow any
-/// error that turns with the motion.
+/// error that turns with the motion, and of an offset beside ripple or a spring, which are as good
+/// as constant where a joint hardly moves.
 const PLAINER: f64 = 0.2;
 
 /// Part of its score by which a candidate may lag behind one that says the same.
@@ -35,9 +37,11 @@ const SAME: f64 = 1e-3;
 /// Share by which the error of a joint on left-out stretches may grow.
 const SPOILT: f64 = 0.3;
 
-/// A level of friction that ends below zero by no more than this part of the file's, or of the
-/// noise in N m (of a viscous one: in N m at 1 rad/s), is one that is zero.
-const BELOW: f64 = 0.25;
+/// The same by a body that [`pays_as_a_whole`].
+const SPOILT_BY_BODY: f64 = 1.0;
+
+/// By how many times what a body gains on some joints must exceed what it loses on others.
+const WHOLE: f64 = 2.0;
 
 /// What acts in a part of a log gains at least so many times what it would gain in the upper
 /// quartile of all other parts.
@@ -366,8 +370,8 @@ impl Forward<'_, '_> {
             Some(Evidence { effect: cause.effect(), place: place.clone(), share, left_out })
         };
         let stands = match plain(candidate) {
-            Some(k) => !self.drives(k, after),
-            None => trial.last().is_some_and(|last| judge.stands(last, after)),
+            Some(k) => !level_drives(self.tested, k, after, self.noise[k / 3]),
+            None => trial.last().is_some_and(|last| judge.stands(last, after) && !judge.drives(trial, after)),
         };
         if !stands {
             return None;
@@ -387,20 +391,14 @@ impl Forward<'_, '_> {
             _ => 0.0,
         };
         let main = main_joint(before, after);
-        let worst = (0..self.noise.len()).map(share).fold(0.0, f64::min);
-        if share(main) <= 0.6 * self.settings.least_gain || worst <= -SPOILT {
+        let shares: Vec<f64> = (0..self.noise.len()).map(share).collect();
+        let worst = shares.iter().copied().fold(0.0, f64::min);
+        let spoilt = if cause.within_links() && pays_as_a_whole(&shares) { SPOILT_BY_BODY } else { SPOILT };
+        if share(main) <= 0.6 * self.settings.least_gain || worst <= -spoilt {
             return None;
         }
         let taken = 1.0 - after.solution.rss[main] / before.solution.rss[main].max(f64::MIN_POSITIVE);
         evidence(taken, share(main))
-    }
-
-    /// Whether a level of plain friction is far below zero in a fit. Friction would drive the joint
-    /// then: along a motion in one direction an offset looks like that.
-    fn drives(&self, k: usize, fitted: &Fitted) -> bool {
-        let file = given_friction(self.tested.plant)[k / 3][k % 3].unwrap_or(0.0).max(0.0);
-        let level = file + fitted.solution.x[fitted.friction + k];
-        k % 3 < 2 && level < -BELOW * file.max(self.noise[k / 3])
     }
 
     /// Whether what acts in a part of a log gains far more there than it would anywhere else: a
@@ -456,6 +454,14 @@ impl Forward<'_, '_> {
     }
 }
 
+/// Whether a body that takes these shares of the joints' squared errors is worth having over all
+/// joints. It acts on each of them, beside errors that each has of its own.
+fn pays_as_a_whole(shares: &[f64]) -> bool {
+    let gains = || shares.iter().map(|share| -(1.0 - share).max(1e-3).ln());
+    let (won, lost): (f64, f64) = (gains().map(|g| g.max(0.0)).sum(), gains().map(|g| (-g).max(0.0)).sum());
+    won > WHOLE * lost
+}
+
 /// Twice the gain in log-likelihood, in independent windows, less the cost of the unknowns and of
 /// the choice among so many candidates.
 fn gained(candidate: &Candidate, candidates: usize, before: &Fitted, after: &Fitted) -> f64 {
@@ -487,9 +493,11 @@ fn best(ranked: &[Candidate], tried: &[usize]) -> Option<usize> {
     let count = |c: &Candidate| unknowns(c.cause, &c.shape, c.gain.x.len());
     let place = |c: &Candidate| c.place == top.place || c.place.is_empty() || top.place.is_empty();
     let follows = top.cause.follows_reversals();
+    let level = top.cause.over() == Over::Position && top.cause.kind() == Kind::Transmission;
     let near = |c: &Candidate| {
         let friction = c.cause.kind() == Kind::Friction && plain(c).is_some();
-        let lag = if follows && friction { PLAINER } else { SIMPLER };
+        let offset = c.cause.effect() == OFFSET.effect();
+        let lag = if follows && friction || level && offset { PLAINER } else { SIMPLER };
         c.score > (1.0 - lag) * top.score
     };
     let same = |c: &Candidate| plain(c).is_some() && count(c) <= count(top) && c.score > (1.0 - SAME) * top.score;
@@ -500,4 +508,16 @@ fn best(ranked: &[Candidate], tried: &[usize]) -> Option<usize> {
         count(a).total_cmp(&count(b)).then(plainer).then(b.score.total_cmp(&a.score))
     };
     Some(left().filter(|&i| simpler(&ranked[i])).min_by(fewest).unwrap_or(first))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_may_spoil_a_joint_for_what_it_gains_on_the_others() {
+        assert!(pays_as_a_whole(&[0.4, 0.5, -0.36, 0.3]));
+        assert!(!pays_as_a_whole(&[0.4, -0.36, 0.0]) && !pays_as_a_whole(&[0.9, -2.5]));
+        assert!(!pays_as_a_whole(&[0.0, 0.0]));
+    }
 }

@@ -4,10 +4,11 @@
 
 use super::SearchSettings;
 use super::candidate::{logs, unknowns};
+use super::driving_friction::friction_drives;
 use crate::diagnose::fit::likelihood::gain as autoregressive_gain;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::fit::moments::Solution;
-use crate::diagnose::hypotheses::{Hypothesis, Sign, at_edge};
+use crate::diagnose::hypotheses::{Hypothesis, Kind, Sign, at_edge};
 
 /// An accepted cause with the evidence.
 #[derive(Clone)]
@@ -112,7 +113,16 @@ impl Judge<'_> {
         let Chosen { cause, place, shape, x } = last;
         let Some(terms) = after.terms.last().filter(|terms| !terms.is_empty()) else { return false };
         let signed = terms.iter().zip(x).all(|(t, x)| t.sign != Sign::Positive || *x > 0.0);
-        signed && !at_edge(*cause, shape) && cause.plausible(&self.tested.scene, place, shape, x)
+        signed
+            && !at_edge(*cause, shape)
+            && cause.plausible(&self.tested.scene, place, shape, x)
+            && self.tested.is_possible(last, terms)
+    }
+
+    /// Whether the last of `trial` is a law of friction with which a joint's friction drives it.
+    pub(super) fn drives(&self, trial: &[Chosen], after: &Fitted) -> bool {
+        let joint = |c: &Chosen| c.place.first().copied().filter(|_| c.cause.kind() == Kind::Friction);
+        trial.last().and_then(joint).is_some_and(|j| friction_drives(self.tested, j, trial, after, self.noise[j]))
     }
 
     /// Whether a cause takes enough of some joint's error beside the noise.
@@ -162,7 +172,7 @@ impl Judge<'_> {
         let last = trial.last()?;
         let Chosen { cause, place, shape, x } = last;
         let counts = &before.solution.counts;
-        if !self.stands(last, after) {
+        if !self.stands(last, after) || self.drives(trial, after) {
             return None;
         }
         let support = self.support(before, after, trial, unknowns(*cause, shape, x.len()))?;

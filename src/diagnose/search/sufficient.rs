@@ -10,6 +10,9 @@ use dh_codegen::robot::EffectKind;
 /// Unknowns of a cause that is simple beside a link.
 const FEW: f64 = 3.0;
 
+/// Part of a link's score by which a payload may lag behind it.
+const SAME_BODY: f64 = 0.05;
+
 /// Simpler causes that are tried, those that gain most.
 const TRIED: usize = 4;
 
@@ -36,7 +39,9 @@ impl Forward<'_, '_> {
         let simple = |c: &Candidate| {
             let steady = !c.cause.moves_time() && !c.cause.local() && c.cause.kind() != Kind::Body;
             let few = steady && c.place == [main] && count(c) <= FEW;
-            c.score > 0.0 && (few || c.cause.effect() == EffectKind::Payload)
+            // A payload has as many unknowns as a link.
+            let body = c.cause.effect() == EffectKind::Payload && c.score > (1.0 - SAME_BODY) * link.score;
+            c.score > 0.0 && few || body
         };
         let mut tried: Vec<usize> = (0..ranked.len()).filter(|&i| simple(&ranked[i])).take(TRIED).collect();
         tried.sort_by(|&a, &b| count(&ranked[a]).total_cmp(&count(&ranked[b])));

@@ -28,8 +28,6 @@ pub(in crate::diagnose) struct Choice<'a> {
 pub(in crate::diagnose) struct Rival {
     /// By how much less the other one errs on left-out stretches.
     pub(in crate::diagnose) gain: Paired,
-    /// Whether this errs more than a plain refit on a validating log.
-    pub(in crate::diagnose) refuted: bool,
     pub(in crate::diagnose) causes: Vec<Cause>,
 }
 
@@ -83,7 +81,7 @@ impl<'a> Session<'a> {
         };
         let mut model = models.swap_remove(at);
         let offered = offer(&model);
-        let rival = self.rival(&model, &models, refitted);
+        let rival = self.rival(&model, &models);
         if let Some(sentence) = self.holding(&unchanged, &model) {
             let differ = self.changed(&model, self.noise);
             said.push(sentence);
@@ -110,11 +108,11 @@ impl<'a> Session<'a> {
     }
 
     /// The model of the file's links beside one with other links.
-    fn rival(&self, model: &Selected<'_>, others: &[Selected<'_>], refit: &Refit) -> Option<Rival> {
+    fn rival(&self, model: &Selected<'_>, others: &[Selected<'_>]) -> Option<Rival> {
         let refitted = model.tested.mode == Mode::Refitted;
         let other = others.iter().find(|m| refitted && m.tested.mode == Mode::Trusted)?;
         let gain = model.left_out.less(&other.left_out, self.ground);
-        Some(Rival { gain, refuted: self.worse_than(other, refit), causes: other.causes.clone() })
+        Some(Rival { gain, causes: other.causes.clone() })
     }
 
     /// The unchanged file, for the `best` of the other models is not worth having beside it.

@@ -95,8 +95,7 @@ pub(in crate::diagnose) fn backward_eliminate(
     fitted
 }
 
-/// Takes out, the least sure first, causes whose coefficients do not stand out of their
-/// uncertainty, that of the shape included.
+/// Takes out, the least sure first, causes whose parameters may be nothing within their uncertainty.
 pub(in crate::diagnose) fn drop_insignificant(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
@@ -107,7 +106,7 @@ pub(in crate::diagnose) fn drop_insignificant(
         let chosen = chosen_of(accepted);
         let uncertainty = Uncertainty::of(tested, &fitted, &chosen);
         let least = (0..chosen.len())
-            .map(|index| (index, uncertainty.stands_out(tested, &fitted, index, &chosen[index])))
+            .map(|index| (index, uncertainty.exceeds_zero(tested, &fitted, index, &chosen[index])))
             .min_by(|a, b| a.1.total_cmp(&b.1));
         let Some((index, _)) = least.filter(|l| l.1 < 0.0) else { return fitted };
         let gone = accepted.remove(index).chosen;

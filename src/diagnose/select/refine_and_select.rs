@@ -66,6 +66,15 @@ fn not_named(cause: &Cause, item: &Item) -> Option<String> {
         .then(|| format!("{} {place} is not named: its probability is {:.2}.", cause.cause, cause.probability))
 }
 
+/// The same of one whose parameters may be nothing.
+fn unsure(cause: &Cause, item: &Item) -> String {
+    format!(
+        "{} {} is not named: its parameters do not stand out of their uncertainty.",
+        cause.cause,
+        place_of(&item.place)
+    )
+}
+
 /// The fit inside what is possible; the accepted causes have its values.
 fn inside(
     tested: &mut ModelUnderTest<'_>,
@@ -118,6 +127,8 @@ pub(super) struct Found {
 struct Attributed {
     items: Vec<Item>,
     others: Vec<Without>,
+    /// By how much each stands out of the uncertainty of its parameters; below zero it may be none.
+    stands_out: Vec<f64>,
     fitted: Fitted,
     after: Measured,
     after_fit: Measured,
@@ -206,13 +217,13 @@ impl<'a> Session<'a> {
         (self.progress)("measuring what was found");
         let fitted = without(tested, accepted, &[]);
         let fitted = inside(tested, accepted, &fitted)?;
-        let causes = self.attributed(tested, accepted, fitted, rivals, evidence)?.causes;
+        let Attributed { causes, stands_out, .. } = self.attributed(tested, accepted, fitted, rivals, evidence)?;
         let here = |c: &Cause| {
             let same =
                 |e: &Evidence| e.effect.name() == c.cause && e.place.iter().map(|j| j + 1).eq(c.joints.iter().copied());
             evidence.iter().any(same)
         };
-        Ok(causes.into_iter().filter(here).collect())
+        Ok(causes.into_iter().zip(stands_out).filter(|(c, stands)| *stands >= 0.0 && here(c)).map(|c| c.0).collect())
     }
 
     /// Causes (index) that do not hold on validating and fitted logs (errors of the model there).
@@ -255,15 +266,19 @@ impl<'a> Session<'a> {
         let others: Vec<Without> = items.iter().map(|item| beside.without(tested, &chosen, item)).collect();
         let fitted = without(tested, accepted, &[]);
         let fitted = inside(tested, accepted, &fitted)?;
+        let chosen = chosen_of(accepted);
+        let uncertainty = &Uncertainty::of(tested, &fitted, &chosen);
+        let stands_out = |i: usize| uncertainty.exceeds_zero(tested, &fitted, i, &chosen[i]);
+        let stands_out = items.iter().map(|item| item.accepted.map_or(f64::INFINITY, stands_out)).collect();
         let weighing = Attribution {
             tested,
             fitted: &fitted,
-            uncertainty: &Uncertainty::of(tested, &fitted, &chosen_of(accepted)),
+            uncertainty,
             accepted,
             rivals,
             noise: self.noise,
             own_validation: self.own_validation,
-            stretches: &tested.stretches(&chosen_of(accepted)),
+            stretches: &tested.stretches(&chosen),
             evidence,
         };
         let [here, there] = [&after_fit, &after].map(Measured::figures);
@@ -275,7 +290,7 @@ impl<'a> Session<'a> {
                 weighing.attribute(item, [&other.measured, with], other.shares(), other.interval, on)
             })
             .collect();
-        Ok(Attributed { items, others, fitted, after, after_fit, causes })
+        Ok(Attributed { items, others, stands_out, fitted, after, after_fit, causes })
     }
 
     /// Takes out what does not hold on data that were not used, and measures; all of it of the
@@ -292,11 +307,20 @@ impl<'a> Session<'a> {
         let (after, after_fit, causes) = loop {
             fitted = inside(&mut tested, &mut accepted, &fitted)?;
             let measured = self.attributed(&mut tested, &mut accepted, fitted, &rivals, &evidence)?;
-            let Attributed { items, others, after, after_fit, mut causes, .. } = measured;
+            let Attributed { items, others, stands_out, after, after_fit, mut causes, .. } = measured;
             fitted = measured.fitted;
             let failed = self.failed(&items, &others, &causes, [&after, &after_fit]);
-            beside_the_rest(&mut suspects, &mut causes, &failed);
-            let failed = if failed.is_empty() { unlikely(&causes) } else { failed };
+            let weak: Vec<usize> = (0..causes.len()).filter(|&i| stands_out[i] < 0.0).collect();
+            beside_the_rest(&mut suspects, &mut causes, &[&failed[..], &weak].concat());
+            let weakest = weak.into_iter().min_by(|&a, &b| stands_out[a].total_cmp(&stands_out[b]));
+            let failed = match weakest.filter(|_| failed.is_empty()) {
+                Some(weakest) => {
+                    why.push(unsure(&causes[weakest], &items[weakest]));
+                    vec![weakest]
+                }
+                None if failed.is_empty() => unlikely(&causes),
+                None => failed,
+            };
             if failed.is_empty() || round >= MOST_ROUNDS {
                 break (after, after_fit, causes);
             }

@@ -1,0 +1,49 @@
+//! Friction that would drive a joint is none: another error has its form along the motion that was
+//! recorded, as an offset has along a motion in one direction.
+
+use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
+use crate::diagnose::hypotheses::Kind;
+
+/// By how much friction that is zero may seem to drive: a part of the file's level, or of the noise
+/// in N m (of a viscous one: in N m at 1 rad/s); of a law, a part of the work that it takes, and of
+/// what the noise can do.
+const BELOW: f64 = 0.25;
+
+/// Whether a level of plain friction (number `k` among the unknowns) is far below zero in a fit.
+pub(super) fn level_drives(tested: &ModelUnderTest<'_>, k: usize, fitted: &Fitted, noise: f64) -> bool {
+    let file = given_friction(tested.plant)[k / 3][k % 3].unwrap_or(0.0).max(0.0);
+    let level = file + fitted.solution.x[fitted.friction + k];
+    k % 3 < 2 && level < -BELOW * file.max(noise)
+}
+
+/// Whether a joint's friction, its laws among `chosen` included, does work on it: more than a part
+/// of what it takes elsewhere on the motion, and of what noise can seem to do.
+pub(in crate::diagnose) fn friction_drives(
+    tested: &ModelUnderTest<'_>,
+    joint: usize,
+    chosen: &[Chosen],
+    fitted: &Fitted,
+    noise: f64,
+) -> bool {
+    let scene = &tested.scene;
+    let speed = scene.pointwise(joint, |o, k| o.v[k]);
+    let signs = scene.pointwise(joint, |o, k| o.sign[k]);
+    let [Some((_, speed)), Some((_, signs))] = [speed.rows.first(), signs.rows.first()] else { return false };
+    let given = given_friction(tested.plant)[joint];
+    let level = |which: usize| given[which].unwrap_or(0.0) + fitted.solution.x[fitted.friction + 3 * joint + which];
+    let [viscous, coulomb] = [level(0), level(1)];
+    let mut torque: Vec<f64> = speed.iter().zip(signs.iter()).map(|(v, s)| viscous * v + coulomb * s).collect();
+    for (c, terms) in chosen.iter().zip(&fitted.terms) {
+        if c.cause.kind() != Kind::Friction || c.place != [joint] {
+            continue;
+        }
+        for (term, x) in terms.iter().zip(&c.x) {
+            for (_, series) in term.column.rows.iter().filter(|row| row.0 == joint) {
+                torque.iter_mut().zip(series.iter()).for_each(|(t, s)| *t += x * s);
+            }
+        }
+    }
+    let power = || torque.iter().zip(speed.iter()).map(|(t, v)| t * v);
+    let [lost, driven] = power().fold([0.0, 0.0], |[lost, driven], p| [lost + p.max(0.0), driven - p.min(0.0)]);
+    driven > BELOW * (lost + noise * speed.iter().map(|v| v.abs()).sum::<f64>())
+}
