@@ -31,8 +31,9 @@ pub(in crate::diagnose) struct Shown<'a> {
     pub place: &'a [usize],
     pub parameters: &'a [Quantity],
     /// Root mean squares without and with it, N m, on what `on` says.
-    pub before: &'a [f64],
-    pub after: &'a [f64],
+    pub all: [&'a [f64]; 2],
+    /// The same where the joints move.
+    pub moving: [&'a [f64]; 2],
     pub noise: &'a [f64],
     pub on: &'a str,
     /// Share of held-out parts that agree, where that was asked.
@@ -43,7 +44,14 @@ pub(in crate::diagnose) struct Shown<'a> {
 
 /// One sentence with figures.
 pub(in crate::diagnose) fn sentence(shown: &Shown<'_>) -> String {
-    let Shown { cause, place, parameters, before, after, noise, on, confirmed, repeats } = *shown;
+    let Shown { cause, place, parameters, all, moving, noise, on, confirmed, repeats } = *shown;
+    // What shows at rest and about reversals alone is seen in all samples.
+    let most_taken = |[before, after]: [&[f64]; 2]| {
+        before.iter().zip(after).map(|(b, a)| if *b > 0.0 { 1.0 - (a / b).powi(2) } else { 0.0 }).fold(0.0, f64::max)
+    };
+    let moves = most_taken(moving) > most_taken(all) + 0.1;
+    let [before, after] = if moves { moving } else { all };
+    let where_it_moves = if moves { " where it moves" } else { "" };
     let gain = |j: &usize| before[*j].powi(2) - after[*j].powi(2);
     let most = |joints: &mut dyn Iterator<Item = usize>| joints.max_by(|a, b| gain(a).total_cmp(&gain(b)));
     // Its own joint, if it gains there.
@@ -69,7 +77,7 @@ pub(in crate::diagnose) fn sentence(shown: &Shown<'_>) -> String {
         true => format!(", {:.0} % of the variance above its noise", (100.0 * gain / attainable).min(100.0)),
         false => String::new(),
     };
-    let moves = if gain < 0.0 { "grows" } else { "falls" };
+    let turns = if gain < 0.0 { "grows" } else { "falls" };
     let confirmed = confirmed.map_or(String::new(), |share| {
         if cause.local() {
             String::new()
@@ -81,7 +89,7 @@ pub(in crate::diagnose) fn sentence(shown: &Shown<'_>) -> String {
         format!("; data that were not fitted give it {:.0} % of this size", 100.0 * size)
     });
     format!(
-        "{where_}: {} ({}); the error of joint {} {moves} from {} to {} N m on {on}{gained}{confirmed}{repeats}",
+        "{where_}: {} ({}); the error of joint {}{where_it_moves} {turns} from {} to {} N m on {on}{gained}{confirmed}{repeats}",
         cause.says(),
         numbers.join(", "),
         main + 1,

@@ -93,14 +93,15 @@ pub(in crate::diagnose) fn share_within(span: Range<usize>, errors: [&Measured; 
 }
 
 /// Size that logs give a cause by themselves, by the fitted one: the regression of the errors
-/// without the cause on what the cause changes, each joint by its own error.
+/// without the cause on what the cause changes, each joint where it moves and by its own error.
 fn size(without: &Measured, with: &Measured) -> Option<f64> {
     let (mut pull, mut information) = (0.0, 0.0);
-    for ((before, after), rms) in without.error.iter().zip(&with.error).zip(&with.rms) {
+    for (joint, rms) in with.steady.iter().enumerate() {
+        let [after, before] = with.where_it_moves(without, joint);
         if *rms <= 0.0 || before.len() != after.len() {
             continue;
         }
-        for (b, a) in before.iter().zip(after) {
+        for (b, a) in before.iter().zip(&after) {
             pull += (b - a) * b / (rms * rms);
             information += (b - a).powi(2) / (rms * rms);
         }

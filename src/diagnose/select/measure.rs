@@ -38,6 +38,12 @@ pub(in crate::diagnose) struct Figures {
 }
 
 impl Measured {
+    /// Errors of a joint, of this model and of `other`, where it moves; all of them where that is less
+    /// than half.
+    pub(in crate::diagnose) fn where_it_moves(&self, other: &Self, joint: usize) -> [Vec<f64>; 2] {
+        [self, other].map(|m| moving(&m.error[joint], &self.moves[joint]))
+    }
+
     /// The figures alone, without series.
     pub(in crate::diagnose) fn figures(&self) -> Figures {
         Figures { rms: self.rms.clone(), steady: self.steady.clone() }
@@ -71,10 +77,15 @@ fn swift(error: &[f64], velocity: &[f64], steady: f64) -> f64 {
     if 2 * swift.len() < error.len() { steady } else { root_mean_square(&swift) }
 }
 
-/// Root mean square of an error where the joint moves; of all of it where that is less than half.
-fn where_it_moves(error: &[f64], moves: &[bool]) -> f64 {
+/// An error where the joint moves; all of it where that is less than half.
+fn moving(error: &[f64], moves: &[bool]) -> Vec<f64> {
     let moving: Vec<f64> = error.iter().zip(moves).filter(|(_, moves)| **moves).map(|(e, _)| *e).collect();
-    root_mean_square(if 2 * moving.len() < error.len() { error } else { &moving })
+    if 2 * moving.len() < error.len() { error.to_vec() } else { moving }
+}
+
+/// Root mean square of that.
+fn where_it_moves(error: &[f64], moves: &[bool]) -> f64 {
+    root_mean_square(&moving(error, moves))
 }
 
 pub(in crate::diagnose) const RAW: f64 = 1e9;
@@ -240,14 +251,17 @@ pub(in crate::diagnose) fn taken_of(before: &[f64], after: &[f64], noise: &[f64]
     joints.map(|((a, b), s)| 0.5 * ((a * a + s * s).max(1e-24) / (b * b + s * s).max(1e-24)).ln()).sum()
 }
 
-/// 90 % interval of the share of the squared error on the main joint that the cause takes: moving
-/// blocks of half a second (Kuensch 1989).
+/// 90 % interval of the share of the squared error on the main joint that the cause takes where that
+/// moves: moving blocks of half a second (Kuensch 1989).
 pub(in crate::diagnose) fn bootstrap(without: &Measured, with: &Measured, place: &[usize]) -> [f64; 2] {
     let main = place.first().copied().unwrap_or_else(|| {
-        let gain = |j: &usize| without.rms[*j].powi(2) - with.rms[*j].powi(2);
-        (0..with.rms.len()).max_by(|a, b| gain(a).total_cmp(&gain(b))).unwrap_or(0)
+        let gain = |j: &usize| without.steady[*j].powi(2) - with.steady[*j].powi(2);
+        (0..with.steady.len()).max_by(|a, b| gain(a).total_cmp(&gain(b))).unwrap_or(0)
     });
-    let (Some(a), Some(b)) = (without.error.get(main), with.error.get(main)) else { return [f64::NAN; 2] };
+    if main >= with.error.len() {
+        return [f64::NAN; 2];
+    }
+    let [b, a] = with.where_it_moves(without, main);
     let step = with.time.windows(2).map(|w| w[1] - w[0]).find(|d| *d > 0.0).unwrap_or(0.01);
     let length = ((0.5 / step) as usize).max(1);
     let n = a.len().min(b.len());
@@ -286,4 +300,16 @@ pub(in crate::diagnose) fn share(before: &[f64], after: &[f64], noise: &[f64], p
     // Where the noise is said to be nearly all of an error, it is not known well enough for that.
     let above = (before[joint].powi(2) - noise[joint].powi(2)).max(0.5 * before[joint].powi(2));
     if above > 0.0 { (gain(joint) / above).clamp(-1.0, 1.0) } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_joint_that_hardly_moves_is_measured_at_rest_too() {
+        let error = [1.0, 2.0, 3.0, 4.0];
+        assert_eq!(moving(&error, &[true, false, true, true]), [1.0, 3.0, 4.0]);
+        assert_eq!(moving(&error, &[false, false, true, false]), error);
+    }
 }
