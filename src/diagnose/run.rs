@@ -276,7 +276,7 @@ fn once(
         robot: plant.name().to_string(),
         verdict,
         noise_floor: noise.to_vec(),
-        budget: budget.of_errors(&extended.validate),
+        budget: budget.of_errors(&extended.moving),
         torque_rms: torque_rms.clone(),
         baseline,
         refitted: refit.errors,

@@ -241,7 +241,7 @@ fn gain_table(body: &mut String, found: &Diagnosis, calibrated: bool) {
     let before = if calibrated { "identified" } else { "unchanged file" };
     let _ = writeln!(
         body,
-        "<section><h2>What it gains</h2><div class=scroll><table><thead><tr><th>joint<th>torque<br>N m<th>{before}<br>N m<th>%<th>refitted<br>N m<th>%<th>extended<br>N m<th>%<th>noise<br>N m<th>gained of what<br>can be gained</tr></thead><tbody>"
+        "<section><h2>What it gains</h2><div class=scroll><table><thead><tr><th>joint<th>torque<br>N m<th>{before}<br>N m<th>%<th>refitted<br>N m<th>%<th>extended<br>N m<th>%<th>where it<br>moves<th>noise<br>N m<th>gained of what<br>can be gained</tr></thead><tbody>"
     );
     for j in 0..found.noise_floor.len() {
         let torque = found.torque_rms[j];
@@ -257,7 +257,7 @@ fn gain_table(body: &mut String, found: &Diagnosis, calibrated: bool) {
                 percent(share)
             );
         }
-        let (before, after) = (found.baseline.validate[j].powi(2), found.extended.validate[j].powi(2));
+        let [before, after] = [&found.baseline, &found.extended].map(|errors| errors.moving[j].powi(2));
         let attainable = before - noise * noise;
         // Where the file errs by little more than its noise, the share has no meaning.
         let gained = if attainable > 0.2 * noise * noise && before > 0.0 {
@@ -265,10 +265,10 @@ fn gain_table(body: &mut String, found: &Diagnosis, calibrated: bool) {
         } else {
             "–".into()
         };
-        let _ = writeln!(body, "<td>{}<td>{gained}</tr>", digits(noise, 3));
+        let _ = writeln!(body, "<td>{}<td>{}<td>{gained}</tr>", digits(found.extended.moving[j], 3), digits(noise, 3));
     }
-    body.push_str("</tbody></table></div><p class=note>RMS of measured less predicted torque on the validating data, and in percent of the measured torque's own RMS. Refitted: base parameters and plain friction estimated again, no further cause. Gained: part of the squared error above the noise that the extended model takes.</p></section>\n");
-    body.push_str(&budget::html(&found.budget, "the error of the extended model"));
+    body.push_str("</tbody></table></div><p class=note>RMS of measured less predicted torque on the validating data, and in percent of the measured torque's own RMS. Refitted: base parameters and plain friction estimated again, no further cause. Gained: part of the squared error above the noise that the extended model takes where the joint moves.</p></section>\n");
+    body.push_str(&budget::html(&found.budget, "the error of the extended model where joints move"));
 }
 
 /// Attained share of the possible gain, percent; of a loss how many times the error grew.

@@ -154,8 +154,8 @@ pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
     let mut text = warnings.text();
     let _ = writeln!(text, "{}: {}", found.robot, found.verdict.word().replace('_', " "));
     let _ = writeln!(text, "{}\n", diagnose_verdict(found));
-    let heads = ["joint", "torque", "file", "refitted", "extended", "noise", "of torque"];
-    let _ = writeln!(text, "RMS on validation, N m");
+    let heads = ["joint", "torque", "file", "refitted", "extended", "moving", "noise", "of torque"];
+    let _ = writeln!(text, "RMS on validation, N m (moving: of the extended model, where the joint moves)");
     let _ = writeln!(text, "{}", heads.iter().map(|h| pad(h, 10, true)).collect::<String>());
     for j in 0..found.noise_floor.len() {
         let row = [
@@ -163,13 +163,14 @@ pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
             found.baseline.validate[j],
             found.refitted.validate[j],
             found.extended.validate[j],
+            found.extended.moving[j],
             found.noise_floor[j],
         ];
         let _ = write!(text, "{}", pad(&(j + 1).to_string(), 10, true));
         row.iter().for_each(|x| text.push_str(&pad(&digits(*x, 3), 10, true)));
         let _ = writeln!(text, "{}", pad(&format!("{} %", digits(100.0 * row[3] / row[0], 2)), 10, true));
     }
-    text.push_str(&budget::text(&found.budget, "the error of the extended model"));
+    text.push_str(&budget::text(&found.budget, "the error of the extended model where joints move"));
     if !found.offer.why.is_empty() {
         let _ = writeln!(text, "\n{}", found.offer.why.join("\n"));
     }
