@@ -16,7 +16,8 @@ use super::moves;
 use super::travel;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
-/// `KS (q - QS)`; the constant part is among the unknowns anyway.
+/// `KS (q - QS)`, `KS` above zero: what pushes on from its rest is gravity of a wrong mass, or a gain.
+/// The constant part is among the unknowns anyway.
 pub struct JointSpring;
 
 impl Hypothesis for JointSpring {
@@ -34,7 +35,7 @@ impl Hypothesis for JointSpring {
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> Vec<Term> {
         let j = place[0];
-        vec![Term::new(effects::JointSpring::KS, scene.pointwise(j, |o, k| o.q[k]), Sign::Any)]
+        vec![Term::new(effects::JointSpring::KS, scene.pointwise(j, |o, k| o.q[k]), Sign::Positive)]
     }
 
     /// Over the travel no more than the joint can hold.
