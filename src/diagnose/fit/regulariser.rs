@@ -140,6 +140,12 @@ pub fn prior(plant: &dyn PerturbableArm, wanted: &[usize], torque: &[f64]) -> Op
     Some(Prior { mean, root })
 }
 
+/// Size of one of a body's ten parameters (`M MSX MSY MSZ XX YY ZZ XY XZ YZ`, from 0): kg, kg m,
+/// kg m^2 of a mass (kg) so far away (m).
+pub fn of_size(which: usize, mass: f64, away: f64) -> f64 {
+    mass * away.powi([0, 1, 2][usize::from(which > 0) + usize::from(which > 3)])
+}
+
 /// How far each standard parameter may be from the file's, one standard deviation; `None`: no link
 /// has a mass.
 pub fn deviations(parameters: &[StandardParameter], given: &[f64]) -> Option<Vec<f64>> {
@@ -159,7 +165,7 @@ pub fn deviations(parameters: &[StandardParameter], given: &[f64]) -> Option<Vec
         let radius = (body[4..7].iter().fold(0.0_f64, |a, i| a.max(i.abs())) / mass).sqrt();
         let size = moment.max(radius).max(SMALLEST);
         for (k, std) in std[first..first + TEN].iter_mut().enumerate() {
-            *std = mass * size.powi([0, 1, 2][usize::from(k > 0) + usize::from(k > 3)]);
+            *std = of_size(k, mass, size);
         }
     }
     // Rotors: as heavy as the file says, or as the arm's lighter links.

@@ -11,6 +11,7 @@ use super::Sign;
 use super::Symbol;
 use super::Term;
 use super::point_mass::POINT_PAYLOAD;
+use crate::diagnose::fit::regulariser::of_size;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 use crate::model::{Inertial, StandardParameter};
 
@@ -95,7 +96,7 @@ impl Hypothesis for Payload {
             .sum();
         let of = |symbol: Symbol| {
             let at = effects::Payload::BODY.iter().position(|key| Symbol::Key(*key) == symbol)?;
-            Some(CARRIED * arm * AWAY.powi([0, 1, 2][usize::from(at > 0) + usize::from(at > 3)]))
+            Some(of_size(at, CARRIED * arm, AWAY))
         };
         if arm > 0.0 { terms.iter().map(|t| of(t.symbol)).collect() } else { None }
     }

@@ -100,7 +100,7 @@ fn headline(found: &Diagnosis, data: &str) -> String {
     }
     let [file, refitted, extended] = of(&|e| e.moving[j]);
     format!(
-        "{all} Where it moves they miss {file}, {refitted} and {extended} N m; at rest and about reversals dry friction takes any torque up to its level, which no motion tells."
+        "{all} Where it moves they miss {file}, {refitted} and {extended} N m; at rest and about reversals dry friction is not a function of the motion."
     )
 }
 
