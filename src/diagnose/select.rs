@@ -3,6 +3,7 @@
 pub(super) mod beside;
 pub(super) mod contenders;
 pub(super) mod excess;
+mod from_the_file;
 pub(super) mod measure;
 pub(super) mod model_choice;
 pub(super) mod offer;

@@ -43,6 +43,7 @@ impl Session<'_> {
         if let Some(rival) = rival {
             causes.iter_mut().for_each(|cause| no_surer(cause, rival));
         }
+        causes.retain(|cause| cause.probability >= calibration::NAMED);
         causes
     }
 

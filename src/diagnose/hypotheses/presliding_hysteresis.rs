@@ -18,6 +18,9 @@ use crate::diagnose::windows::windowed_data::{JointSeries, WindowedData};
 /// gives.
 pub struct PreslidingHysteresis;
 
+/// Shortest presliding distance, by the joint's travel: a third of the first that is tried.
+const SHORTEST: f64 = 1e-4;
+
 /// Dahl's state, integrated in closed form over each sample: `z -> s + (z - s) exp(-|dq| / HX)`.
 pub fn bristle(own: &JointSeries<'_>, distance: f64) -> Vec<f64> {
     // Begins sheared by the motion that the stretch begins with.
@@ -74,9 +77,10 @@ impl Hypothesis for PreslidingHysteresis {
         )]
     }
 
-    /// Less than the joint can overcome.
-    fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
-        x.iter().all(|level| *level <= scene.rated[place[0]])
+    /// Less than the joint can overcome, over a distance that is more than none: else it is a level.
+    fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], x: &[f64]) -> bool {
+        let [low, high] = travel(scene, place[0]);
+        shape[0] >= SHORTEST * (high - low) && x.iter().all(|level| *level <= scene.rated[place[0]])
     }
 
     fn follows_reversals(&self) -> bool {

@@ -81,12 +81,16 @@ pub(super) fn plain(candidate: &Candidate) -> Option<usize> {
     candidate.place.first().map(|j| 3 * j + which)
 }
 
-/// Searches until nothing more is worth having. The model under test is left with the friction
-/// terms that were found free, and all others of the file fixed.
+/// An effect in a place.
+pub(in crate::diagnose) type Placed = (EffectKind, Vec<usize>);
+
+/// Searches until nothing more is worth having, without what is `excluded`. The model under test is
+/// left with the friction terms that were found free, and all others of the file fixed.
 pub(in crate::diagnose) fn forward(
     tested: &mut ModelUnderTest<'_>,
     noise: &[f64],
     settings: &SearchSettings,
+    excluded: &[Placed],
     progress: &dyn Fn(&str),
 ) -> Found {
     // Friction that the file lacks is an unknown, not a change.
@@ -97,6 +101,7 @@ pub(in crate::diagnose) fn forward(
         tested,
         noise,
         settings,
+        excluded,
         chosen: Vec::new(),
         accepted: Vec::new(),
         friction: Vec::new(),
@@ -131,6 +136,7 @@ pub(super) struct Forward<'s, 'a> {
     pub(super) tested: &'s mut ModelUnderTest<'a>,
     noise: &'s [f64],
     settings: &'s SearchSettings,
+    excluded: &'s [Placed],
     pub(super) chosen: Vec<Chosen>,
     accepted: Vec<Accepted>,
     friction: Vec<BaselineFriction>,
@@ -292,7 +298,8 @@ impl Forward<'_, '_> {
     fn ranked(&self, fitted: &Fitted, refused: &[Law]) -> Vec<Candidate> {
         let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| {
             let same = |c: &&Chosen| c.cause.name() == cause.name() && c.place == place;
-            self.chosen.iter().filter(same).count() < cause.most()
+            let excluded = self.excluded.iter().any(|(effect, at)| *effect == cause.effect() && at == place);
+            !excluded && self.chosen.iter().filter(same).count() < cause.most()
         };
         let mut all = candidates(self.tested, fitted, &wanted);
         for (k, _) in self.tested.frozen.iter().enumerate().filter(|(_, frozen)| **frozen) {

@@ -13,7 +13,7 @@ use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
 use crate::diagnose::fit::uncertainty::Uncertainty;
 use crate::diagnose::run::Settings;
 use crate::diagnose::search::baseline_friction::{BaselineFriction, reconsider};
-use crate::diagnose::search::forward::{Evidence, forward};
+use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::{Accepted, adopt, chosen_of};
 use crate::diagnose::search::search;
 use crate::diagnose::windows::recording::Recording;
@@ -44,6 +44,9 @@ pub(in crate::diagnose) struct Session<'a> {
 /// log only: no other stretch can confirm it.
 const LOCAL_SHARE: f64 = 0.25;
 
+/// Probability far below that at which a cause is named.
+pub(super) const FAR_BELOW: f64 = 0.1;
+
 /// Rounds in which causes that do not hold are taken out.
 const MOST_ROUNDS: usize = 8;
 
@@ -51,7 +54,7 @@ const MOST_ROUNDS: usize = 8;
 /// likely one, for without it another may be likelier.
 fn unlikely(causes: &[Cause]) -> Vec<usize> {
     let below = |limit: f64| (0..causes.len()).filter(move |&i| causes[i].probability < limit);
-    let far: Vec<usize> = below(0.5 * calibration::NAMED).collect();
+    let far: Vec<usize> = below(FAR_BELOW).collect();
     if !far.is_empty() {
         return far;
     }
@@ -76,7 +79,7 @@ fn unsure(cause: &Cause, item: &Item) -> String {
 }
 
 /// The fit inside what is possible; the accepted causes have its values.
-fn inside(
+pub(super) fn inside(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut [Accepted],
     fitted: &Fitted,
@@ -124,19 +127,19 @@ pub(super) struct Found {
 }
 
 /// A model, measured.
-struct Attributed {
-    items: Vec<Item>,
+pub(super) struct Attributed {
+    pub(super) items: Vec<Item>,
     others: Vec<Without>,
     /// By how much each stands out of the uncertainty of its parameters; below zero it may be none.
-    stands_out: Vec<f64>,
+    pub(super) stands_out: Vec<f64>,
     fitted: Fitted,
     after: Measured,
     after_fit: Measured,
-    causes: Vec<Cause>,
+    pub(super) causes: Vec<Cause>,
 }
 
 impl<'a> Session<'a> {
-    fn tested(&self, mode: Mode) -> ModelUnderTest<'a> {
+    pub(super) fn tested(&self, mode: Mode) -> ModelUnderTest<'a> {
         let mut tested =
             ModelUnderTest::new(self.plant, self.fit, self.settings.rate, mode, &self.plant.delays(), false);
         tested.motion_error = self.motion.to_vec();
@@ -145,16 +148,13 @@ impl<'a> Session<'a> {
 
     /// The model with all causes that hold.
     pub(in crate::diagnose) fn searched(&self, mode: Mode) -> Result<Selected<'a>, ConsistentError> {
-        let mut tested = self.tested(mode);
-        let settings = &self.settings.search;
         if mode == Mode::Trusted {
-            let found = forward(&mut tested, self.noise, settings, self.progress);
-            tested.forget();
-            return self.select(tested, found.accepted, Some((found.friction, found.evidence)));
+            return self.searched_from_file();
         }
-        let accepted = search(&mut tested, self.noise, settings, self.progress);
+        let mut tested = self.tested(mode);
+        let accepted = search(&mut tested, self.noise, &self.settings.search, self.progress);
         tested.forget();
-        self.select(tested, accepted, None)
+        self.select(tested, accepted, None, Vec::new())
     }
 
     /// All parameters refitted, and no further cause.
@@ -173,18 +173,14 @@ impl<'a> Session<'a> {
         self.validated(tested, Vec::new(), fitted, Found::default())
     }
 
-    fn select(
+    pub(super) fn select(
         &self,
         mut tested: ModelUnderTest<'a>,
         mut accepted: Vec<Accepted>,
         changes: Option<(Vec<BaselineFriction>, Vec<Evidence>)>,
+        suspects: Vec<Cause>,
     ) -> Result<Selected<'a>, ConsistentError> {
         let (friction, evidence) = changes.unzip();
-        let evidence = evidence.unwrap_or_default();
-        let suspects = match &friction {
-            Some(rivals) => self.found(&mut tested, &mut accepted, rivals, &evidence)?,
-            None => Vec::new(),
-        };
         if accepted.iter().any(|a| a.chosen.cause.unit()) {
             let mut chosen = chosen_of(&accepted);
             tested.polish(&mut chosen);
@@ -202,28 +198,8 @@ impl<'a> Session<'a> {
         let mut why = Vec::new();
         let fitted =
             backward_eliminate(self.plant, self.fit, &mut tested, &mut accepted, fitted, self.ground, &mut why);
-        let found = Found { rivals, why, evidence, suspects };
+        let found = Found { rivals, why, evidence: evidence.unwrap_or_default(), suspects };
         self.validated(tested, accepted, fitted, found)
-    }
-
-    /// The causes that the search from the unchanged file found, before any leaves the model.
-    fn found(
-        &self,
-        tested: &mut ModelUnderTest<'a>,
-        accepted: &mut Vec<Accepted>,
-        rivals: &[BaselineFriction],
-        evidence: &[Evidence],
-    ) -> Result<Vec<Cause>, ConsistentError> {
-        (self.progress)("measuring what was found");
-        let fitted = without(tested, accepted, &[]);
-        let fitted = inside(tested, accepted, &fitted)?;
-        let Attributed { causes, stands_out, .. } = self.attributed(tested, accepted, fitted, rivals, evidence)?;
-        let here = |c: &Cause| {
-            let same =
-                |e: &Evidence| e.effect.name() == c.cause && e.place.iter().map(|j| j + 1).eq(c.joints.iter().copied());
-            evidence.iter().any(same)
-        };
-        Ok(causes.into_iter().zip(stands_out).filter(|(c, stands)| *stands >= 0.0 && here(c)).map(|c| c.0).collect())
     }
 
     /// Causes (index) that do not hold on validating and fitted logs (errors of the model there).
@@ -247,7 +223,7 @@ impl<'a> Session<'a> {
     }
 
     /// Measures a model, and each of its causes beside the others.
-    fn attributed(
+    pub(super) fn attributed(
         &self,
         tested: &mut ModelUnderTest<'a>,
         accepted: &mut Vec<Accepted>,
