@@ -271,11 +271,13 @@ fn gain_table(body: &mut String, found: &Diagnosis, calibrated: bool) {
     body.push_str(&budget::html(&found.budget, "the error of the extended model where joints move"));
 }
 
-/// Attained share of the possible gain, percent; of a loss how many times the error grew.
+/// Attained share of the possible gain, percent; of a loss by how much the error grew.
 fn gained(before: f64, after: f64, attainable: f64) -> String {
-    match after > before {
-        true => format!("worse, {} times", digits((after / before).sqrt(), 2)),
-        false => format!("{:.0} %", (100.0 * (before - after) / attainable).min(100.0)),
+    let times = (after / before).sqrt();
+    match times {
+        2.0.. => format!("worse, {} times", digits(times, 2)),
+        1.005.. => format!("worse by {:.0} %", 100.0 * (times - 1.0)),
+        _ => format!("{:.0} %", (100.0 * (before - after) / attainable).clamp(0.0, 100.0)),
     }
 }
 
@@ -383,4 +385,18 @@ fn short(x: &[f64]) -> Vec<Value> {
             if rounded.is_finite() { json!(rounded + 0.0) } else { Value::Null }
         })
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::gained;
+
+    #[test]
+    fn a_loss_is_told_by_its_size() {
+        assert_eq!([4.0, 2.0, 0.9].map(|after| gained(4.0, after, 2.0)), ["0 %", "100 %", "100 %"]);
+        assert_eq!(
+            [4.01, 4.84, 36.0].map(|after| gained(4.0, after, 2.0)),
+            ["0 %", "worse by 10 %", "worse, 3.0 times"]
+        );
+    }
 }
