@@ -18,7 +18,7 @@ use crate::diagnose::select::model_choice::LeftOut;
 use dh_codegen::robot::EffectKind;
 
 /// Plain friction and offset, in the order of a joint's unknowns.
-const PLAIN: [&dyn Hypothesis; 3] = [&VISCOUS, &COULOMB, &OFFSET];
+pub(in crate::diagnose) const PLAIN: [&dyn Hypothesis; 3] = [&VISCOUS, &COULOMB, &OFFSET];
 
 /// Candidates that are refused before a round ends.
 const REFUSED: usize = 8;

@@ -13,16 +13,12 @@ use crate::diagnose::findings::reported_cause::Item;
 use crate::diagnose::findings::result::Cause;
 use crate::diagnose::fit::model::{Mode, ModelUnderTest};
 use crate::diagnose::search::baseline_friction::BaselineFriction;
-use crate::diagnose::search::forward::{Evidence, Placed, forward};
+use crate::diagnose::search::forward::{Evidence, PLAIN, Placed, forward};
 use crate::diagnose::search::judge::Accepted;
 use crate::identify::ConsistentError;
-use dh_codegen::robot::EffectKind;
 
 /// Searches, each without what diluted those before.
 const SEARCHES: usize = 2;
-
-/// Terms of plain friction, in the order of a joint's unknowns.
-const PLAIN: [EffectKind; 3] = [EffectKind::ViscousFriction, EffectKind::CoulombFriction, EffectKind::TorqueOffset];
 
 /// Share of its joint's squared error from which a cause can be diluted.
 const MOST_OF_IT: f64 = 0.5;
@@ -41,7 +37,7 @@ fn diluting(evidence: &[Evidence], probability: &[f64]) -> Vec<Placed> {
 
 /// Whether an item is what was found, or has the term of friction that was.
 fn is_of(item: &Item, e: &Evidence) -> bool {
-    let term = |k: &usize| PLAIN[k % 3] == e.effect;
+    let term = |k: &usize| PLAIN[k % 3].effect() == e.effect;
     item.place == e.place && (item.hypothesis.effect() == e.effect || item.friction.iter().any(term))
 }
 
@@ -95,6 +91,7 @@ impl<'a> Session<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dh_codegen::robot::EffectKind;
 
     #[test]
     fn what_is_unlikely_is_excluded_where_it_diluted_a_cause() {
