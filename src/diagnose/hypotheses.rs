@@ -439,6 +439,11 @@ pub trait Hypothesis: Sync {
     /// Its effect, for the sentence of the evidence.
     fn says(&self) -> &'static str;
 
+    /// The same of one shape.
+    fn says_of(&self, _shape: &[f64]) -> &'static str {
+        self.says()
+    }
+
     /// Experiment that would separate it from others, or show it better.
     fn shown_by(&self) -> &'static str;
 }

@@ -7,6 +7,7 @@
 //! for its unknowns and for the number of candidates, parts of the data that were not used to fit
 //! it confirm it, and it is large enough to matter beside the noise.
 
+pub(super) mod alone;
 pub(super) mod baseline_friction;
 pub(super) mod candidate;
 pub(super) mod driving_friction;

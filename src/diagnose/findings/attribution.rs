@@ -11,6 +11,7 @@ use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
 use crate::diagnose::hypotheses::{COULOMB, Hypothesis as _, Named, OFFSET, Quantity, VISCOUS};
+use crate::diagnose::search::alone::is_brief;
 use crate::diagnose::search::baseline_friction::BaselineFriction;
 use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::Accepted;
@@ -77,6 +78,7 @@ impl Attribution<'_> {
             recurrence,
             evidence: evidence::sentence(&Shown {
                 cause: item.hypothesis,
+                shape: accepted.map(|a| a.chosen.shape.as_slice()),
                 place: &item.place,
                 parameters: &parameters,
                 all: [&without.rms, &with.rms],
@@ -120,11 +122,12 @@ impl Attribution<'_> {
     /// found, by how it was found there. Of several terms of friction in one item the least sure
     /// one counts.
     fn probability(&self, item: &Item, features: &Features) -> f64 {
+        if item.hypothesis.local() {
+            let brief = item.accepted.is_some_and(|at| is_brief(&self.accepted[at].chosen));
+            return calibration::local(features.support, brief);
+        }
         let of = |effect: EffectKind| {
             let found = self.evidence.iter().find(|e| e.effect == effect && e.place == item.place)?;
-            if item.hypothesis.local() {
-                return Some(calibration::local(features.support));
-            }
             let (validated, confirmed) = (features.share, features.confirmed);
             Some(calibration::change(&Change { share: found.share, left_out: found.left_out, validated, confirmed }))
         };

@@ -67,10 +67,14 @@ pub fn change(found: &Change) -> f64 {
 /// Support at which a change in a part of a log is as likely as not.
 const LOCAL: f64 = 50.0;
 
+/// Factor of what acts for so short a time that errors of the motion last as long.
+const BRIEF: f64 = 0.5;
+
 /// Of a change that acts in a part of a log, which no other part can confirm, by its support: twice
 /// the gain in log-likelihood, in independent windows, less its cost.
-pub fn local(support: f64) -> f64 {
-    (support.max(0.0) / (support.max(0.0) + LOCAL)).min(0.995)
+pub fn local(support: f64, brief: bool) -> f64 {
+    let factor = if brief { BRIEF } else { 1.0 };
+    factor * (support.max(0.0) / (support.max(0.0) + LOCAL)).min(0.995)
 }
 
 /// Relative deviation of a cause's size between stretches, from its recurrence `1 / (1 + s^2)`.
@@ -135,7 +139,9 @@ mod tests {
             assert!(change(&more) > change(&half));
         }
         assert!(change(&Change { share: 0.0, left_out: 0.0, validated: 0.0, confirmed: true }) < 0.05);
-        assert!(local(0.0) == 0.0 && local(-3.0) == 0.0 && (local(50.0) - 0.5).abs() < 1e-12 && local(1e9) < 1.0);
+        let long = |support: f64| local(support, false);
+        assert!(long(0.0) == 0.0 && long(-3.0) == 0.0 && (long(50.0) - 0.5).abs() < 1e-12 && long(1e9) < 1.0);
+        assert!(local(1e9, true) <= 0.5);
     }
 
     #[test]

@@ -27,6 +27,8 @@ pub(in crate::diagnose) fn short(value: f64) -> String {
 /// Parts of a sentence.
 pub(in crate::diagnose) struct Shown<'a> {
     pub cause: &'a dyn Hypothesis,
+    /// Its shape, unless it is plain friction.
+    pub shape: Option<&'a [f64]>,
     /// Joints, from 0.
     pub place: &'a [usize],
     pub parameters: &'a [Quantity],
@@ -44,7 +46,7 @@ pub(in crate::diagnose) struct Shown<'a> {
 
 /// One sentence with figures.
 pub(in crate::diagnose) fn sentence(shown: &Shown<'_>) -> String {
-    let Shown { cause, place, parameters, all, moving, noise, on, confirmed, repeats } = *shown;
+    let Shown { cause, shape, place, parameters, all, moving, noise, on, confirmed, repeats } = *shown;
     // What shows at rest and about reversals alone is seen in all samples.
     let most_taken = |[before, after]: [&[f64]; 2]| {
         before.iter().zip(after).map(|(b, a)| if *b > 0.0 { 1.0 - (a / b).powi(2) } else { 0.0 }).fold(0.0, f64::max)
@@ -90,7 +92,7 @@ pub(in crate::diagnose) fn sentence(shown: &Shown<'_>) -> String {
     });
     format!(
         "{where_}: {} ({}); the error of joint {}{where_it_moves} {turns} from {} to {} N m on {on}{gained}{confirmed}{repeats}",
-        cause.says(),
+        shape.map_or(cause.says(), |shape| cause.says_of(shape)),
         numbers.join(", "),
         main + 1,
         short(before[main]),

@@ -1,8 +1,11 @@
 //! `external_contact`: an external wrench acts during part of the log, constant in the axes of the
 //! last frame or of the base.
 
+use std::ops::Range;
+
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
+use nalgebra::{Matrix3, Vector3};
 
 use super::Estimate;
 use super::Hypothesis;
@@ -17,7 +20,8 @@ use super::Term;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 
 /// A constant wrench on the last frame between `start` and `end` (seconds of used data, over all
-/// logs). It is given in the last frame's axes or, with `base` 1, in those of the base.
+/// logs). It is given in the last frame's axes or, with `base` 1, in those of the base; without
+/// `moment` it is a force at that frame's origin.
 pub struct ExternalContact;
 
 /// Distance from an end of a recording, s, within which a push must be longer than [`SHORT`], s.
@@ -25,7 +29,17 @@ const NEAR_END: f64 = 0.3;
 const SHORT: f64 = 1.0;
 
 /// Least duration, s: what is shorter is an impact, not a force that stays.
-const BRIEFEST: f64 = 0.1;
+const BRIEFEST: f64 = 0.25;
+
+/// Least duration of a push with a moment, s. At one posture a wrench fits whatever error six joints
+/// have.
+const WITH_MOMENT: f64 = 0.5;
+
+/// Largest moment of a push about the joints, by the largest torque that a motor has.
+const LARGEST: f64 = 2.0;
+
+/// Stretches of the log that are tried.
+const TRIED: usize = 6;
 
 impl Hypothesis for ExternalContact {
     fn effect(&self) -> EffectKind {
@@ -55,57 +69,32 @@ impl Hypothesis for ExternalContact {
                 step: Some(-0.12),
             },
             Shape { symbol: Symbol::Own("base"), unit: "", range: [0.0, 1.0], step: None },
+            Shape { symbol: Symbol::Own("moment"), unit: "", range: [0.0, 1.0], step: None },
         ]
     }
 
-    /// The windows in which the residual, scaled by its own noise, is largest against the rest.
+    /// The stretches in which a constant force would take more of the residual than elsewhere.
     fn grid(&self, scene: &WindowedData<'_>, _: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        let n = scene.len;
-        let mut power = vec![0.0; n + 1];
-        for row in residual {
-            let mut sizes: Vec<f64> = row.iter().map(|e| e * e).filter(|e| *e > 0.0).collect();
-            sizes.sort_by(f64::total_cmp);
-            // A quiet joint's noise: the median of the squares, which a short contact does not
-            // move.
-            let Some(&median) = sizes.get(sizes.len() / 2) else { continue };
-            for (p, e) in power[1..].iter_mut().zip(row) {
-                *p += e * e / median;
-            }
-        }
-        for w in 0..n {
-            power[w + 1] += power[w];
-        }
-        let mean = power[n] / n.max(1) as f64;
-        let mut found: Vec<(f64, usize, usize)> = Vec::new();
-        let mut length = (0.15 / scene.step).ceil().max(4.0) as usize;
-        while length <= n / 2 {
-            let mut best = (0.0, 0, 0);
-            for start in (0..n.saturating_sub(length)).step_by((length / 8).max(1)) {
-                let excess = power[start + length] - power[start] - mean * length as f64;
-                if excess / (length as f64).sqrt() > best.0 {
-                    best = (excess / (length as f64).sqrt(), start, start + length);
-                }
-            }
-            found.push(best);
-            length = (length * 4 / 3).max(length + 1);
-        }
-        found.sort_by(|a, b| b.0.total_cmp(&a.0));
-        found.truncate(4);
-        let windows = found.iter().filter(|f| f.2 > f.1);
-        windows
-            .flat_map(|f| [0.0, 1.0].map(|base| vec![f.1 as f64 * scene.step, f.2 as f64 * scene.step, base]))
-            .collect()
+        let mut found: Vec<Push> = [0.0, 1.0].into_iter().flat_map(|base| pushes(scene, residual, base)).collect();
+        found.sort_by(|a, b| b.worth.total_cmp(&a.worth));
+        found.truncate(TRIED);
+        let shape = |p: &Push, moment: f64| {
+            let [start, end] = [p.windows.start, p.windows.end].map(|w| w as f64 * scene.step);
+            vec![start, end, p.base, moment]
+        };
+        found.iter().flat_map(|p| [0.0, 1.0].map(|moment| shape(p, moment))).collect()
     }
 
     /// What is very short is an impact; what is short and at an end of a recording is a bristle
-    /// that bends or a low-pass that settles.
+    /// that bends or a low-pass that settles. A push does not go on in the next recording.
     fn shows(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> bool {
         let [start, end] = [shape[0], shape[1]];
-        let at_an_end = |run: &std::ops::Range<usize>| {
-            let [first, last] = [run.start, run.end].map(|w| w as f64 * scene.step);
-            start < last && end > first && (start < first + NEAR_END || end > last - NEAR_END)
-        };
-        end - start >= BRIEFEST && (end - start > SHORT || !scene.runs.iter().any(at_an_end))
+        let ends = |run: &Range<usize>| [run.start, run.end].map(|w| w as f64 * scene.step);
+        let inside = |[first, last]: [f64; 2]| start > first - 0.5 * scene.step && end < last + 0.5 * scene.step;
+        let Some([first, last]) = scene.runs.iter().map(ends).find(|run| inside(*run)) else { return false };
+        let at_an_end = start < first + NEAR_END || end > last - NEAR_END;
+        let least = if shape[3] == 1.0 { WITH_MOMENT } else { BRIEFEST };
+        end - start >= least && (end - start > SHORT || !at_an_end)
     }
 
     fn terms(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> Vec<Term> {
@@ -120,6 +109,7 @@ impl Hypothesis for ExternalContact {
         effects::ExternalContact::WRENCH
             .into_iter()
             .enumerate()
+            .filter(|(c, _)| shape[3] == 1.0 || *c < 3)
             .filter_map(|(c, key)| {
                 let rows = (0..dof)
                     .map(|j| {
@@ -134,6 +124,15 @@ impl Hypothesis for ExternalContact {
                 (!column.rows.is_empty()).then(|| Term::new(key, column, Sign::Any))
             })
             .collect()
+    }
+
+    fn plausible(&self, scene: &WindowedData<'_>, _: &[usize], _: &[f64], x: &[f64]) -> bool {
+        let most = LARGEST * scene.rated.iter().copied().fold(0.0, f64::max);
+        x.iter().all(|x| x.abs() * scene.reach().min(1.0) <= most)
+    }
+
+    fn law(&self, shape: &[f64]) -> usize {
+        shape[3] as usize
     }
 
     fn local(&self) -> bool {
@@ -167,7 +166,72 @@ impl Hypothesis for ExternalContact {
         "a force acts on the arm during part of the recording"
     }
 
+    fn says_of(&self, shape: &[f64]) -> &'static str {
+        if shape[2] == 1.0 {
+            "a force acts on the arm during part of the recording, constant in the base's axes"
+        } else {
+            "a force acts on the arm during part of the recording, constant in the last frame's axes"
+        }
+    }
+
     fn shown_by(&self) -> &'static str {
         "the same motion in free space"
     }
+}
+
+/// A stretch of a log in which a constant force may act.
+struct Push {
+    windows: Range<usize>,
+    /// 1 where it is constant in the axes of the base.
+    base: f64,
+    /// What it would gain there beside what one would gain in most other stretches as long.
+    worth: f64,
+}
+
+/// The best stretch of each length. What a force would gain there is compared with what it would gain
+/// in the upper quartile of all stretches as long, and by how many of them there are.
+fn pushes(scene: &WindowedData<'_>, residual: &[Vec<f64>], base: f64) -> Vec<Push> {
+    let (n, dof) = (scene.len, scene.dof());
+    let unit = scene.wrenches(0..n, base == 1.0);
+    let weight: Vec<f64> = residual.iter().map(|row| quiet(row)).collect();
+    let mut sums: Vec<(Matrix3<f64>, Vector3<f64>)> = Vec::with_capacity(n + 1);
+    let mut sum = (Matrix3::zeros(), Vector3::zeros());
+    sums.push(sum);
+    for w in 0..n {
+        for j in (0..dof).filter(|&j| scene.live[j][w]) {
+            let row = Vector3::from_fn(|c, _| -unit[(c * dof + j) * n + w]);
+            sum.0 += weight[j] * row * row.transpose();
+            sum.1 += weight[j] * residual[j][w] * row;
+        }
+        sums.push(sum);
+    }
+    let least = sum.0.trace() * 1e-6 / n.max(1) as f64;
+    let gain = |start: usize, length: usize| {
+        let (normal, right) = (sums[start + length].0 - sums[start].0, sums[start + length].1 - sums[start].1);
+        let normal = normal + Matrix3::identity() * (least * length as f64 + f64::MIN_POSITIVE);
+        normal.cholesky().map_or(0.0, |l| right.dot(&l.solve(&right)))
+    };
+    let mut found = Vec::new();
+    let mut length = (BRIEFEST / scene.step).ceil().max(4.0) as usize;
+    while length <= n / 2 {
+        let starts =
+            |run: &Range<usize>| (run.start..(run.end + 1).saturating_sub(length)).step_by((length / 8).max(1));
+        let mut all: Vec<(f64, usize)> =
+            scene.runs.iter().flat_map(starts).map(|start| (gain(start, length), start)).collect();
+        all.sort_by(|a, b| a.0.total_cmp(&b.0));
+        if let Some(&(gain, start)) = all.last() {
+            let usual = all[all.len() * 3 / 4].0 * (1.0 + n as f64 / length as f64).ln();
+            let worth = gain / usual.max(f64::MIN_POSITIVE);
+            found.push(Push { windows: start..start + length, base, worth });
+        }
+        length = (length * 4 / 3).max(length + 1);
+    }
+    found
+}
+
+/// One over the median of a joint's squares, which a short push does not move.
+fn quiet(row: &[f64]) -> f64 {
+    let mut sizes: Vec<f64> = row.iter().map(|e| e * e).filter(|e| *e > 0.0).collect();
+    sizes.sort_by(f64::total_cmp);
+    sizes.get(sizes.len() / 2).map_or(0.0, |median| 1.0 / median)
 }

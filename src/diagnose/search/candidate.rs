@@ -124,7 +124,13 @@ fn best_of(tested: &ModelUnderTest<'_>, fitted: &Fitted, tried: impl Iterator<It
     if best.len() > 1 {
         best.iter_mut().for_each(|candidate| refine(tested, fitted, candidate));
     }
-    best.into_iter().max_by(|a, b| a.score.total_cmp(&b.score))
+    // What acts in a part of a log follows errors that last for several windows: its further
+    // unknowns pay in independent ones.
+    let windows: f64 = fitted.solution.counts.iter().sum();
+    let memory = (mean(&fitted.memory) - 1.0).max(0.0);
+    let cost = |c: &Candidate| memory * unknowns(c.cause, &c.shape, c.gain.x.len()) * windows.max(2.0).ln();
+    let worth = |c: &Candidate| if c.cause.local() { c.score - cost(c) } else { c.score };
+    best.into_iter().max_by(|a, b| worth(a).total_cmp(&worth(b)))
 }
 
 /// Beyond this many times a residual's autocorrelation time, or this share of itself, a difference

@@ -13,7 +13,7 @@ use super::judge::{Accepted, Judge, THROUGHOUT, adopt, chosen_of};
 use super::{SearchSettings, equivalent_robot_cause, simplify};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::regulariser::Regulariser;
-use crate::diagnose::hypotheses::{COULOMB, Hypothesis, Kind, OFFSET, Over, VISCOUS, laws};
+use crate::diagnose::hypotheses::{COULOMB, Hypothesis, Kind, OFFSET, Over, VISCOUS, causes, laws};
 use crate::diagnose::select::model_choice::LeftOut;
 use dh_codegen::robot::EffectKind;
 
@@ -43,10 +43,6 @@ const SPOILT_BY_BODY: f64 = 1.0;
 /// By how many times what a body gains on some joints must exceed what it loses on others.
 const WHOLE: f64 = 2.0;
 
-/// What acts in a part of a log gains at least so many times what it would gain in the upper
-/// quartile of all other parts.
-const ALONE: f64 = 3.0;
-
 /// Evidence for one cause as it was accepted.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::diagnose) struct Evidence {
@@ -73,6 +69,11 @@ type Law = (&'static str, Vec<usize>, usize);
 
 fn law(candidate: &Candidate) -> Law {
     (candidate.cause.name(), candidate.place.clone(), candidate.gain.x.len())
+}
+
+/// Whether causes of this name act in a part of a log.
+fn local(name: &str) -> bool {
+    causes().any(|c| c.name() == name && c.local())
 }
 
 /// A term of plain friction: its number among the unknowns.
@@ -155,6 +156,8 @@ impl Forward<'_, '_> {
             let at = simpler.filter(|i| !tried.contains(i)).unwrap_or(first);
             tried.push(at);
             if let Some(next) = self.accept(&ranked, at, fitted, &before) {
+                // What acts in a part of a log may stand out from what is left now.
+                refused.retain(|(name, ..)| !local(name));
                 return Some(next);
             }
             refused.push(law(&ranked[at]));
@@ -384,8 +387,9 @@ impl Forward<'_, '_> {
             return None;
         }
         if cause.local() {
-            let share = judge.share_within(trial.last()?, before, after)?;
-            let holds = gained(candidate, ranked.len(), before, after) > 0.0 && self.is_alone(candidate, before);
+            let last = trial.last()?;
+            let share = judge.share_within(last, before, after)?;
+            let holds = gained(candidate, ranked.len(), before, after) > 0.0 && judge.is_alone(last, before);
             return if holds { evidence(share, share) } else { None };
         }
         if !judge.matters(*cause, before, after) || judge.overshadowed(*cause, place, before, after) {
@@ -406,26 +410,6 @@ impl Forward<'_, '_> {
         }
         let taken = 1.0 - after.solution.rss[main] / before.solution.rss[main].max(f64::MIN_POSITIVE);
         evidence(taken, share(main))
-    }
-
-    /// Whether what acts in a part of a log gains far more there than it would anywhere else: a
-    /// slow error looks like a constant wrench in any short piece.
-    fn is_alone(&self, candidate: &Candidate, before: &Fitted) -> bool {
-        let Some([start, end]) = candidate.cause.acts(&candidate.shape) else { return true };
-        let (length, all) = (end - start, self.tested.scene.len as f64 * self.tested.scene.step);
-        let worth = |c: &Candidate| c.score + unknowns(c.cause, &c.shape, c.gain.x.len()) * counts(before).ln();
-        let beside = |k: usize| {
-            let shift = k as f64 * length;
-            let mut shape = candidate.shape.clone();
-            (shape[0], shape[1]) = (shift, shift + length);
-            let apart = shift + length <= start || shift >= end;
-            apart.then(|| evaluate(self.tested, before, candidate.cause, &candidate.place, &shape)).flatten()
-        };
-        let pieces = (all / length.max(1e-3)).floor().min(400.0) as usize;
-        let mut others: Vec<f64> = (0..pieces).filter_map(beside).map(|c| worth(&c)).collect();
-        others.sort_by(f64::total_cmp);
-        let usual = others.get(others.len() * 3 / 4).copied().unwrap_or(0.0);
-        worth(candidate) > ALONE * usual
     }
 
     fn judge(&self) -> Judge<'_> {

@@ -3,6 +3,7 @@
 //! large enough to matter beside the noise.
 
 use super::SearchSettings;
+use super::alone::is_alone;
 use super::candidate::{logs, unknowns};
 use super::driving_friction::friction_drives;
 use crate::diagnose::fit::likelihood::gain as autoregressive_gain;
@@ -43,6 +44,9 @@ pub(in crate::diagnose) const SURE: f64 = 4.5;
 const NEARLY: f64 = 0.1;
 /// Support of a cause that holds in every stretch, where correlated windows can't decide.
 pub(super) const THROUGHOUT: f64 = 1.0;
+
+/// Part of the logs in which what acts now and then may act.
+const PART: f64 = 0.5;
 
 /// By what a cause is judged.
 pub(in crate::diagnose) struct Judge<'a> {
@@ -167,6 +171,15 @@ impl Judge<'_> {
         (0..self.noise.len()).filter_map(share).reduce(f64::max)
     }
 
+    /// Whether a cause that acts in a part of a log shows there alone; see [`is_alone`]. Several such
+    /// parts that make up most of the logs are not apart from anything.
+    pub(super) fn is_alone(&self, last: &Chosen, before: &Fitted) -> bool {
+        let scene = &self.tested.scene;
+        let duration = |c: &Chosen| c.cause.acts(&c.shape).map_or(0.0, |[start, end]| end - start);
+        let acting: f64 = self.accepted.iter().map(|a| duration(&a.chosen)).sum::<f64>() + duration(last);
+        acting < PART * scene.len as f64 * scene.step && is_alone(self.tested, before, last)
+    }
+
     /// Whether the last of `trial` is worth having.
     pub(in crate::diagnose) fn judge(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> Option<Accepted> {
         let last = trial.last()?;
@@ -185,7 +198,7 @@ impl Judge<'_> {
         let Confirmation { confirmed, predicted, spoilt, stirred } = confirmation(before, after, &stands);
         if cause.local() {
             // No other part can vouch for it: it must stand out by itself.
-            if !(0..taken.len()).any(|j| taken[j] > 0.25 * mean_square(before, j)) {
+            if !(0..taken.len()).any(|j| taken[j] > 0.25 * mean_square(before, j)) || !self.is_alone(last, before) {
                 return None;
             }
         } else if confirmed < 0.75

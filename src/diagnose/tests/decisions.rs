@@ -11,6 +11,7 @@ use crate::diagnose::fit::moments::Gain;
 use crate::diagnose::fit::uncertainty::Uncertainty;
 use crate::diagnose::hypotheses::{Estimate, Hypothesis, causes, hypothesis};
 use crate::diagnose::search::SearchSettings;
+use crate::diagnose::search::alone::is_alone;
 use crate::diagnose::search::baseline_friction::is_better;
 use crate::diagnose::search::candidate::{Candidate, evaluate};
 use crate::diagnose::search::driving_friction::friction_drives;
@@ -90,6 +91,32 @@ fn a_cause_holds_in_most_stretches() {
         let judge = Judge { tested: &tested, noise: &noise, settings: &settings, accepted: &[], tried: 1 };
         assert!(judge.matters(trial[0].cause, &before, &after));
         assert_eq!(judge.judge(&before, &after, &trial).is_some(), holds, "{sign}");
+    }
+}
+
+/// A force of 0.6 s shows there alone beside noise and beside another push, not beside an error
+/// that comes back all the time.
+#[test]
+fn a_push_stands_out_from_the_rest_of_the_log() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let push = |k: usize, from: usize| if (from..from + 120).contains(&k) { 0.5 } else { 0.0 };
+    let slow = |k: usize| 0.5 * (k as f64 / 40.0).sin();
+    type Error<'a> = &'a dyn Fn(usize) -> f64;
+    let errors: [(Error<'_>, bool); 3] =
+        [(&|k| push(k, 500), true), (&|k| push(k, 500) + push(k, 900), true), (&|k| push(k, 500) + slow(k), false)];
+    for (case, (error, alone)) in errors.into_iter().enumerate() {
+        let recordings = made([0.05; 2], 5, &|j, k| if j == 0 { error(k) } else { 0.0 });
+        let mut tested = tested(&plant, &recordings);
+        let before = tested.fit(&mut []);
+        let samples = samples(&tested.scene);
+        let step = tested.scene.step;
+        let at = |k: usize| samples.iter().position(|s| *s >= k).unwrap() as f64 * step;
+        let mut trial = [chosen(EffectKind::ExternalContact, &[], &[at(500), at(620), 1.0, 1.0])];
+        tested.fit(&mut trial);
+        assert_eq!(is_alone(&tested, &before, &trial[0]), alone, "{case}");
+        let most = chosen(EffectKind::ExternalContact, &[], &[at(60), at(1100), 1.0, 1.0]);
+        assert!(!is_alone(&tested, &before, &most));
     }
 }
 

@@ -1,8 +1,6 @@
 //! Sums of the diagnosis against the same by other ways: whole matrices, differences, laws written
 //! out here.
 
-use std::ops::Range;
-
 use nalgebra::{DMatrix, DVector};
 
 use super::columns::{PERIOD, recording};
@@ -257,26 +255,6 @@ fn a_zero_is_looked_for_to_both_sides() {
         hypothesis(EffectKind::EncoderOffset).grid(&scene, &[0], &[]).into_iter().map(|s| s[0]).collect();
     assert!(steps.iter().any(|s| *s <= -0.3) && steps.iter().any(|s| *s >= 0.3), "{steps:?}");
     assert!(steps.iter().any(|s| s.abs() < 0.01), "{steps:?}");
-}
-
-/// A push of a second and a half in six of noise: it is looked for where it is.
-#[test]
-fn a_push_is_looked_for_where_the_residual_is_large() {
-    let robot = planar();
-    let plant = PerturbableRobot::new(&robot);
-    let recordings = [recording()];
-    let scene = scene(&plant, &recordings);
-    let mut random = Random::new(3);
-    let pushed: Range<usize> = 700..1000;
-    let residual: Vec<Vec<f64>> = (0..2)
-        .map(|_| {
-            (0..scene.len).map(|w| random.uniform(-1.0, 1.0) * if pushed.contains(&w) { 2.0 } else { 1.0 }).collect()
-        })
-        .collect();
-    let grid = hypothesis(EffectKind::ExternalContact).grid(&scene, &[], &residual);
-    let [start, end] = [0, 1].map(|k| (grid[0][k] / scene.step).round() as usize);
-    let both = end.min(pushed.end).saturating_sub(start.max(pushed.start));
-    assert!(both > 200 && end - start - both < 100, "{start} {end}");
 }
 
 /// The link stands half of the gap to the side to which its torque pushes it: where that stays on
