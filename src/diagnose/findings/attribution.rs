@@ -58,12 +58,9 @@ impl Attribution<'_> {
         let part = shares.within.unwrap_or_else(|| share(&without.steady, &with.steady, noise, &item.place));
         let support = accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, item), |a| a.support);
         // The same in another place says nearly as much.
-        let elsewhere: Vec<&[usize]> = near(item, accepted, plain_rivals)
-            .iter()
-            .filter(|r| r.0 == item.hypothesis.name())
-            .map(|r| r.1.as_slice())
-            .collect();
-        let elsewhere = elsewhere.iter().map(|p| format!("; the same {} would explain nearly as much", place_of(p)));
+        let near = near(item, accepted, plain_rivals);
+        let same = near.iter().filter(|r| r.0 == item.hypothesis.name());
+        let elsewhere = same.map(|r| format!("; the same {} would explain nearly as much", place_of(&r.1)));
         let recurrence = self.recurrence(item);
         let counted = shares.far.map_or(part, |far| 0.5 * (part + far));
         let confirmed = on != "fit" || item.hypothesis.local() || shares.recurs_far();
