@@ -67,7 +67,8 @@ pub fn change(found: &Change) -> f64 {
 /// Support at which a change in a part of a log is as likely as not.
 const LOCAL: f64 = 50.0;
 
-/// Factor of what acts for so short a time that errors of the motion last as long.
+/// Factor of what acts for so short a time that errors of the motion last as long; chosen, since
+/// no recording has pushes as brief.
 const BRIEF: f64 = 0.5;
 
 /// Of a change that acts in a part of a log, which no other part can confirm, by its support: twice

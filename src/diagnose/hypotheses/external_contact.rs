@@ -38,6 +38,9 @@ const WITH_MOMENT: f64 = 0.5;
 /// Largest moment of a push about the joints, by the largest torque that a motor has.
 const LARGEST: f64 = 2.0;
 
+/// Windows whose wrenches are computed at once: those of an hour would take 120 MB.
+const AT_ONCE: usize = 1024;
+
 /// Stretches of the log that are tried.
 const TRIED: usize = 6;
 
@@ -192,18 +195,20 @@ struct Push {
 /// in the upper quartile of all stretches as long, and by how many of them there are.
 fn pushes(scene: &WindowedData<'_>, residual: &[Vec<f64>], base: f64) -> Vec<Push> {
     let (n, dof) = (scene.len, scene.dof());
-    let unit = scene.wrenches(0..n, base == 1.0);
     let weight: Vec<f64> = residual.iter().map(|row| quiet(row)).collect();
     let mut sums: Vec<(Matrix3<f64>, Vector3<f64>)> = Vec::with_capacity(n + 1);
     let mut sum = (Matrix3::zeros(), Vector3::zeros());
     sums.push(sum);
-    for w in 0..n {
-        for j in (0..dof).filter(|&j| scene.live[j][w]) {
-            let row = Vector3::from_fn(|c, _| -unit[(c * dof + j) * n + w]);
-            sum.0 += weight[j] * row * row.transpose();
-            sum.1 += weight[j] * residual[j][w] * row;
+    for part in (0..n).step_by(AT_ONCE).map(|first| first..(first + AT_ONCE).min(n)) {
+        let unit = scene.wrenches(part.clone(), base == 1.0);
+        for w in part.clone() {
+            for j in (0..dof).filter(|&j| scene.live[j][w]) {
+                let row = Vector3::from_fn(|c, _| -unit[(c * dof + j) * part.len() + w - part.start]);
+                sum.0 += weight[j] * row * row.transpose();
+                sum.1 += weight[j] * residual[j][w] * row;
+            }
+            sums.push(sum);
         }
-        sums.push(sum);
     }
     let least = sum.0.trace() * 1e-6 / n.max(1) as f64;
     let gain = |start: usize, length: usize| {

@@ -1,6 +1,6 @@
 //! Whether what acts in a part of a log shows there alone.
 
-use super::candidate::{Candidate, evaluate, unknowns};
+use super::candidate::evaluate;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 
 /// What acts in a part of a log gains at least so many times what it would gain elsewhere.
@@ -26,12 +26,10 @@ pub(in crate::diagnose) fn is_alone(tested: &ModelUnderTest<'_>, before: &Fitted
     let Chosen { cause, place, shape, .. } = chosen;
     let Some([start, end]) = cause.acts(shape) else { return true };
     let (length, all) = (end - start, tested.scene.len as f64 * tested.scene.step);
-    let windows: f64 = before.solution.counts.iter().sum();
-    let worth = |c: &Candidate| c.score + unknowns(c.cause, &c.shape, c.gain.x.len()) * windows.max(2.0).ln();
     let at = |begin: f64| {
         let mut shape = shape.clone();
         (shape[0], shape[1]) = (begin, begin + length);
-        evaluate(tested, before, *cause, place, &shape).map(|c| worth(&c))
+        evaluate(tested, before, *cause, place, &shape).map(|c| c.raw(before))
     };
     let Some(here) = at(start) else { return false };
     let brief = is_brief(chosen);

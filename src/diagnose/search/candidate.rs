@@ -24,6 +24,11 @@ pub struct Candidate {
 }
 
 impl Candidate {
+    /// Its score before its unknowns are paid for.
+    pub(in crate::diagnose) fn raw(&self, fitted: &Fitted) -> f64 {
+        self.score + unknowns(self.cause, &self.shape, self.gain.x.len()) * price(fitted)
+    }
+
     /// As a part of a model.
     pub(in crate::diagnose) fn chosen(&self) -> Chosen {
         Chosen { cause: self.cause, place: self.place.clone(), shape: self.shape.clone(), x: self.gain.x.clone() }
@@ -32,6 +37,11 @@ impl Candidate {
 
 pub(in crate::diagnose) fn unknowns(cause: &dyn Hypothesis, shape: &[f64], terms: usize) -> f64 {
     (terms + cause.free(shape)) as f64
+}
+
+/// What an unknown costs: the logarithm of the number of windows.
+pub(super) fn price(fitted: &Fitted) -> f64 {
+    fitted.solution.counts.iter().sum::<f64>().max(2.0).ln()
 }
 
 /// Evaluates one shape.
@@ -59,10 +69,9 @@ pub(in crate::diagnose) fn evaluate(
     if !signed || !gain.x.iter().all(|x| x.is_finite()) || !cause.plausible(&tested.scene, place, shape, &gain.x) {
         return None;
     }
-    let total: f64 = fitted.solution.counts.iter().sum();
     let raw: f64 = logs(&fitted.solution.rss, &gain.rss).zip(&fitted.solution.counts).map(|(l, n)| n * l).sum();
     let off = if cause.unit() { (gain.x[0] - 1.0) / UNIT } else { 0.0 };
-    let score = raw - unknowns(cause, shape, terms.len()) * total.max(2.0).ln() - off * off;
+    let score = raw - unknowns(cause, shape, terms.len()) * price(fitted) - off * off;
     Some(Candidate { cause, place: place.to_vec(), shape: shape.to_vec(), gain, score })
 }
 
@@ -126,10 +135,8 @@ fn best_of(tested: &ModelUnderTest<'_>, fitted: &Fitted, tried: impl Iterator<It
     }
     // What acts in a part of a log follows errors that last for several windows: its further
     // unknowns pay in independent ones.
-    let windows: f64 = fitted.solution.counts.iter().sum();
-    let memory = (mean(&fitted.memory) - 1.0).max(0.0);
-    let cost = |c: &Candidate| memory * unknowns(c.cause, &c.shape, c.gain.x.len()) * windows.max(2.0).ln();
-    let worth = |c: &Candidate| if c.cause.local() { c.score - cost(c) } else { c.score };
+    let more = (mean(&fitted.memory) - 1.0).max(0.0);
+    let worth = |c: &Candidate| if c.cause.local() { c.score - more * (c.raw(fitted) - c.score) } else { c.score };
     best.into_iter().max_by(|a, b| worth(a).total_cmp(&worth(b)))
 }
 
@@ -214,12 +221,10 @@ const WORTH_UNKNOWNS: f64 = 0.03;
 /// in the same place or on the whole robot.
 fn simplest_first(all: &mut [Candidate], fitted: &Fitted) {
     let Some(best) = all.first() else { return };
-    let total: f64 = fitted.solution.counts.iter().sum();
     let count = |c: &Candidate| unknowns(c.cause, &c.shape, c.gain.x.len());
-    let raw = |c: &Candidate| c.score + count(c) * total.max(2.0).ln();
-    let (most, many) = (raw(best), count(best));
+    let (most, many) = (best.raw(fitted), count(best));
     let place = |c: &Candidate| c.place == best.place || c.place.is_empty() || best.place.is_empty();
-    let simpler = |c: &Candidate| count(c) + 3.0 <= many && raw(c) > (1.0 - WORTH_UNKNOWNS) * most && place(c);
+    let simpler = |c: &Candidate| count(c) + 3.0 <= many && c.raw(fitted) > (1.0 - WORTH_UNKNOWNS) * most && place(c);
     if let Some(at) = all.iter().position(simpler) {
         all[..=at].rotate_right(1);
     }

@@ -7,7 +7,7 @@
 //! no other joint worse there.
 
 use super::baseline_friction::BaselineFriction;
-use super::candidate::{Candidate, candidates, evaluate, logs, refine, rivals, unknowns};
+use super::candidate::{Candidate, candidates, evaluate, logs, price, refine, rivals, unknowns};
 use super::driving_friction::level_drives;
 use super::judge::{Accepted, Judge, THROUGHOUT, adopt, chosen_of};
 use super::{SearchSettings, equivalent_robot_cause, simplify};
@@ -293,7 +293,7 @@ impl Forward<'_, '_> {
         let lost: f64 =
             logs(&next.solution.rss, &whole.solution.rss).zip(&whole.solution.counts).map(|(l, n)| l * n).sum();
         let more = unknowns(best.cause, &best.shape, best.gain.x.len()) - unknowns(own.cause, &own.shape, own.x.len());
-        let pays = saved as f64 > more && lost < (saved as f64 - more.max(0.0)) * counts(whole).ln();
+        let pays = saved as f64 > more && lost < (saved as f64 - more.max(0.0)) * price(whole);
         (pays && self.judge().stands(trial.last()?, &next)).then_some((trial, next))
     }
 
@@ -460,11 +460,6 @@ fn gained(candidate: &Candidate, candidates: usize, before: &Fitted, after: &Fit
     let gain: f64 = logs(&before.solution.rss, &after.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();
     let unknowns = unknowns(candidate.cause, &candidate.shape, candidate.gain.x.len());
     gain - unknowns * windows().sum::<f64>().max(2.0).ln() - 2.0 * (candidates as f64).ln()
-}
-
-/// Windows of all joints.
-fn counts(fitted: &Fitted) -> f64 {
-    fitted.solution.counts.iter().sum::<f64>().max(2.0)
 }
 
 /// The joint on which most is gained.
