@@ -419,6 +419,64 @@ fn the_estimate_is_the_wrench() {
     }
 }
 
+/// A single wrong position costs two samples, one that no joint has costs one, and an encoder that
+/// wraps round one; the next estimate is nearly as good as before.
+#[test]
+fn positions_that_jump_are_no_speeds() {
+    let settings = EstimatorSettings {
+        period: T,
+        corner: 20.0,
+        weights: [1.0; 6],
+        damping: 1e-9,
+        moment: f64::INFINITY,
+        turning: [0.0; 6],
+        rest: [1e-4; 6],
+    };
+    let mut estimator = Estimator::new(Gantry::default(), settings);
+    let wrong = |k: u32| match k {
+        1000 => 5.0,
+        1200 => 1e300,
+        1500.. => std::f64::consts::TAU,
+        _ => 0.0,
+    };
+    for k in 0..2000 {
+        let t = T * f64::from(k);
+        let noise = 1e-9 * f64::from(k % 2);
+        let q = [0.5 * t * t + wrong(k), 0.0, 0.0, 0.0, 0.0, 0.0];
+        let found = estimator.step(&q, &[1.0, 5.0 + noise, 9.81, 0.0, 0.0, 0.0]);
+        let lost = matches!(k, 0..3 | 1000 | 1001 | 1200 | 1500);
+        assert_eq!(found.is_none(), lost, "{k}");
+        let of = [0.0, 5.0, 0.0, 0.0, 0.0, 0.0];
+        let near = |found: [f64; 6]| found.iter().zip(of).all(|(a, b)| (a - b).abs() < 0.2);
+        assert!(k < 500 || found.is_none_or(near), "{k}: {found:?}");
+    }
+}
+
+/// The arm stops while samples are lost: what came before says nothing of it.
+#[test]
+fn a_long_loss_is_not_bridged() {
+    let settings = EstimatorSettings {
+        period: T,
+        corner: 20.0,
+        weights: [1.0; 6],
+        damping: 1e-9,
+        moment: f64::INFINITY,
+        turning: [0.0; 6],
+        rest: [0.0; 6],
+    };
+    let mut estimator = Estimator::new(Gantry::default(), settings);
+    for k in 0..800 {
+        let x = if k < 500 { T * f64::from(k) } else { 0.6 };
+        let tau = [0.0, 5.0, 9.81, 0.0, 0.0, 0.0];
+        let found = if (500..700).contains(&k) {
+            estimator.step(&[f64::NAN; 6], &tau)
+        } else {
+            estimator.step(&[x, 0.0, 0.0, 0.0, 0.0, 0.0], &tau.map(|tau| tau + 1e-9 * f64::from(k % 2)))
+        };
+        assert!(k < 703 || found.unwrap()[0].abs() < 1e-3, "{k}: {found:?}");
+    }
+}
+
 /// A gantry whose second joint may have friction of 0.4 N less than the model says.
 struct Doubtful(f64);
 

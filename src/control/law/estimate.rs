@@ -49,6 +49,17 @@ const HELD: f64 = 0.5;
 /// friction explains it: to begin with, and as long as it did.
 const EXPLAINED: [f64; 2] = [9.0, 25.0];
 
+/// Farthest that a joint goes from one sample to the next, rad or m. Beyond it an encoder has wrapped
+/// round, samples are missing, or the position is wrong.
+const JUMP: f64 = 1.0;
+
+/// Longest time over which lost samples are replaced by the motion before them, s. Then the low-pass
+/// begins anew.
+const LOST: f64 = 0.1;
+
+/// No joint has a position (rad or m) or a torque (N m or N) beyond these.
+const LARGEST: [f64; 2] = [1e5, 1e9];
+
 /// How far a joint may go while no torque changes by a bit, rad or m. Beyond it the torques are
 /// those of another time.
 const FROZEN: f64 = 0.05;
@@ -62,6 +73,11 @@ pub struct Estimator<B, const N: usize> {
     share: f64,
     q: [[f64; N]; 3],
     tau: [[f64; N]; 3],
+    /// Positions of the last sample; positions and torques that went into the low-pass last.
+    last: Option<[f64; N]>,
+    taken: [[f64; N]; 2],
+    /// Time since a sample was taken, s.
+    lost: f64,
     before: [f64; N],
     speed: [f64; N],
     wrench: Option<[f64; 6]>,
@@ -83,6 +99,9 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
             share: turn / (1.0 + turn),
             q: [[0.0; N]; 3],
             tau: [[0.0; N]; 3],
+            last: None,
+            taken: [[0.0; N]; 2],
+            lost: 0.0,
             before: [0.0; N],
             speed: [0.0; N],
             wrench: None,
@@ -104,18 +123,37 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         &mut self.body
     }
 
-    /// Torques of the environment at the joints, `Gamma - Gamma_dyn`, of a sample; `None` until the
-    /// differences are there, for a sample that is no number, and for torques that are frozen while
-    /// the arm moves.
+    /// Torques of the environment at the joints, `Gamma - Gamma_dyn`, of a sample. `None` until the
+    /// differences are there, for a sample that is no number or no joint's, for positions that jump,
+    /// and for torques that are frozen while the arm moves. The low-pass then goes on as fast as
+    /// before, up to 0.1 s; so it does when positions have jumped for good (an encoder that wraps
+    /// round).
     pub fn external(&mut self, q: &[f64; N], tau: &[f64; N]) -> Option<[f64; N]> {
-        if q.iter().chain(tau).any(|x| !x.is_finite()) || self.is_frozen(q, tau) {
+        let sound = [q, tau].into_iter().zip(LARGEST).all(|(x, most)| x.iter().all(|x| x.abs() <= most));
+        if !sound || self.jumps(q) {
+            self.bridge();
+            return None;
+        }
+        if self.lost > LOST {
+            self.seen = 0;
+        }
+        self.lost = 0.0;
+        if self.seen == 0 {
+            (self.q, self.tau, self.before, self.speed) = ([*q; 3], [*tau; 3], *q, [0.0; N]);
+            self.taken = [*q, *tau];
+        }
+        self.follow(q);
+        let (speed, change) = self.pass(q, tau);
+        if self.is_frozen(q, tau) {
             self.wrench = None;
             return None;
         }
-        if self.seen == 0 {
-            (self.q, self.tau, self.before) = ([*q; 3], [*tau; 3], *q);
-        }
-        let period = self.settings.period;
+        let model = self.body.torques(&self.before, &speed, &change, self.settings.period);
+        (self.seen > 3).then(|| core::array::from_fn(|j| self.tau[2][j] - model[j]))
+    }
+
+    /// Puts positions and torques through the low-pass; speed and acceleration behind it.
+    fn pass(&mut self, q: &[f64; N], tau: &[f64; N]) -> ([f64; N], [f64; N]) {
         for j in 0..N {
             for (stages, new) in [(&mut self.q, q[j]), (&mut self.tau, tau[j])] {
                 let mut from = new;
@@ -125,13 +163,38 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
                 }
             }
         }
-        let (place, torque) = (self.q[2], self.tau[2]);
+        let (period, place) = (self.settings.period, self.q[2]);
         let speed: [f64; N] = core::array::from_fn(|j| (place[j] - self.before[j]) / period);
-        let change: [f64; N] = core::array::from_fn(|j| (speed[j] - self.speed[j]) / period);
-        (self.before, self.speed) = (place, speed);
+        let change = core::array::from_fn(|j| (speed[j] - self.speed[j]) / period);
+        (self.taken, self.before, self.speed) = ([*q, *tau], place, speed);
         self.seen = self.seen.saturating_add(1);
-        let model = self.body.torques(&place, &speed, &change, period);
-        (self.seen > 3).then(|| core::array::from_fn(|j| torque[j] - model[j]))
+        (speed, change)
+    }
+
+    /// Replaces a lost sample by the motion and the torques before it.
+    fn bridge(&mut self) {
+        self.wrench = None;
+        let period = self.settings.period;
+        self.lost += period;
+        if self.seen > 0 && self.lost <= LOST {
+            let [q, tau] = self.taken;
+            self.pass(&core::array::from_fn(|j| q[j] + self.speed[j] * period), &tau);
+        }
+    }
+
+    /// Whether a joint is far from where it was a sample ago.
+    fn jumps(&mut self, q: &[f64; N]) -> bool {
+        let last = self.last.replace(*q).unwrap_or(*q);
+        (0..N).any(|j| (q[j] - last[j]).abs() > JUMP)
+    }
+
+    /// Moves the low-pass along with joints that have jumped since the last sample that it took.
+    fn follow(&mut self, q: &[f64; N]) {
+        for j in (0..N).filter(|&j| (q[j] - self.taken[0][j]).abs() > JUMP) {
+            let by = q[j] - self.speed[j] * self.settings.period - self.taken[0][j];
+            let unchanged = self.changed.iter_mut().map(|[_, place]| place);
+            self.q.iter_mut().chain([&mut self.before]).chain(unchanged).for_each(|place| place[j] += by);
+        }
     }
 
     /// Whether all torques have been the same to the bit while the arm has moved.

@@ -179,12 +179,15 @@ fn beyond(x: f64) -> (f64, f64) {
     // The point stands `256 - exponent + first - 1` bits from the right: bring it to bit 256 or so,
     // then cut.
     let fraction_bits = (256 - exponent + first - 1) as u32; // 254 to 290
-    let bit = |i: u32| (product.iter().rev().nth((i / 64) as usize).copied().unwrap_or(0) >> (i % 64)) & 1;
-    let mut turns = bit(fraction_bits) | (bit(fraction_bits + 1) << 1);
-    let take = |from_top: u32| -> u128 {
-        (0..128).fold(0u128, |v, k| (v << 1) | u128::from(bit(fraction_bits - 1 - from_top - k)))
+    // 128 bits from bit `i` up; bit 0 is the product's last.
+    let from = |i: u32| {
+        let word = |w: u32| u128::from(product.iter().rev().nth(w as usize).copied().unwrap_or(0));
+        let (w, shift) = (i / 64, i % 64);
+        let (two, next) = (word(w) | (word(w + 1) << 64), word(w + 2));
+        if shift == 0 { two } else { (two >> shift) | (next << (128 - shift)) }
     };
-    let mut fraction = take(0);
+    let mut turns = from(fraction_bits) as u64 & 3;
+    let mut fraction = from(fraction_bits - 128);
     let negative = fraction >> 127 == 1;
     if negative {
         turns += 1;
