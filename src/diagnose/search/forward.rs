@@ -152,8 +152,8 @@ impl Forward<'_, '_> {
         let mut tried: Vec<usize> = Vec::new();
         while tried.len() < REFUSED {
             let first = best(&ranked, &tried)?;
-            let simpler = self.simpler_that_suffices(&ranked, first, fitted, &before);
-            let at = simpler.filter(|i| !tried.contains(i)).unwrap_or(first);
+            let other = self.that_suffices(&ranked, first, fitted, &before);
+            let at = other.filter(|i| !tried.contains(i)).unwrap_or(first);
             tried.push(at);
             if let Some(next) = self.accept(&ranked, at, fitted, &before) {
                 // What acts in a part of a log may stand out from what is left now.

@@ -1,4 +1,4 @@
-//! Whether a simpler cause suffices where a link seems to be wrong.
+//! Whether another cause suffices where a link seems to be wrong, or something seems to push.
 
 use super::candidate::{Candidate, evaluate, unknowns};
 use super::forward::{Forward, main_joint, plain};
@@ -16,11 +16,49 @@ const SAME_BODY: f64 = 0.05;
 /// Simpler causes that are tried, those that gain most.
 const TRIED: usize = 4;
 
+/// Least part of a push's score with which a cause that acts throughout may stand for it.
+const THROUGHOUT: f64 = 0.5;
+
 impl Forward<'_, '_> {
+    /// The candidate that is to be tried in the place of the one at `at`.
+    pub(super) fn that_suffices(
+        &mut self,
+        ranked: &[Candidate],
+        at: usize,
+        fitted: &Fitted,
+        before: &LeftOut,
+    ) -> Option<usize> {
+        match &ranked[at] {
+            c if c.cause.effect() == EffectKind::LinkInertiaError => {
+                self.simpler_that_suffices(ranked, at, fitted, before)
+            }
+            c if c.cause.local() => self.lasting_that_suffices(ranked, at, fitted, before),
+            _ => None,
+        }
+    }
+
+    /// The best candidate that acts throughout the logs and beside which the push at `at` is not
+    /// worth having any more; `None` where there is none. Where an arm accelerates most, three
+    /// components of a force take more of a body's error than that body's parameters do, since they
+    /// need not fit the rest.
+    fn lasting_that_suffices(
+        &mut self,
+        ranked: &[Candidate],
+        at: usize,
+        fitted: &Fitted,
+        before: &LeftOut,
+    ) -> Option<usize> {
+        let push = &ranked[at];
+        self.with(&[push], |search, trial, after| search.holds((ranked, at), trial, [fitted, after], before))?;
+        let lasting = |c: &Candidate| !c.cause.local() && !c.cause.moves_time() && c.score > THROUGHOUT * push.score;
+        let mut tried = (0..ranked.len()).filter(|&i| lasting(&ranked[i])).take(TRIED);
+        tried.find(|&i| self.suffices((ranked, i), push, fitted, before))
+    }
+
     /// The candidate with the fewest unknowns beside which the link at `at` is not worth having any
     /// more; `None` where there is none. A link's ten unknowns take other errors of several joints,
     /// too, and so gain more than the cause whose error they take.
-    pub(super) fn simpler_that_suffices(
+    fn simpler_that_suffices(
         &mut self,
         ranked: &[Candidate],
         at: usize,
@@ -28,9 +66,6 @@ impl Forward<'_, '_> {
         before: &LeftOut,
     ) -> Option<usize> {
         let link = &ranked[at];
-        if link.cause.effect() != EffectKind::LinkInertiaError {
-            return None;
-        }
         // A link that is not worth having by itself gives way to nothing.
         let main = self.with(&[link], |search, trial, after| {
             search.holds((ranked, at), trial, [fitted, after], before).map(|_| main_joint(fitted, after))
@@ -48,17 +83,17 @@ impl Forward<'_, '_> {
         tried.into_iter().find(|&i| self.suffices((ranked, i), link, fitted, before))
     }
 
-    /// Whether a candidate is worth having, and the link beside it is not.
+    /// Whether a candidate is worth having, and the `other` beside it is not.
     fn suffices(
         &mut self,
         (ranked, i): (&[Candidate], usize),
-        link: &Candidate,
+        other: &Candidate,
         fitted: &Fitted,
         before: &LeftOut,
     ) -> bool {
         let worth = self.with(&[&ranked[i]], |search, trial, with| {
             search.holds((ranked, i), trial, [fitted, with], before)?;
-            let again = evaluate(search.tested, with, link.cause, &link.place, &link.shape);
+            let again = evaluate(search.tested, with, other.cause, &other.place, &other.shape);
             Some((with.clone(), search.tested.left_out(trial, with), again.filter(|c| c.score > 0.0)))
         });
         let Some((with, left, again)) = worth else { return false };
