@@ -176,7 +176,7 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         self.wrench = None;
         let period = self.settings.period;
         self.lost += period;
-        if self.seen > 0 && self.lost <= LOST {
+        if self.seen > 0 {
             let [q, tau] = self.taken;
             self.pass(&core::array::from_fn(|j| q[j] + self.speed[j] * period), &tau);
         }
