@@ -447,6 +447,7 @@ fn positions_that_jump_are_no_speeds() {
         let lost = matches!(k, 0..3 | 1000 | 1001 | 1200 | 1500);
         assert_eq!(found.is_none(), lost, "{k}");
         let of = [0.0, 5.0, 0.0, 0.0, 0.0, 0.0];
+        // Two replaced samples of a motion that accelerates leave 0.13 N, two that lack 2.8 N.
         let near = |found: [f64; 6]| found.iter().zip(of).all(|(a, b)| (a - b).abs() < 0.2);
         assert!(k < 500 || found.is_none_or(near), "{k}: {found:?}");
     }

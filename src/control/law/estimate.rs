@@ -54,7 +54,7 @@ const EXPLAINED: [f64; 2] = [9.0, 25.0];
 const JUMP: f64 = 1.0;
 
 /// Longest time over which lost samples are replaced by the motion before them, s. Then the low-pass
-/// begins anew.
+/// begins again.
 const LOST: f64 = 0.1;
 
 /// No joint has a position (rad or m) or a torque (N m or N) beyond these.

@@ -13,14 +13,43 @@ const FEW: f64 = 3.0;
 /// Part of a link's score by which a payload may lag behind it.
 const SAME_BODY: f64 = 0.05;
 
-/// Simpler causes that are tried, those that gain most.
+/// Other causes that are tried, those that gain most.
 const TRIED: usize = 4;
 
 /// Least part of a push's score with which a cause that acts throughout may stand for it.
-const THROUGHOUT: f64 = 0.5;
+const LASTING: f64 = 0.5;
+
+fn count(candidate: &Candidate) -> f64 {
+    unknowns(candidate.cause, &candidate.shape, candidate.gain.x.len())
+}
+
+/// Candidates that may stand for a link, the fewest unknowns first: few unknowns on the joint on
+/// which the link gains most, or a payload that gains nearly as much. A link's ten unknowns take
+/// other errors of several joints, too, and so gain more than the cause whose error they take.
+fn simpler(ranked: &[Candidate], link: &Candidate, main: usize) -> Vec<usize> {
+    let simple = |c: &Candidate| {
+        let steady = !c.cause.moves_time() && !c.cause.local() && c.cause.kind() != Kind::Body;
+        let few = steady && c.place == [main] && count(c) <= FEW;
+        // A payload has as many unknowns as a link.
+        let body = c.cause.effect() == EffectKind::Payload && c.score > (1.0 - SAME_BODY) * link.score;
+        c.score > 0.0 && few || body
+    };
+    let mut tried: Vec<usize> = (0..ranked.len()).filter(|&i| simple(&ranked[i])).take(TRIED).collect();
+    tried.sort_by(|&a, &b| count(&ranked[a]).total_cmp(&count(&ranked[b])));
+    tried
+}
+
+/// Candidates that may stand for a push, the best first: those that act throughout the logs. Where
+/// an arm accelerates most, three components of a force take more of a body's error than that
+/// body's parameters do, since they need not fit the rest.
+fn lasting(ranked: &[Candidate], push: &Candidate) -> Vec<usize> {
+    let lasts = |c: &Candidate| !c.cause.local() && !c.cause.moves_time() && c.score > LASTING * push.score;
+    (0..ranked.len()).filter(|&i| lasts(&ranked[i])).take(TRIED).collect()
+}
 
 impl Forward<'_, '_> {
-    /// The candidate that is to be tried in the place of the one at `at`.
+    /// The first candidate that may stand for the link or the push at `at` and beside which that is
+    /// not worth having any more; `None` where there is none.
     pub(super) fn that_suffices(
         &mut self,
         ranked: &[Candidate],
@@ -28,59 +57,17 @@ impl Forward<'_, '_> {
         fitted: &Fitted,
         before: &LeftOut,
     ) -> Option<usize> {
-        match &ranked[at] {
-            c if c.cause.effect() == EffectKind::LinkInertiaError => {
-                self.simpler_that_suffices(ranked, at, fitted, before)
-            }
-            c if c.cause.local() => self.lasting_that_suffices(ranked, at, fitted, before),
-            _ => None,
+        let own = &ranked[at];
+        let link = own.cause.effect() == EffectKind::LinkInertiaError;
+        if !link && !own.cause.local() {
+            return None;
         }
-    }
-
-    /// The best candidate that acts throughout the logs and beside which the push at `at` is not
-    /// worth having any more; `None` where there is none. Where an arm accelerates most, three
-    /// components of a force take more of a body's error than that body's parameters do, since they
-    /// need not fit the rest.
-    fn lasting_that_suffices(
-        &mut self,
-        ranked: &[Candidate],
-        at: usize,
-        fitted: &Fitted,
-        before: &LeftOut,
-    ) -> Option<usize> {
-        let push = &ranked[at];
-        self.with(&[push], |search, trial, after| search.holds((ranked, at), trial, [fitted, after], before))?;
-        let lasting = |c: &Candidate| !c.cause.local() && !c.cause.moves_time() && c.score > THROUGHOUT * push.score;
-        let mut tried = (0..ranked.len()).filter(|&i| lasting(&ranked[i])).take(TRIED);
-        tried.find(|&i| self.suffices((ranked, i), push, fitted, before))
-    }
-
-    /// The candidate with the fewest unknowns beside which the link at `at` is not worth having any
-    /// more; `None` where there is none. A link's ten unknowns take other errors of several joints,
-    /// too, and so gain more than the cause whose error they take.
-    fn simpler_that_suffices(
-        &mut self,
-        ranked: &[Candidate],
-        at: usize,
-        fitted: &Fitted,
-        before: &LeftOut,
-    ) -> Option<usize> {
-        let link = &ranked[at];
-        // A link that is not worth having by itself gives way to nothing.
-        let main = self.with(&[link], |search, trial, after| {
+        // What is not worth having by itself gives way to nothing.
+        let main = self.with(&[own], |search, trial, after| {
             search.holds((ranked, at), trial, [fitted, after], before).map(|_| main_joint(fitted, after))
         })?;
-        let count = |c: &Candidate| unknowns(c.cause, &c.shape, c.gain.x.len());
-        let simple = |c: &Candidate| {
-            let steady = !c.cause.moves_time() && !c.cause.local() && c.cause.kind() != Kind::Body;
-            let few = steady && c.place == [main] && count(c) <= FEW;
-            // A payload has as many unknowns as a link.
-            let body = c.cause.effect() == EffectKind::Payload && c.score > (1.0 - SAME_BODY) * link.score;
-            c.score > 0.0 && few || body
-        };
-        let mut tried: Vec<usize> = (0..ranked.len()).filter(|&i| simple(&ranked[i])).take(TRIED).collect();
-        tried.sort_by(|&a, &b| count(&ranked[a]).total_cmp(&count(&ranked[b])));
-        tried.into_iter().find(|&i| self.suffices((ranked, i), link, fitted, before))
+        let others = if link { simpler(ranked, own, main) } else { lasting(ranked, own) };
+        others.into_iter().find(|&i| self.suffices((ranked, i), own, fitted, before))
     }
 
     /// Whether a candidate is worth having, and the `other` beside it is not.
