@@ -12,6 +12,10 @@ Effects, as MuJoCo knows them: joint damping, frictionloss, armature, stiffness;
 frictionloss (one motor on two axes); a joint limit of some milliradians between motor and link (backlash), a spring in its place (elasticity); commands that act
 late or are clipped while the log has the command; a gain, an offset, a wrong zero; a push (xfrc_applied). Encoders step by 1e-6 to 1e-3 rad, rates go from
 30 Hz to 1 kHz.
+
+--laws hides laws that neither MuJoCo nor the diagnosis has in that form, each with the cause that it is a case of: friction of LuGre and of Maxwell's elements
+in series, a Stribeck curve that is rational, a viscous curve that levels off, load friction that differs by quadrant, a tight spot, a level that fades, a cable
+taut on one side and one that hardens, a gear that hardens, a wall that pushes while the tool is behind it.
 """
 
 import argparse
@@ -33,6 +37,12 @@ ARMS = ["franka-panda", "ur10e", "kuka-iiwa14", "kinova-gen3", "kuka-lwr4"]
 EFFECTS = [
     "viscous_friction", "coulomb_friction", "rotor_inertia", "joint_spring", "payload", "link_inertia_error", "gear_coupling", "backlash",
     "joint_elasticity", "time_delay", "torque_saturation", "torque_gain_error", "torque_offset", "encoder_offset", "external_contact",
+]
+# Cause and form.
+LAWS = [
+    ("presliding_hysteresis", "lugre"), ("presliding_hysteresis", "maxwell"), ("stribeck_friction", "rational"), ("nonlinear_viscous_friction", "levels off"),
+    ("load_dependent_friction", "quadrant"), ("position_dependent_friction", "tight spot"), ("friction_drift", "fades"), ("asymmetric_friction", "viscous"),
+    ("joint_spring", "taut"), ("joint_spring", "hardens"), ("joint_elasticity", "hardens"), ("external_contact", "wall"),
 ]
 RATES = [30, 60, 100, 200, 500, 1000]
 STEP = 1e-3
@@ -183,8 +193,52 @@ def motion(arm, seconds, slow, random):
     return t, q, v, a
 
 
-def play(arm, moves, effect, j, x, first, random_window):
-    """Follows a motion by computed torques; true motion and command at every step."""
+class Law:
+    """A law of joint j of size x: dry friction beside that of the file, and a torque."""
+
+    def __init__(self, arm, form, j, x, scale):
+        t, q, v, _ = scale
+        self.form, self.x, self.row = form, x, arm.joints[j]
+        self.fast, self.far = np.abs(v[:, j]).max(), 0.5 * np.ptp(q[:, j])
+        self.middle, self.seconds = 0.5 * (q[:, j].max() + q[:, j].min()), t[-1]
+        self.bristles = np.zeros(4)
+
+    def dry(self, t, q, v, load):
+        x = self.x
+        if self.form == "rational":
+            return x / (1 + (v / (0.08 * self.fast)) ** 2)
+        if self.form == "quadrant":
+            return x * abs(load) * (1.4 if load * v > 0 else 0.6)
+        if self.form == "tight spot":
+            return x * math.exp(-(((q - self.middle) / (0.25 * self.far)) ** 2))
+        if self.form == "fades":
+            return x * math.exp(-t / (0.4 * self.seconds))
+        return 0.0
+
+    def torque(self, q, v):
+        x = self.x
+        if self.form == "levels off":
+            return -x * math.tanh(v / (0.3 * self.fast))
+        if self.form == "viscous":
+            return -x * max(v, 0.0)
+        if self.form == "taut":
+            return -x * max(q - self.middle - 0.2 * self.far, 0.0)
+        if self.form == "hardens":
+            return -x * math.sinh(2.5 * (q - self.middle) / self.far)
+        if self.form == "lugre":
+            # Bristles of 5 mrad to the whole torque; a step that is implicit in them.
+            level = 1 + 0.3 * math.exp(-((v / (0.1 * self.fast)) ** 2))
+            self.bristles[0] = (self.bristles[0] + STEP * v) / (1 + STEP * abs(v) / 5e-3 / level)
+            return -x / 5e-3 * self.bristles[0]
+        if self.form == "maxwell":
+            widths = np.array([1e-3, 3e-3, 8e-3, 2e-2])
+            self.bristles = np.clip(self.bristles + STEP * v, -widths, widths)
+            return -0.25 * x * (self.bristles / widths).sum()
+        return 0.0
+
+
+def play(arm, moves, effect, j, x, first, random_window, form=None, scale=None):
+    """Follows a motion by computed torques; true motion and command at every step. The constants of a law come from the motion `scale`."""
     mj, extra = model(arm, effect, j, x)
     plain, _ = model(arm)
     data, feed = mujoco.MjData(mj), mujoco.MjData(plain)
@@ -197,6 +251,9 @@ def play(arm, moves, effect, j, x, first, random_window):
     queue = []
     out_q, out_v, out_a, out_tau = (np.zeros((len(t), n)) for _ in range(4))
     last = mj.body(f"b{n - 1}").id
+    law, own = Law(arm, form, j, x, scale or moves), mj.joint(f"j{j}").dofadr[0]
+    gap = mj.joint("gap") if form and effect == "joint_elasticity" else None
+    wall = None
     for k in range(len(t)):
         now, speed = data.qpos[at], data.qvel[at]
         feed.qpos[:], feed.qvel[:], feed.qacc[:] = now, v[k], a[k] + wide**2 * (q[k] - now) + 1.4 * wide * (v[k] - speed)
@@ -210,7 +267,30 @@ def play(arm, moves, effect, j, x, first, random_window):
             acts[j] /= 1 + x
         data.ctrl[:] = acts
         data.xfrc_applied[:] = 0
-        if effect == "external_contact" and first and random_window[0] <= t[k] < random_window[1]:
+        if form:
+            data.qfrc_applied[:] = 0
+            # Torque on the link: friction of the file is on the motor's side.
+            row = arm.joints[j]
+            load = command[j] - row["FV"] * speed[j] - row["FC"] * np.sign(speed[j])
+            mj.dof_frictionloss[own] = row["FC"] + law.dry(t[k], now[j], speed[j], load)
+            if gap:
+                # Twice as stiff where the joint's torque winds it most.
+                wound = data.qpos[gap.qposadr[0]]
+                data.qfrc_applied[gap.dofadr[0]] = -(wound**3) * (1 / x) / (arm.joints[j]["torque"] * x) ** 2
+            elif effect != "external_contact":
+                data.qfrc_applied[own] = law.torque(now[j], speed[j])
+            elif wall is None:
+                # Behind it is the tool one third of the way.
+                mujoco.mj_kinematics(mj, data)
+                heights = []
+                for posture in q[::50]:
+                    feed.qpos[:] = posture
+                    mujoco.mj_kinematics(plain, feed)
+                    heights.append(feed.xpos[last, 2])
+                wall = np.quantile(heights, 0.33), max(np.ptp(heights), 1e-3)
+            if wall:
+                data.xfrc_applied[last, 2] = x * max(wall[0] - data.xpos[last, 2], 0.0) / wall[1]
+        elif effect == "external_contact" and first and random_window[0] <= t[k] < random_window[1]:
             data.xfrc_applied[last, :3] = x * np.array([0.6, -0.5, 0.62])
         out_q[k], out_v[k], out_tau[k] = now, speed, command
         mujoco.mj_step(mj, data)
@@ -265,24 +345,29 @@ def record(path, arm, run, effect, j, x, rate, encoder, random):
             out.writerow([f"{t[row]:.6f}"] + [f"{x:.9g}" for x in q[k]] + [f"{x:.8g}" for x in tau[k]])
 
 
-def draw(seed, wanted):
+def draw(seed, wanted, laws=False):
     """A case: what is hidden, its size, its logs' motions."""
     random = np.random.default_rng(seed)
     arm = Arm(ARMS[seed % len(ARMS)])
     clean = seed % 5 == 0
     effect = None if clean else EFFECTS[(seed - seed // 5) % len(EFFECTS)]
+    form = None
+    if laws and effect:
+        effect, form = LAWS[(seed - seed // 5) % len(LAWS)]
     rate = RATES[int(random.integers(len(RATES)))]
     encoder = 10.0 ** random.uniform(-6, -4) if effect else 10.0 ** random.uniform(-6, -3)
     j = int(random.integers(arm.dof() - (1 if effect == "link_inertia_error" else 0)))
     moves = [motion(arm, seconds, rate < 100, random) for seconds in (16.0, 10.0)]
     window = (lambda s: (s, s + 1.5))(random.uniform(1.5, 4))
     row = arm.joints[j]
-    x = START[effect](row) if effect else 0.0
+    x = START.get(effect, lambda r: 0.01 * r["torque"])(row) if effect else 0.0
+    if form in ("lugre", "maxwell"):
+        rate = max(rate, 200)
     grows = {"torque_saturation": -0.5, "backlash": 0.7}.get(effect, 1.0)
     # The first seconds tell the size.
     short = tuple(part[: int(6 / STEP)] for part in moves[0])
     for attempt in range(4 if effect else 0):
-        seen = play(arm, short, effect, j, x, True, window)
+        seen = play(arm, short, effect, j, x, True, window, form, moves[0])
         if effect in ("torque_offset", "encoder_offset"):
             t, q, v, a, tau, extra = seen
             q, tau = q.copy(), tau.copy()
@@ -291,7 +376,7 @@ def draw(seed, wanted):
             seen = (t, q, v, a, tau, extra)
         sizes = size_of(arm, seen)
         one = effect in ("viscous_friction", "coulomb_friction", "rotor_inertia", "joint_spring", "torque_gain_error", "torque_offset", "torque_saturation")
-        reached = sizes[j] if one else sizes.max()
+        reached = sizes[j] if one or form not in (None, "wall") else sizes.max()
         if not np.isfinite(reached) or reached == 0:
             return None
         if abs(math.log(reached / wanted)) < 0.3:
@@ -300,14 +385,14 @@ def draw(seed, wanted):
     else:
         if effect:
             return None
-    runs = [play(arm, move, effect, j, x, first, window) for move, first in zip(moves, (True, False))]
+    runs = [play(arm, move, effect, j, x, first, window, form, moves[0]) for move, first in zip(moves, (True, False))]
     whole = effect in ("payload", "time_delay", "external_contact")
     joints = [] if whole else [j + 1]
     if effect == "gear_coupling":
         joints = [j + 1, runs[0][5]["other"] + 1]
-    symbol, value = TRUTH.get(effect, (None, None))
+    symbol, value = (None, None) if form else TRUTH.get(effect, (None, None))
     truth = {} if not symbol else {symbol + ("" if whole else str(j + 1)): value(row, x)}
-    label = {"seed": seed, "robot": arm.name, "effect": effect, "joints": joints, "size": x, "parameters": truth, "rate": rate, "encoder": encoder}
+    label = {"seed": seed, "robot": arm.name, "effect": effect, "form": form, "joints": joints, "size": x, "parameters": truth, "rate": rate, "encoder": encoder}
     return arm, runs, label, (effect, j, x, rate, encoder, random)
 
 
@@ -372,7 +457,7 @@ def report(results):
     for r in failed + alarms + [r for r in hidden if r not in first]:
         said = r["found"].get("error") or "; ".join(f"{c['cause']} {c['joints']} {c['probability']:.2f}" for c in causes(r))
         label = r["label"]
-        print(f"  seed {label['seed']} {label['robot']} {label['rate']} Hz, encoder {label['encoder']:.0e}: {label['effect']} {label['joints']} -> {r['found'].get('verdict', 'refused')}: {said}")
+        print(f"  seed {label['seed']} {label['robot']} {label['rate']} Hz, encoder {label['encoder']:.0e}: {label['effect']}{' ' + label['form'] if label.get('form') else ''} {label['joints']} -> {r['found'].get('verdict', 'refused')}: {said}")
 
 
 def main():
@@ -380,13 +465,14 @@ def main():
     options.add_argument("--cases", type=int, default=200, help="how many; every fifth is clean")
     options.add_argument("--seed", type=int, default=1, help="of the first case; each has the next")
     options.add_argument("--size", type=float, default=10.0, help="error of the file that an effect makes on its joint, in noises of the torque")
+    options.add_argument("--laws", action="store_true", help="hide laws of other forms")
     options.add_argument("--out", help="folder for robot files, logs, labels and results")
     options = options.parse_args()
     if not os.access(DENAVIT, os.X_OK):
         sys.exit(f"{DENAVIT} is missing: cargo build --release --bin denavit, or DENAVIT=path")
     results = []
     for seed in range(options.seed, options.seed + options.cases):
-        case = draw(seed, options.size)
+        case = draw(seed, options.size, options.laws)
         if case is None:
             print(f"seed {seed}: the effect can't be made so large here, left out", file=sys.stderr)
             continue

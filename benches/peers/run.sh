@@ -58,8 +58,8 @@ done
 # A folder of its own: other flags would build everything in target anew.
 CARGO_TARGET_DIR="$work/native" RUSTFLAGS="-C target-cpu=native" cargo bench --quiet --bench kernels -- kuka_lwr4 > "$work/kernels.txt"
 # The full regressor once more without the drives of the robot file: 70 columns, which are all that the peers' have.
-"$root/target/release/denavit" generate "$work/bare.yaml" --out "$work/bare/arm" > "$work/bare.log"
 mkdir -p "$work/bare/src"
+"$root/target/release/denavit" generate "$work/bare.yaml" --out "$work/bare/arm" > "$work/bare.log"
 cp "$here/bare.rs" "$work/bare/src/main.rs"
 name=$(sed -n 's/^name = "\(.*\)"/\1/p' "$work/bare/arm/Cargo.toml" | head -1)
 sed -i '/^\[workspace\]/d' "$work/bare/arm/Cargo.toml"

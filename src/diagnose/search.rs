@@ -15,6 +15,7 @@ pub(super) mod forward;
 pub(super) mod judge;
 pub(super) mod merge_bodies;
 mod merge_common_delay;
+mod merge_levels;
 mod simplest_laws;
 mod stepwise_exchange;
 mod sufficient;

@@ -3,8 +3,9 @@
 //!
 //! The link swings on that spring, excited by the motor's fast motion (it sticks and breaks away at
 //! each reversal), and this swing distinguishes a spring from anything else. So its column is the
-//! swing, from the link's own equation along the recorded motion (`src/numerics/elastic_joint.rs`),
-//! and not the static deflection.
+//! link's own equation along the recorded motion (`src/numerics/elastic_joint.rs`), and not the
+//! static deflection alone. Where the motion is too slow to show the swing of a stiff spring, that
+//! spring is damped so far that it winds with its load.
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
@@ -66,6 +67,13 @@ impl<'s, 'a> Link<'s, 'a> {
     fn highest(&self) -> f64 {
         let filters = self.scene.own[self.joint].iter().filter_map(|own| own.filters.narrow.first());
         filters.map(|filter| SEEN * filter.cutoff).fold(HIGHEST, f64::min)
+    }
+
+    /// Whether the motion shows a spring of this resonance, Hz, and damping ratio: its swing, or,
+    /// above the motion's band, how far the load winds it.
+    fn shows(&self, frequency: f64, ratio: f64) -> bool {
+        let highest = self.highest();
+        frequency <= highest || frequency <= HIGHEST && ratio >= STILL
     }
 
     fn asked(&self, run: std::ops::Range<usize>) -> LinkLoad<'_> {
@@ -176,8 +184,10 @@ impl Hypothesis for JointElasticity {
     }
 
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
-        let resonance = |link: Link<'_, '_>| (shape[0] / link.usual).sqrt() / std::f64::consts::TAU <= link.highest();
-        Link::new(scene, place[0]).is_some_and(resonance)
+        Link::new(scene, place[0]).is_some_and(|link| {
+            let rate = (shape[0] / link.usual).sqrt();
+            link.shows(rate / std::f64::consts::TAU, 0.5 * shape[1] / (rate * link.usual))
+        })
     }
 
     /// Spring that explains most of the joint's residual torque: resonances from 0.4 Hz to the
@@ -195,6 +205,9 @@ impl Hypothesis for JointElasticity {
                 [0.02, 0.08, 0.3].map(|ratio| (link.takes(spring(frequency, ratio), residual), [frequency, ratio]));
             all.extend(best.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)));
         }
+        for frequency in geometric(link.highest(), HIGHEST, 12).into_iter().skip(1) {
+            all.push((link.takes(spring(frequency, WINDS), residual), [frequency, WINDS]));
+        }
         // The two highest peaks.
         let peak = |i: &usize| {
             let at = |k: usize| all.get(k).map_or(f64::NEG_INFINITY, |a| a.0);
@@ -210,7 +223,7 @@ impl Hypothesis for JointElasticity {
                     let mut next = best.1;
                     next[k] *= if up { 1.0 + step[k] } else { 1.0 / (1.0 + step[k]) };
                     let gain = link.takes(spring(next[0], next[1].max(LEAST)), residual);
-                    if gain > best.0 {
+                    if gain > best.0 && link.shows(next[0], next[1]) {
                         best = (gain, next);
                     }
                 }
@@ -300,7 +313,11 @@ const LEAST: f64 = dh_codegen::drive::LEAST_DAMPING;
 /// Share of the low-pass's cutoff above which no resonance is searched. A swing there is excited by
 /// motion that the low-pass removed, and the removed motion looks like it.
 const SEEN: f64 = 0.7;
-/// The highest resonance that is looked for where there is no low-pass, Hz.
+/// Damping ratio of a spring that winds with its load and does not swing, and the least one that a
+/// spring above the band may have: the inertia that it is reckoned with is that of each log.
+const WINDS: f64 = 0.7;
+const STILL: f64 = 0.35;
+/// The highest resonance that is searched, Hz.
 const HIGHEST: f64 = 45.0;
 /// The farthest that a spring of a gear winds under the joint's torque, rad.
 const SOFTEST: f64 = 1.0;

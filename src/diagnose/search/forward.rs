@@ -10,6 +10,7 @@ use super::baseline_friction::BaselineFriction;
 use super::candidate::{Candidate, candidates, evaluate, logs, price, refine, rivals, unknowns};
 use super::driving_friction::level_drives;
 use super::judge::{Accepted, Judge, THROUGHOUT, adopt, chosen_of};
+use super::merge_levels::merge_levels;
 use super::{SearchSettings, equivalent_robot_cause, simplify};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::regulariser::Regulariser;
@@ -118,11 +119,12 @@ pub(in crate::diagnose) fn forward(
     progress("whether other laws explain several causes at once");
     search.unite(&mut fitted);
     search.prune(&mut fitted);
-    let Forward { mut accepted, friction, evidence, .. } = search;
+    let Forward { mut accepted, friction, mut evidence, .. } = search;
     simplify(tested, &mut accepted, &mut fitted);
     let mut chosen = chosen_of(&accepted);
-    tested.fit_regularised_beside(&mut chosen);
+    let fitted = tested.fit_regularised_beside(&mut chosen);
     adopt(&mut accepted, &chosen);
+    merge_levels(tested, &accepted, &fitted, &mut evidence);
     Found { accepted, evidence, friction }
 }
 

@@ -78,6 +78,17 @@ fn unsure(cause: &Cause, item: &Item) -> String {
     )
 }
 
+/// The fit with the sizes of laws that have them in their shape; `None` where there are none.
+fn polish(tested: &mut ModelUnderTest<'_>, accepted: &mut [Accepted]) -> Option<Fitted> {
+    if !accepted.iter().any(|a| a.chosen.cause.unit()) {
+        return None;
+    }
+    let mut chosen = chosen_of(accepted);
+    let fitted = tested.polish(&mut chosen);
+    adopt(accepted, &chosen);
+    Some(fitted)
+}
+
 /// The fit inside what is possible; the accepted causes have its values.
 pub(super) fn inside(
     tested: &mut ModelUnderTest<'_>,
@@ -181,11 +192,7 @@ impl<'a> Session<'a> {
         suspects: Vec<Cause>,
     ) -> Result<Selected<'a>, ConsistentError> {
         let (friction, evidence) = changes.unzip();
-        if accepted.iter().any(|a| a.chosen.cause.unit()) {
-            let mut chosen = chosen_of(&accepted);
-            tested.polish(&mut chosen);
-            accepted.iter_mut().zip(chosen).for_each(|(a, c)| a.chosen = c);
-        }
+        polish(&mut tested, &mut accepted);
         let fitted = fix_friction(&mut tested, &mut accepted, self.noise);
         (self.progress)("what else plain friction might be");
         let (fitted, rivals) = match friction {
@@ -307,6 +314,8 @@ impl<'a> Session<'a> {
             }
             let out: Vec<usize> = failed.iter().filter_map(|&i| items[i].accepted).collect();
             fitted = without(&mut tested, &mut accepted, &out);
+            // What stands beside another cause may have taken on a part of it.
+            fitted = polish(&mut tested, &mut accepted).unwrap_or(fitted);
             round += 1;
         };
         let left_out = tested.possible_left_out(&chosen_of(&accepted), &fitted)?;

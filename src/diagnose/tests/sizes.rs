@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::columns::{PERIOD, recording};
 use super::mechanisms::planar;
+use crate::data::signal::Filter;
 use crate::diagnose::Recording;
 use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest, given_friction};
 use crate::diagnose::fit::regulariser::STRENGTHS;
@@ -87,6 +88,22 @@ fn a_spring_is_looked_for_at_its_stiffness() {
     let scene = tested(&plant, &recordings, false).scene;
     let grid = hypothesis(EffectKind::JointElasticity).grid(&scene, &[0], &residual);
     assert!((grid[0][0] / shape[0] - 1.0).abs() < 0.05, "{grid:?} {shape:?}");
+}
+
+/// Beyond the motion's band a spring is looked for by how far the load winds it, and no swing is.
+#[test]
+fn a_stiff_spring_is_looked_for_by_its_winding() {
+    let plant = PerturbableRobot::new(&planar());
+    let mut log = recording();
+    log.stretches[0].band.narrow = vec![Filter { cutoff: 4.0, ..Filter::default() }; 2];
+    let recordings = [log];
+    let [stiffness, damping] = at_frequency(9.0);
+    let residual = swing(&tested(&plant, &recordings, true).scene, &[stiffness, 7.0 * damping]).to_vec();
+    let scene = tested(&plant, &recordings, false).scene;
+    let cause = hypothesis(EffectKind::JointElasticity);
+    let grid = cause.grid(&scene, &[0], &residual);
+    assert!((grid[0][0] / stiffness - 1.0).abs() < 0.1, "{grid:?} {stiffness}");
+    assert!(cause.shows(&scene, &[0], &grid[0]) && !cause.shows(&scene, &[0], &[stiffness, damping]));
 }
 
 /// A soft spring that winds by a tenth of a radian, more than an arm that is linear in it would say.

@@ -1,0 +1,42 @@
+//! A viscous level that changed and a difference by direction on the same joint are one cause:
+//! levels that differ with the direction.
+
+use super::forward::Evidence;
+use super::judge::Accepted;
+use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
+use dh_codegen::robot::EffectKind;
+
+/// Least part of the larger one that the smaller one of level and difference is. More friction in one
+/// direction gives both alike; a difference that follows another error is small.
+const ALIKE: f64 = 0.5;
+
+/// Makes a changed viscous level a part of the asymmetric friction that was found beside it, if
+/// both are of one size. What both take together is its evidence.
+pub(in crate::diagnose) fn merge_levels(
+    tested: &mut ModelUnderTest<'_>,
+    accepted: &[Accepted],
+    fitted: &Fitted,
+    evidence: &mut Vec<Evidence>,
+) {
+    for chosen in accepted.iter().map(|a| &a.chosen).filter(|c| c.cause.effect() == EffectKind::AsymmetricFriction) {
+        let [joint] = chosen.place[..] else { continue };
+        let viscous = 3 * joint;
+        if tested.frozen[viscous] || !tested.separate[viscous] {
+            continue;
+        }
+        let sizes = [fitted.solution.x[fitted.friction + viscous], chosen.x.first().copied().unwrap_or(0.0)];
+        let [small, large] = [f64::min, f64::max].map(|of| of(sizes[0].abs(), sizes[1].abs()));
+        let at = |effect: EffectKind| evidence.iter().position(|e| e.effect == effect && e.place == [joint]);
+        let (Some(level), Some(own)) = (at(EffectKind::ViscousFriction), at(EffectKind::AsymmetricFriction)) else {
+            continue;
+        };
+        if small < ALIKE * large {
+            continue;
+        }
+        tested.separate[viscous] = false;
+        let both = |a: f64, b: f64| 1.0 - (1.0 - a) * (1.0 - b);
+        evidence[own].share = both(evidence[level].share, evidence[own].share);
+        evidence[own].left_out = both(evidence[level].left_out, evidence[own].left_out);
+        evidence.remove(level);
+    }
+}
