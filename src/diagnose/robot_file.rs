@@ -1,5 +1,6 @@
 //! Writes the findings of a diagnosis into a robot file.
 
+use super::fit::body_limits::completed;
 use super::{Cause, Diagnosis, Symbol};
 use crate::model::robot_edit::{with_rotors, with_values, without};
 use dh_codegen::arm::param::{self, DriveTerm, Inertial, Parameter};
@@ -241,13 +242,16 @@ fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &
     }
     if kind == EffectKind::LinkInertiaError {
         if let Some(row) = row {
-            let mut values = robot.links.get(row).copied().flatten().map_or([0.0; 10], Inertia::to_array);
+            let given = robot.links.get(row).copied().flatten().map_or([0.0; 10], Inertia::to_array);
+            let mut values = given;
             for (key, by) in &left {
                 if let Some(at) = body_place(*key) {
                     values[at] += by;
                 }
             }
             if !left.is_empty() && row < robot.links.len() {
+                let which: Vec<usize> = left.iter().filter_map(|(key, _)| body_place(*key)).collect();
+                let values = completed(&given, &values, &which).unwrap_or(values);
                 robot.links[row] = Some(Inertia::from_array(values));
             }
         }

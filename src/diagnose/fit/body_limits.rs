@@ -17,6 +17,41 @@ use dh_codegen::robot::effects;
 /// A guess of what is fixed to the flange: a ball of 1 kg, 5 cm away, `I` about the frame's origin.
 const BALL: [f64; 10] = [1.0, 0.0, 0.0, 0.05, 0.0035, 0.0035, 0.001, 0.0, 0.0, 0.0];
 
+/// Masses that are tried where the motion does not show how much was added to a link, or taken away,
+/// by its mass. The largest turn its inertia least.
+const ADDED: [f64; 6] = [1.0, 0.3, 0.1, -0.7, -0.3, -0.1];
+
+/// A body with the `changed` values of the parameters `which`; if that is none as it is, the others
+/// are those of the `given` body and a mass where the first moments say. `None` where no such body
+/// exists.
+pub fn completed(given: &[f64; 10], changed: &[f64; 10], which: &[usize]) -> Option<[f64; 10]> {
+    if is_body(changed) {
+        return Some(*changed);
+    }
+    let with = |mass: f64| {
+        let center: [f64; 3] = std::array::from_fn(|axis| (changed[1 + axis] - given[1 + axis]) / mass);
+        let mut body = *changed;
+        for (k, more) in point(mass, center).into_iter().enumerate().filter(|(k, _)| !which.contains(k)) {
+            body[k] = given[k] + more;
+        }
+        body
+    };
+    let known = which.contains(&0).then(|| changed[0] - given[0]);
+    let masses = known.map_or_else(|| ADDED.map(|share| share * given[0]).to_vec(), |mass| vec![mass]);
+    masses
+        .into_iter()
+        .filter(|mass| *mass != 0.0)
+        .map(with)
+        .find(|body| body.iter().all(|b| b.is_finite()) && is_body(body))
+}
+
+/// The ten parameters of a mass at a point.
+fn point(mass: f64, [x, y, z]: [f64; 3]) -> [f64; 10] {
+    let inertia = [y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z].map(|i| mass * i);
+    let [xx, yy, zz, xy, xz, yz] = inertia;
+    [mass, mass * x, mass * y, mass * z, xx, yy, zz, xy, xz, yz]
+}
+
 /// The body that a cause changes.
 #[derive(Debug, Clone)]
 pub struct Body {
@@ -71,9 +106,10 @@ impl Body {
         body
     }
 
-    /// Whether some distribution of mass has these parameters.
+    /// Whether some distribution of mass has these parameters, and any values of those that the motion
+    /// does not show.
     pub fn holds(&self, x: &[f64]) -> bool {
-        is_body(&self.changed(x))
+        completed(&self.given, &self.changed(x), &self.which).is_some()
     }
 
     /// Information of the prior on each coefficient: none where there is no prior.
@@ -329,6 +365,20 @@ mod tests {
         let found = limited(&[body], normal.clone(), &(&normal * &free), free).unwrap();
         assert!(found[0].abs() < 0.5 && found[2].abs() < 0.01, "{found}");
         assert!((found[1] - 0.05).abs() < 1e-3 && (0.01 * found[0] - found[3] - 0.02).abs() < 1e-3, "{found}");
+    }
+
+    /// First moments that a mass may have which the motion does not show, and none that it can't.
+    #[test]
+    fn a_mass_that_does_not_show_makes_a_body_possible() {
+        let prior = PriorBody { body: LINK, source: Source::File };
+        let columns = [1, 2].map(|k| column(k, &[])).to_vec();
+        let body = Body { given: LINK, prior, columns, which: vec![1, 2], std: None };
+        let added = body.changed(&[0.05, 0.6]);
+        assert!(!is_body(&added) && body.holds(&[0.05, 0.6]));
+        let whole = completed(&LINK, &added, &[1, 2]).unwrap();
+        assert!(is_body(&whole) && whole[1..4] == added[1..4] && whole[0] > LINK[0]);
+        // All ten are seen: what is none is none.
+        assert!(completed(&LINK, &added, &(0..10).collect::<Vec<usize>>()).is_none());
     }
 
     /// The inertia of a mass at a point goes with its first moments: a heavy one far away takes a
