@@ -224,6 +224,19 @@ fn corrects_offset(robot: &mut Robot, row: Option<usize>, keys: &[(Key, f64)], g
     }
 }
 
+/// Adds to a link's parameters. Those that the motion does not show become what makes it a possible
+/// body.
+fn write_link(robot: &mut Robot, row: usize, more: &[(Key, f64)]) {
+    let given = robot.links.get(row).copied().flatten().map_or([0.0; 10], Inertia::to_array);
+    let added: Vec<(usize, f64)> = more.iter().filter_map(|(key, by)| Some((body_place(*key)?, *by))).collect();
+    let mut values = given;
+    added.iter().for_each(|(at, by)| values[*at] += by);
+    if !more.is_empty() && row < robot.links.len() {
+        let which: Vec<usize> = added.iter().map(|(at, _)| *at).collect();
+        robot.links[row] = Some(Inertia::from_array(completed(&given, &values, &which).unwrap_or(values)));
+    }
+}
+
 fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &Cause, sensor: Sensor) {
     // A structure that no effect explains can not be written.
     let Some(kind) = EffectKind::of(cause.cause) else { return };
@@ -242,18 +255,7 @@ fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &
     }
     if kind == EffectKind::LinkInertiaError {
         if let Some(row) = row {
-            let given = robot.links.get(row).copied().flatten().map_or([0.0; 10], Inertia::to_array);
-            let mut values = given;
-            for (key, by) in &left {
-                if let Some(at) = body_place(*key) {
-                    values[at] += by;
-                }
-            }
-            if !left.is_empty() && row < robot.links.len() {
-                let which: Vec<usize> = left.iter().filter_map(|(key, _)| body_place(*key)).collect();
-                let values = completed(&given, &values, &which).unwrap_or(values);
-                robot.links[row] = Some(Inertia::from_array(values));
-            }
+            write_link(robot, row, &left);
         }
         return;
     }
