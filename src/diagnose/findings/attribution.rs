@@ -7,6 +7,7 @@ use super::evidence::Shown;
 use super::maps::View;
 use super::reported_cause::{Item, friction_values, place_of};
 use super::result::{Cause, Curve, measured_on};
+use crate::diagnose::fit::body_limits::Body;
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
@@ -84,7 +85,8 @@ impl Attribution<'_> {
                 on: measured_on(on, own_validation),
                 confirmed: accepted.map(|a| a.confirmed),
                 repeats: shares.repeats,
-            }) + &elsewhere.collect::<String>(),
+            }) + &elsewhere.collect::<String>()
+                + &self.assumed(item),
             in_extended: true,
             curve: item.accepted.and_then(|index| evidence::curve(tested, fitted, index, &all[index].chosen)),
             parameters,
@@ -101,6 +103,21 @@ impl Attribution<'_> {
 }
 
 impl Attribution<'_> {
+    /// What is said of a link whose mass the motion does not show, and the file's can't be.
+    fn assumed(&self, item: &Item) -> String {
+        let (tested, fitted) = (self.tested, self.fitted);
+        let mass = item.accepted.and_then(|index| {
+            let chosen = &self.accepted[index].chosen;
+            Body::of(&tested.scene, chosen, &fitted.terms[index])?.assumed_mass(&chosen.x)
+        });
+        mass.map_or_else(String::new, |mass| {
+            let mass = evidence::short(mass);
+            format!(
+                "; the motion does not show the link's mass, with the file's it can't be, and {mass} kg are assumed"
+            )
+        })
+    }
+
     /// Parameters of an item under the keys of a robot file.
     fn keys(&self, item: &Item) -> Vec<Named> {
         let Self { tested, fitted, uncertainty, accepted: all, .. } = *self;

@@ -21,7 +21,7 @@ const BALL: [f64; 10] = [1.0, 0.0, 0.0, 0.05, 0.0035, 0.0035, 0.001, 0.0, 0.0, 0
 /// by its mass. The largest turn its inertia least.
 const ADDED: [f64; 6] = [1.0, 0.3, 0.1, -0.7, -0.3, -0.1];
 
-/// A body with the `changed` values of the parameters `which`; if that is none as it is, the others
+/// A body with the `changed` values of the parameters `which`; if that is not possible, the others
 /// are those of the `given` body and a mass where the first moments say. `None` where no such body
 /// exists.
 pub fn completed(given: &[f64; 10], changed: &[f64; 10], which: &[usize]) -> Option<[f64; 10]> {
@@ -29,11 +29,13 @@ pub fn completed(given: &[f64; 10], changed: &[f64; 10], which: &[usize]) -> Opt
         return Some(*changed);
     }
     let with = |mass: f64| {
-        let center: [f64; 3] = std::array::from_fn(|axis| (changed[1 + axis] - given[1 + axis]) / mass);
-        let mut body = *changed;
-        for (k, more) in point(mass, center).into_iter().enumerate().filter(|(k, _)| !which.contains(k)) {
-            body[k] = given[k] + more;
+        let first: [f64; 3] = std::array::from_fn(|axis| changed[1 + axis] - given[1 + axis]);
+        let center = first.map(|h| h / mass);
+        let mut body = *given;
+        for (k, by) in std::iter::once(mass).chain(first).enumerate() {
+            body.iter_mut().zip(column(k, &center)).for_each(|(b, c)| *b += c * by);
         }
+        which.iter().for_each(|&k| body[k] = changed[k]);
         body
     };
     let known = which.contains(&0).then(|| changed[0] - given[0]);
@@ -43,13 +45,6 @@ pub fn completed(given: &[f64; 10], changed: &[f64; 10], which: &[usize]) -> Opt
         .filter(|mass| *mass != 0.0)
         .map(with)
         .find(|body| body.iter().all(|b| b.is_finite()) && is_body(body))
-}
-
-/// The ten parameters of a mass at a point.
-fn point(mass: f64, [x, y, z]: [f64; 3]) -> [f64; 10] {
-    let inertia = [y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z].map(|i| mass * i);
-    let [xx, yy, zz, xy, xz, yz] = inertia;
-    [mass, mass * x, mass * y, mass * z, xx, yy, zz, xy, xz, yz]
 }
 
 /// The body that a cause changes.
@@ -110,6 +105,14 @@ impl Body {
     /// does not show.
     pub fn holds(&self, x: &[f64]) -> bool {
         completed(&self.given, &self.changed(x), &self.which).is_some()
+    }
+
+    /// Mass of the link with these changes, kg, where the motion does not show it and the file's is
+    /// not possible with them.
+    pub fn assumed_mass(&self, x: &[f64]) -> Option<f64> {
+        let changed = self.changed(x);
+        let unseen = !self.which.contains(&0) && !is_body(&changed);
+        unseen.then(|| completed(&self.given, &changed, &self.which)).flatten().map(|body| body[0])
     }
 
     /// Information of the prior on each coefficient: none where there is no prior.
@@ -376,6 +379,8 @@ mod tests {
         let added = body.changed(&[0.05, 0.6]);
         assert!(!is_body(&added) && body.holds(&[0.05, 0.6]));
         let whole = completed(&LINK, &added, &[1, 2]).unwrap();
+        assert_eq!(body.assumed_mass(&[0.05, 0.6]), Some(whole[0]));
+        assert_eq!(body.assumed_mass(&[0.0, 0.01]), None);
         assert!(is_body(&whole) && whole[1..4] == added[1..4] && whole[0] > LINK[0]);
         // All ten are seen: what is none is none.
         assert!(completed(&LINK, &added, &(0..10).collect::<Vec<usize>>()).is_none());

@@ -300,7 +300,7 @@ impl Hypothesis for JointElasticity {
     }
 
     fn says(&self) -> &'static str {
-        "the link swings behind the measured angle as behind a spring"
+        "the link follows the measured angle as behind a spring"
     }
 
     fn shown_by(&self) -> &'static str {
