@@ -20,6 +20,7 @@ pub(crate) mod pseudo_inertia;
 pub mod rigid_body;
 pub mod robot_edit;
 pub mod torque_model;
+pub(crate) mod walls;
 
 pub use arm::{Arm, BaseParameter, Description, States, SummedSign, VelocitySum};
 pub use dh_codegen::arm::param::{DriveTerm, Inertial};

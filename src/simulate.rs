@@ -121,6 +121,12 @@ pub enum SimulateError {
         /// s
         end: f64,
     },
+    /// A wall with a stiffness alone, or with a normal alone.
+    #[error("{}: {}", EffectKind::ExternalContact, if *.stiff { "k makes a wall, but it has no normal; write nx, ny, nz" } else { "nx, ny, nz are the normal of a wall, but it has no stiffness; write k in N/m" })]
+    Wall {
+        /// Whether it has a stiffness.
+        stiff: bool,
+    },
     /// An effect of a link that is not there.
     #[error("{}: {}; write the number of a link, 1 to {last}", EffectKind::LinkInertiaError, number.map_or("no `link` is named".to_string(), |n| format!("there is no link {n}")))]
     Link {

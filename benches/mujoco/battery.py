@@ -283,7 +283,7 @@ def play(arm, moves, effect, j, x, first, random_window, form=None, scale=None):
                 # Behind it is the tool one third of the way.
                 mujoco.mj_kinematics(mj, data)
                 heights = []
-                for posture in q[::50]:
+                for posture in (scale or moves)[1][::50]:
                     feed.qpos[:] = posture
                     mujoco.mj_kinematics(plain, feed)
                     heights.append(feed.xpos[last, 2])

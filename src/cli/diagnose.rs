@@ -253,7 +253,7 @@ impl Diagnose {
                 "with what was found link {link} would be no possible body; give longer logs with more motion of it, or a file with links"
             )));
         }
-        let model = FileTorqueModel::new(&back).ok();
+        let model = FileTorqueModel::new(&back).ok().map(|model| model.among_walls(&back));
         let rms = model.map(|model| diagnose::written_errors(&model, measured, found.own_validation));
         let offered = found.extended.validate.clone();
         let check = WrittenCheck { rms, offered, own_validation: found.own_validation };

@@ -34,6 +34,7 @@ mod time_delay;
 mod torque_gain_error;
 mod torque_ripple;
 mod torque_saturation;
+mod wall;
 
 pub use asymmetric_friction::AsymmetricFriction;
 pub use plain::{COULOMB, OFFSET, VISCOUS};
@@ -484,6 +485,7 @@ fn further(effect: EffectKind) -> Option<&'static dyn Hypothesis> {
     match effect {
         EffectKind::GearCoupling => Some(&gear_coupling::CarriedAxis),
         EffectKind::JointSpring => Some(&joint_spring::CableSpring),
+        EffectKind::ExternalContact => Some(&wall::Wall),
         EffectKind::Payload => Some(&point_mass::POINT_PAYLOAD),
         EffectKind::LinkInertiaError => Some(&point_mass::POINT_LINK),
         _ => None,

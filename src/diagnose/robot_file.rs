@@ -283,6 +283,11 @@ fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &
         // A second law of the same joint: its keys are numbered.
         (Some(Effect::TorqueRipple(known)), Effect::TorqueRipple(more)) => known.extend(more),
         (Some(Effect::NonlinearViscousFriction(known)), Effect::NonlinearViscousFriction(more)) => known.extend(more),
+        (Some(Effect::ExternalContact(known)), Effect::ExternalContact(more))
+            if (known.stiffness() > 0.0) != (more.stiffness() > 0.0) =>
+        {
+            *known = known.beside(more)
+        }
         (Some(known), effect) => *known = effect,
         (None, effect) => effects.push(effect),
     }

@@ -173,15 +173,24 @@ fn without_columns(model: &Selected<'_>, left: Vec<Structure>, noise: &[f64]) ->
     (left, causes)
 }
 
-/// By whether a cause of the offered model was found, and whether structure is left.
-fn verdict(causes: &[Cause], left: &[Structure]) -> Verdict {
+/// By whether a cause of the offered model was found, and whether structure is left. `refitted`:
+/// errors of the file and of a model that has other links or rotors.
+fn verdict(causes: &[Cause], left: &[Structure], refitted: Option<[&Errors; 2]>) -> Verdict {
+    let wrong = refitted.is_some_and(|[file, offered]| {
+        file.validate.iter().zip(&offered.validate).any(|(file, offered)| *file > WRONG * offered)
+    });
     match (causes.iter().any(|c| c.in_extended), left.is_empty()) {
-        (false, true) => Verdict::NothingWrong,
+        (false, true) if !wrong => Verdict::NothingWrong,
+        (false, true) => Verdict::Unexplained,
         (false, false) => Verdict::Unexplained,
         (true, true) => Verdict::Explained,
         (true, false) => Verdict::PartlyExplained,
     }
 }
+
+/// From this many times the error of refitted links on, the file's are wrong, even where none of
+/// them stands out.
+const WRONG: f64 = 1.3;
 
 /// What would separate the first cause that these data leave open from the others.
 fn next_experiment(causes: &[Cause]) -> Option<NextExperiment> {
@@ -263,7 +272,10 @@ fn once(
     }
     let Selected { tested, fitted, mut after, mut after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);
-    let verdict = verdict(&causes, &left);
+    let other_links = tested.mode == Mode::Refitted && has_links;
+    let offered_errors =
+        Errors { fit: after_fit.rms.clone(), validate: after.rms.clone(), moving: after.steady.clone() };
+    let verdict = verdict(&causes, &left, other_links.then_some([&baseline, &offered_errors]));
     let parts = (&tested, &fitted);
     let errors = [&mut after_fit, &mut after];
     let left = session.explained_by_formulas(&mut causes, left, parts, errors, file_holds, &torque_rms);
@@ -297,4 +309,22 @@ fn once(
         curves: (0..dof).map(|j| curve(j, &after, &view, &before)).collect(),
         maps,
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Other links that predict much better than the file's are an error, whether or not one of them
+    /// has a name.
+    #[test]
+    fn links_that_miss_are_not_nothing() {
+        let errors = |validate: f64| Errors { validate: vec![0.05, validate], ..Errors::default() };
+        let (file, near, far) = (errors(0.6), errors(0.5), errors(0.2));
+        assert_eq!(verdict(&[], &[], None), Verdict::NothingWrong);
+        assert_eq!(verdict(&[], &[], Some([&file, &near])), Verdict::NothingWrong);
+        assert_eq!(verdict(&[], &[], Some([&file, &far])), Verdict::Unexplained);
+        let cause = Cause::blank("payload", "");
+        assert_eq!(verdict(&[cause], &[], Some([&file, &far])), Verdict::Explained);
+    }
 }

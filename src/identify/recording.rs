@@ -163,7 +163,7 @@ fn known_model(robot: &Robot) -> Option<FileTorqueModel> {
     let fitted = |kind| kind == EffectKind::GearCoupling;
     let law = robot.joints.iter().any(|joint| joint.drive.law.is_some());
     let known = law || own.chain(&robot.effects).any(|effect| !fitted(effect.kind()));
-    known.then(|| FileTorqueModel::new(robot).ok()).flatten()
+    known.then(|| Some(FileTorqueModel::new(robot).ok()?.among_walls(robot))).flatten()
 }
 
 /// Days since 1970 of a time since 1970, s; `None` of one that counts from elsewhere: it would be

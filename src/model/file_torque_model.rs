@@ -9,6 +9,7 @@ use dh_codegen::robot::{Laws, Robot};
 use dh_codegen::runtime::Scalar;
 
 use crate::model::interpreted::Interpreted;
+use crate::model::walls::Walls;
 use crate::model::{Arm, States, TorqueModel};
 
 /// A robot that has no inertial parameters.
@@ -25,6 +26,7 @@ pub struct FileTorqueModel {
     laws: Vec<Laws>,
     /// `standard` without what belongs to drives.
     bodies: Vec<f64>,
+    walls: Option<Walls>,
 }
 
 impl FileTorqueModel {
@@ -41,7 +43,15 @@ impl FileTorqueModel {
                 .collect(),
             standard,
             laws,
+            walls: None,
         })
+    }
+
+    /// The same among the walls that the file names, whose forces a model of the robot alone does not
+    /// have.
+    #[must_use]
+    pub fn among_walls(self, robot: &Robot) -> Self {
+        Self { walls: Walls::of(robot), ..self }
     }
 
     /// Torques of the bodies, rotors and plain friction alone.
@@ -109,6 +119,9 @@ impl FileTorqueModel {
             }
             (0..n).for_each(|k| out[k * len + s] = tau[k]);
         }
+        if let Some(walls) = &self.walls {
+            walls.add(states, out);
+        }
     }
 }
 
@@ -127,6 +140,9 @@ impl TorqueModel for FileTorqueModel {
 
     fn torques(&self, states: &States, out: &mut [f64]) {
         self.arm.run(Function::InverseDynamics, states, &[], &self.standard, out);
+        if let Some(walls) = &self.walls {
+            walls.add(states, out);
+        }
     }
 
     fn torques_along(&self, time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) {

@@ -107,8 +107,12 @@ pub trait PerturbableArm: Arm {
     /// of the unchanged arm's frames.
     fn changed_dynamics(&self, change: &Change, states: &States, standard: &[f64], out: &mut [f64]);
 
-    /// `J'`: the torque on joint `j` of a unit of component `c` of a wrench on the last frame at
-    /// sample `s` goes to `out[(c * n + j) * len + s]`. Components are `fx fy fz mx my mz`, at the
-    /// origin of the last frame, in its axes or in the base's.
+    /// `J'`: the torque on joint `j` of a unit of component `c` of a wrench on the tool at sample
+    /// `s` goes to `out[(c * n + j) * len + s]`. Components are `fx fy fz mx my mz`, at the origin
+    /// of the tool's frame (of the last frame without a tool), in its axes or in the base's.
     fn wrench_columns(&self, states: &States, base: bool, out: &mut [f64]);
+
+    /// Position of that origin, axes of the base, m: component `c` at sample `s` goes to
+    /// `out[c * len + s]`.
+    fn tool_positions(&self, states: &States, out: &mut [f64]);
 }

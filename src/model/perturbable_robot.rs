@@ -66,7 +66,7 @@ fn laws(file: &Robot, real: &Robot) -> Option<(FileTorqueModel, FileTorqueModel)
             robot.links = vec![Some(Inertia::from_array([0.0; 10])); robot.joints.len()];
         }
     }
-    Some((FileTorqueModel::new(&file).ok()?, FileTorqueModel::new(&plain).ok()?))
+    Some((FileTorqueModel::new(&file).ok()?.among_walls(&file), FileTorqueModel::new(&plain).ok()?))
 }
 
 /// The robot with a change in it.
@@ -182,17 +182,26 @@ impl PerturbableArm for PerturbableRobot {
     fn wrench_columns(&self, states: &States, base: bool, out: &mut [f64]) {
         let dof = self.dof();
         each(states, dof, |s, q, _, _| {
-            let jacobian = self.numeric.jacobian(q);
-            let Some(frame) = self.numeric.frames(q).pop() else { return };
-            let turn = if base { Matrix3::identity() } else { frame.fixed_view::<3, 3>(0, 0).transpose() };
+            let Some(last) = self.numeric.frames(q).pop() else { return };
+            let (jacobian, tool) = (self.numeric.jacobian(q), self.numeric.tool(q));
+            let lever = (tool - last).fixed_view::<3, 1>(0, 3).into_owned();
+            let turn = if base { Matrix3::identity() } else { tool.fixed_view::<3, 3>(0, 0).transpose() };
             for j in 0..dof {
-                let force = turn * jacobian.fixed_view::<3, 1>(0, j);
-                let moment = turn * jacobian.fixed_view::<3, 1>(3, j);
+                let turning = jacobian.fixed_view::<3, 1>(3, j);
+                let force = turn * (jacobian.fixed_view::<3, 1>(0, j) + turning.cross(&lever));
+                let moment = turn * turning;
                 for c in 0..3 {
                     out[(c * dof + j) * states.len + s] = force[c];
                     out[((c + 3) * dof + j) * states.len + s] = moment[c];
                 }
             }
+        });
+    }
+
+    fn tool_positions(&self, states: &States, out: &mut [f64]) {
+        each(states, self.dof(), |s, q, _, _| {
+            let frame = self.numeric.tool(q);
+            (0..3).for_each(|c| out[c * states.len + s] = frame[(c, 3)]);
         });
     }
 }
@@ -305,5 +314,18 @@ mod tests {
         plant.wrench_columns(&states, false, &mut columns);
         // Of a moment about the last axis the last joint carries all.
         assert!((0..3).all(|s| (columns[(5 * 7 + 6) * 3 + s] - 1.0).abs() < 1e-12));
+        // In the base's axes the columns of a force are the derivatives of the position.
+        plant.wrench_columns(&states, true, &mut columns);
+        let at = |by: f64| {
+            let mut turned = states.clone();
+            turned.q[3 * 3..4 * 3].iter_mut().for_each(|q| *q += by);
+            let mut found = vec![0.0; 9];
+            plant.tool_positions(&turned, &mut found);
+            found
+        };
+        for (k, (after, before)) in at(1e-6).iter().zip(at(-1e-6)).enumerate() {
+            let slope = (after - before) / 2e-6;
+            assert!((slope - columns[(k / 3 * 7 + 3) * 3 + k % 3]).abs() < 1e-8);
+        }
     }
 }

@@ -94,12 +94,11 @@ pub(super) fn total(
     let mut sum = Wrench::default();
     for contact in contacts {
         let share = contact.share(t);
-        for (i, total) in sum.wrench.iter_mut().enumerate() {
-            let (row, from) = (4 * (i % 3), 3 * (i / 3));
-            *total += share * (0..3).map(|k| pose[row + k] * contact.wrench[from + k]).sum::<f64>();
-        }
+        let wrench = if contact.in_base { contact.wrench } else { in_base(pose, &contact.wrench) };
+        sum.wrench.iter_mut().zip(wrench).for_each(|(total, part)| *total += share * part);
     }
-    for external in external {
+    let walls = contacts.iter().filter_map(|contact| contact.wall.as_ref()).map(|wall| wall as &dyn External);
+    for external in external.iter().copied().chain(walls) {
         let answer = external.wrench(t, pose, twist);
         (0..6).for_each(|i| sum.wrench[i] += answer.wrench[i]);
         for i in 0..3 {

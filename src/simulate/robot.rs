@@ -269,11 +269,17 @@ fn contact(effect: &Effect) -> Option<effects::ExternalContact> {
     if let Effect::ExternalContact(contact) = effect { Some(*contact) } else { None }
 }
 
-/// A contact ends after it began.
+/// A contact ends after it began, and a wall has a stiffness and a normal.
 fn in_order(contact: &effects::ExternalContact) -> Result<(), SimulateError> {
-    match (contact.start, contact.end) {
-        (Some(start), Some(end)) if end <= start => Err(SimulateError::Contact { end }),
-        _ => Ok(()),
+    if let (Some(start), Some(end)) = (contact.start, contact.end)
+        && end <= start
+    {
+        return Err(SimulateError::Contact { end });
+    }
+    let faces = contact.normal().iter().any(|n| *n != 0.0);
+    match contact.stiffness() > 0.0 {
+        stiff if stiff == faces => Ok(()),
+        stiff => Err(SimulateError::Wall { stiff }),
     }
 }
 

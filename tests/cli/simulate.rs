@@ -193,6 +193,8 @@ fn mistakes_are_told_and_mended() {
             "effects: { external_contact: { start: 5, end: 1 } }",
             "external_contact.end is 1; it must be later than start",
         ),
+        ("effects: { external_contact: { k: 1000 } }", "k makes a wall, but it has no normal; write nx, ny, nz"),
+        ("effects: { external_contact: { nz: 1 } }", "but it has no stiffness; write k in N/m"),
         ("effects: { link_inertia_error: { link: 9 } }", "there is no link 9; write the number of a link, 1 to 2"),
         ("effects: { payload: { M: -50 } }", "planar2r.yaml with"),
     ] {

@@ -1,5 +1,5 @@
 //! `external_contact`: an external wrench acts during part of the log, constant in the axes of the
-//! last frame or of the base.
+//! tool or of the base.
 
 use std::ops::Range;
 
@@ -19,9 +19,9 @@ use super::Symbol;
 use super::Term;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 
-/// A constant wrench on the last frame between `start` and `end` (seconds of used data, over all
-/// logs). It is given in the last frame's axes or, with `base` 1, in those of the base; without
-/// `moment` it is a force at that frame's origin.
+/// A constant wrench on the tool between `start` and `end` (seconds of used data, over all logs). It
+/// is given in the tool's axes or, with `base` 1, in those of the base; without `moment` it is a
+/// force at the origin of the tool's frame.
 pub struct ExternalContact;
 
 /// Distance from an end of a recording, s, within which a push must be longer than [`SHORT`], s.
@@ -158,7 +158,8 @@ impl Hypothesis for ExternalContact {
             Named::new(effects::ExternalContact::START, at(found.shape[0]), None),
             Named::new(effects::ExternalContact::END, at(found.shape[1]), None),
         ];
-        ends.into_iter().chain(found.all_terms()).collect()
+        let base = (found.shape[2] == 1.0).then(|| Named::new(effects::ExternalContact::BASE, 1.0, None));
+        ends.into_iter().chain(found.all_terms()).chain(base).collect()
     }
 
     fn over(&self) -> Over {
@@ -173,7 +174,7 @@ impl Hypothesis for ExternalContact {
         if shape[2] == 1.0 {
             "a force acts on the arm during part of the recording, constant in the base's axes"
         } else {
-            "a force acts on the arm during part of the recording, constant in the last frame's axes"
+            "a force acts on the arm during part of the recording, constant in the tool's axes"
         }
     }
 
@@ -199,7 +200,7 @@ fn pushes(scene: &WindowedData<'_>, residual: &[Vec<f64>], base: f64) -> Vec<Pus
     let mut sums: Vec<(Matrix3<f64>, Vector3<f64>)> = Vec::with_capacity(n + 1);
     let mut sum = (Matrix3::zeros(), Vector3::zeros());
     sums.push(sum);
-    for part in (0..n).step_by(AT_ONCE).map(|first| first..(first + AT_ONCE).min(n)) {
+    for part in parts(n) {
         let unit = scene.wrenches(part.clone(), base == 1.0);
         for w in part.clone() {
             for j in (0..dof).filter(|&j| scene.live[j][w]) {
@@ -234,8 +235,13 @@ fn pushes(scene: &WindowedData<'_>, residual: &[Vec<f64>], base: f64) -> Vec<Pus
     found
 }
 
+/// The log's windows in parts whose wrenches are computed at once.
+pub(super) fn parts(windows: usize) -> impl Iterator<Item = Range<usize>> {
+    (0..windows).step_by(AT_ONCE).map(move |first| first..(first + AT_ONCE).min(windows))
+}
+
 /// One over the median of a joint's squares, which a short push does not move.
-fn quiet(row: &[f64]) -> f64 {
+pub(super) fn quiet(row: &[f64]) -> f64 {
     let mut sizes: Vec<f64> = row.iter().map(|e| e * e).filter(|e| *e > 0.0).collect();
     sizes.sort_by(f64::total_cmp);
     sizes.get(sizes.len() / 2).map_or(0.0, |median| 1.0 / median)

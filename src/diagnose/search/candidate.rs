@@ -245,7 +245,12 @@ fn follow(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidat
     }
 }
 
-/// Walks each number of the shape up and down with shrinking steps.
+/// How often three or more numbers of a shape are walked, and by how much smaller the steps are each
+/// time.
+const PASSES: i32 = 6;
+const FINER: f64 = 0.4;
+
+/// Refines the numbers of a shape.
 pub(in crate::diagnose) fn refine(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate) {
     let shape = candidate.cause.shape();
     if candidate.cause.finite_difference() && shape.first().is_some_and(|s| s.step.is_none()) {
@@ -265,8 +270,31 @@ pub(in crate::diagnose) fn refine(tested: &ModelUnderTest<'_>, fitted: &Fitted, 
         }
     }
     follow(tested, fitted, candidate);
-    for (k, number) in shape.iter().enumerate() {
-        let Some(first) = number.step else { continue };
+    // Many numbers depend on each other: they are walked again, with smaller steps.
+    let many = shape.iter().filter(|number| number.step.is_some()).count() > 2;
+    for pass in 0..if many { PASSES } else { 1 } {
+        let before = candidate.score;
+        walk(tested, fitted, candidate, FINER.powi(pass));
+        if candidate.score - before < 1.0 {
+            break;
+        }
+    }
+    if let Some(k) = candidate.cause.integer_shape() {
+        let mut next = candidate.shape.clone();
+        next[k] = next[k].round().max(1.0);
+        if let Some(better) = evaluate(tested, fitted, candidate.cause, &candidate.place, &next)
+            && better.score > candidate.score
+        {
+            *candidate = better;
+        }
+    }
+}
+
+/// Walks each number of the shape up and down with shrinking steps, the first ones this part of those
+/// that the shape names.
+fn walk(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate, part: f64) {
+    for (k, number) in candidate.cause.shape().iter().enumerate() {
+        let Some(first) = number.step.map(|step| part * step) else { continue };
         let mut step = first;
         for _ in 0..14 {
             if step.abs() < 0.05 * first.abs() {
@@ -290,15 +318,6 @@ pub(in crate::diagnose) fn refine(tested: &ModelUnderTest<'_>, fitted: &Fitted, 
             if !moved {
                 step *= 0.45;
             }
-        }
-    }
-    if let Some(k) = candidate.cause.integer_shape() {
-        let mut next = candidate.shape.clone();
-        next[k] = next[k].round().max(1.0);
-        if let Some(better) = evaluate(tested, fitted, candidate.cause, &candidate.place, &next)
-            && better.score > candidate.score
-        {
-            *candidate = better;
         }
     }
 }

@@ -5,12 +5,12 @@ use super::columns::{PERIOD, recording};
 use super::mechanisms::planar;
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::regulariser::Regulariser;
-use crate::diagnose::hypotheses::hypothesis;
+use crate::diagnose::hypotheses::{hypothesis, laws};
 use crate::diagnose::windows::windowed_data::{BLOCKS, Column, WindowedData, dead_zones};
 use crate::model::perturbable_robot::PerturbableRobot;
 use crate::model::{Change, PerturbableArm};
 use crate::numerics::prng::Random;
-use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::{EffectKind, Robot};
 use nalgebra::{DMatrix, DVector};
 
 /// Lengths of the links, m; acceleration of gravity, m/s^2.
@@ -99,9 +99,8 @@ fn a_change_of_the_arm_by_its_size() {
     }
 }
 
-/// A wrench on the arm takes its power from the motors: a force at the last frame, which stands at
-/// the elbow, by the first joint's lever, a moment about z on both. In the last frame's axes the
-/// lever turns with the second joint.
+/// A wrench on the tool takes its power from the motors: a force by its levers about shoulder and
+/// elbow, a moment about z on both. In the axes of the tool the first lever turns with the elbow.
 #[test]
 fn a_push_takes_what_its_lever_says() {
     let plant = PerturbableRobot::new(&planar());
@@ -114,8 +113,13 @@ fn a_push_takes_what_its_lever_says() {
         assert_eq!(terms.len(), 3);
         for w in 0..scene.len {
             let ([q1, q2], _) = motion(scene.time[w]);
-            let lever = if base == 1.0 { [-q1.sin(), q1.cos()] } else { [q2.sin(), q2.cos()] }.map(|x| L1 * x);
-            for (term, by) in [[lever[0], 0.0], [lever[1], 0.0], [1.0, 1.0]].into_iter().enumerate() {
+            let tip = [-(q1 + q2).sin() * L2, (q1 + q2).cos() * L2];
+            let [x, y] = if base == 1.0 {
+                [[tip[0] - L1 * q1.sin(), tip[0]], [tip[1] + L1 * q1.cos(), tip[1]]]
+            } else {
+                [[L1 * q2.sin(), 0.0], [L1 * q2.cos() + L2, L2]]
+            };
+            for (term, by) in [x, y, [1.0, 1.0]].into_iter().enumerate() {
                 for (j, by) in by.into_iter().enumerate() {
                     let acts = span.contains(&w) && scene.live[j][w];
                     let wanted = if acts { -by } else { 0.0 };
@@ -133,7 +137,8 @@ fn a_push_takes_what_its_lever_says() {
 /// with three times the noise's amplitude is no push.
 #[test]
 fn a_weak_push_is_looked_for_where_it_is() {
-    let plant = PerturbableRobot::new(&planar());
+    // Without a tool it acts at the elbow, on the first joint alone.
+    let plant = PerturbableRobot::new(&Robot { tool: None, ..planar() });
     let recordings = [recording()];
     let scene = windows(&plant, &recordings, 0.0);
     assert_eq!(scene.len, 1140);
@@ -161,6 +166,47 @@ fn a_weak_push_is_looked_for_where_it_is() {
     assert_eq!(scene.len, 2 * 1140);
     assert!(!push.shows(&scene, &[], &[across[0], across[1], 1.0, 0.0]));
     assert!(push.shows(&scene, &[], &[inside[0], inside[1], 1.0, 0.0]));
+}
+
+/// A wall that the tip of the arm meets: the directions that are tried contain its normal. Its
+/// torques are the slopes of `k depth^2 / 2`.
+#[test]
+fn a_wall_is_looked_for_where_it_is() {
+    let plant = PerturbableRobot::new(&planar());
+    let recordings = [recording()];
+    let scene = windows(&plant, &recordings, 0.0);
+    let wall = laws(EffectKind::ExternalContact).nth(1).unwrap();
+    let (low, high) =
+        scene.tool_positions()[..scene.len].iter().fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(*x), h.max(*x)));
+    let at = low + 0.3 * (high - low);
+    // Number 21 of the directions, counted by x, y, z from -1 to 1, is (1, 0, 0).
+    let shape = [21.0, 0.0, 0.0, at, 0.0, 0.0, 0.0];
+    let terms = wall.terms(&scene, &[], &shape);
+    assert!(wall.shows(&scene, &[], &shape) && terms.len() == 1);
+    let energy = |q1: f64, q2: f64| {
+        let depth = (at - L1 * q1.cos() - L2 * (q1 + q2).cos()).max(0.0);
+        0.5 * depth * depth
+    };
+    for (j, column) in &terms[0].column.rows {
+        for w in (0..scene.len).filter(|&w| scene.live[*j][w]) {
+            let ([q1, q2], _) = motion(scene.time[w]);
+            let by = |e: f64| if *j == 0 { energy(q1 + e, q2) } else { energy(q1, q2 + e) };
+            let slope = (by(1e-5) - by(-1e-5)) / 2e-5;
+            assert!((column[w] - slope).abs() < 1e-6, "{j} {w}: {} {slope}", column[w]);
+        }
+    }
+    let residual: Vec<Vec<f64>> = (0..2)
+        .map(|j| {
+            let row = terms[0].column.rows.iter().find(|(row, _)| *row == j);
+            (0..scene.len).map(|w| [0.01, -0.01][w % 2] + 8.0 * row.map_or(0.0, |(_, c)| c[w])).collect()
+        })
+        .collect();
+    let grid = wall.grid(&scene, &[], &residual);
+    // From the middle of what is behind it.
+    let near = (grid[0][3] + grid[0][4] - at).abs() < 0.1 * (high - low);
+    assert!(grid[0][0] == 21.0 && near, "{grid:?} {at}");
+    // What is always behind it is a spring, what never is is free.
+    assert!([low - 0.1, high + 0.1].iter().all(|at| !wall.shows(&scene, &[], &[21.0, 0.0, 0.0, *at, 0.0, 0.0, 0.0])));
 }
 
 /// Random columns on joint 1: the first, and one of which it is a part.

@@ -520,7 +520,7 @@ impl<'a> WindowedData<'a> {
         rows
     }
 
-    /// [`PerturbableArm::wrench_columns`] at some windows, in the last frame's axes or the base's.
+    /// [`PerturbableArm::wrench_columns`] at some windows, in the tool's axes or the base's.
     pub fn wrenches(&self, span: std::ops::Range<usize>, base: bool) -> Vec<f64> {
         let len = span.len();
         let mut out = vec![0.0; 6 * self.dof() * len];
@@ -528,6 +528,15 @@ impl<'a> WindowedData<'a> {
             let cut = |x: &[f64]| x.chunks_exact(self.len.max(1)).flat_map(|row| row[span.clone()].to_vec()).collect();
             let states = States { len, q: cut(&states.q), dq: cut(&states.dq), ddq: cut(&states.ddq) };
             self.plant.wrench_columns(&states, base, &mut out);
+        }
+        out
+    }
+
+    /// [`PerturbableArm::tool_positions`] in all windows.
+    pub fn tool_positions(&self) -> Vec<f64> {
+        let mut out = vec![0.0; 3 * self.len];
+        if let Some(states) = self.states.first() {
+            self.plant.tool_positions(states, &mut out);
         }
         out
     }

@@ -1,16 +1,22 @@
-//! `external_contact`: a wrench on the tool, in its frame, during a window of time.
+//! `external_contact`: a wrench on the tool during a window of time, or a wall.
 
 use dh_codegen::robot::effects;
 
-/// A push.
+use crate::simulate::Wall;
+
+/// A push, a wall, or both.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExternalContact {
     /// s
     pub start: f64,
     /// s
     pub end: f64,
-    /// Force and moment, tool frame.
+    /// Force and moment about the origin of the tool's frame.
     pub wrench: [f64; 6],
+    /// Whether they are in the axes of the base, and not in those of the tool.
+    pub in_base: bool,
+    /// Acts at any time.
+    pub wall: Option<Wall>,
 }
 
 impl ExternalContact {
@@ -21,6 +27,13 @@ impl ExternalContact {
             start: stated.start.unwrap_or(span.start + third),
             end: stated.end.unwrap_or(span.end - third),
             wrench: stated.wrench(),
+            in_base: stated.base() > 0.5,
+            wall: (stated.stiffness() > 0.0).then(|| {
+                let normal = stated.normal();
+                let length = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
+                let point = normal.map(|n| n / length * stated.at());
+                Wall { stiffness: stated.stiffness(), damping: 0.0, ..Wall::new(point, normal) }
+            }),
         }
     }
 
@@ -39,8 +52,8 @@ impl ExternalContact {
         0.5 - 0.5 * libm::cos(std::f64::consts::PI * inside / rise)
     }
 
-    /// Whether it acts at this time.
+    /// Whether it may act at this time.
     pub fn acts(&self, t: f64) -> bool {
-        (self.start..self.end).contains(&t)
+        self.wall.is_some() || (self.start..self.end).contains(&t)
     }
 }

@@ -363,6 +363,33 @@ fn a_push_on_the_tool_is_felt_through_the_jacobian() {
     }
 }
 
+/// The torques of a wall in the file are the slopes of its energy, at any time; a push in the axes of
+/// the base does not turn with the tool.
+#[test]
+fn a_wall_and_a_push_in_the_axes_of_the_base() {
+    let robot = frictionless("planar2r");
+    let wall = effect("external_contact", &[("k", 300.0), ("nx", 0.3), ("ny", 0.4), ("at", 0.2)]);
+    let push = effect("external_contact", &[("start", -9.0), ("end", 99.0), ("fx", 6.0), ("base", 1.0)]);
+    let effects = Effects { joints: Vec::new(), robot: vec![wall, push], ..Effects::default() };
+    let trajectory = motion(2, 0.8, 3.0);
+    let with = run(&robot, &effects, &trajectory, &exact(100.0));
+    let without = run(&robot, &Effects::default(), &trajectory, &exact(100.0));
+    let len = with.truth.t.len();
+    let energy = |q1: f64, q2: f64| {
+        let [x, y] = [0.5 * q1.cos() + 0.4 * (q1 + q2).cos(), 0.5 * q1.sin() + 0.4 * (q1 + q2).sin()];
+        let depth = (0.2 - 0.6 * x - 0.8 * y).max(0.0);
+        150.0 * depth * depth - 6.0 * x
+    };
+    for k in 0..len {
+        let (q1, q2) = (with.truth.link_q[k], with.truth.link_q[len + k]);
+        let slopes = [energy(q1 + 1e-6, q2) - energy(q1 - 1e-6, q2), energy(q1, q2 + 1e-6) - energy(q1, q2 - 1e-6)];
+        for (j, slope) in slopes.into_iter().enumerate() {
+            let seen = with.truth.motor_torque[j * len + k] - without.truth.motor_torque[j * len + k];
+            assert!((seen - slope / 2e-6).abs() < 1e-6, "{seen} {slope}");
+        }
+    }
+}
+
 #[test]
 fn a_wall_stops_the_tool() {
     let robot = robot("planar2r");

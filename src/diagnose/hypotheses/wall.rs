@@ -1,0 +1,245 @@
+//! A wall: a second law of `external_contact`. It pushes along its normal in proportion to the depth
+//! of the tool's origin behind it, whenever that is there.
+
+use std::f64::consts::FRAC_1_SQRT_2;
+
+use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects::ExternalContact as Keys;
+use nalgebra::Vector3;
+
+use super::Estimate;
+use super::Hypothesis;
+use super::Kind;
+use super::Named;
+use super::Over;
+use super::Scope;
+use super::Shape;
+use super::Sign;
+use super::Symbol;
+use super::Term;
+use super::external_contact::{ExternalContact, parts, quiet};
+use crate::diagnose::windows::windowed_data::WindowedData;
+
+/// `k max(at - n'p, 0)` along `n`.
+pub struct Wall;
+
+/// Numbers of its shape: one of [`directions`], two tilts of the normal from it in radians, the point
+/// about which it tilts, and the plane's distance from that along the normal, in metres.
+const DIRECTION: usize = 0;
+const TILTS: [usize; 2] = [1, 2];
+const BEYOND: usize = 3;
+const PIVOT: usize = 4;
+
+/// Directions of the normal that are tried: along axes, edges and diagonals of a cube.
+fn directions() -> impl Iterator<Item = Vector3<f64>> {
+    let three = || [-1.0, 0.0, 1.0].into_iter();
+    let all = three().flat_map(move |x| three().flat_map(move |y| three().map(move |z| Vector3::new(x, y, z))));
+    all.filter(|n| n.norm() > 0.5).map(|n| n.normalize())
+}
+
+/// Largest tilt from a direction: to the next one are 0.62 to 0.79 rad.
+const TILTED: f64 = 0.8;
+
+/// Parts of the log that are behind the wall in the first trial of each direction.
+const BEHIND: [f64; 6] = [0.05, 0.12, 0.22, 0.35, 0.5, 0.65];
+
+/// Least and largest part of the log behind it. What is always behind is a spring.
+const SHARE: [f64; 2] = [0.02, 0.8];
+
+/// Least time behind it, s.
+const LEAST: f64 = 0.5;
+
+/// Extent along an axis, by the largest one, from which on the tool moves along it.
+const EXTENDS: f64 = 1e-3;
+
+/// Shapes that are tried with everything else refitted.
+const TRIED: usize = 8;
+
+/// Unit normal of a shape.
+fn normal(shape: &[f64]) -> Vector3<f64> {
+    let middle = directions().nth(shape[DIRECTION].max(0.0) as usize).unwrap_or_else(Vector3::z);
+    // The axis least along it: at least 0.82 of a right angle away.
+    let aside = if middle.x.abs() < FRAC_1_SQRT_2 { Vector3::x() } else { Vector3::y() };
+    let first = middle.cross(&aside).normalize();
+    let second = middle.cross(&first);
+    (middle + first * shape[TILTS[0]].tan() + second * shape[TILTS[1]].tan()).normalize()
+}
+
+/// Distance of the plane of a shape from the base along its normal, m.
+fn distance(shape: &[f64]) -> f64 {
+    shape[BEYOND] + normal(shape).iter().zip(&shape[PIVOT..]).map(|(n, p)| n * p).sum::<f64>()
+}
+
+/// Position along the normal in one window, m.
+fn height(positions: &[f64], normal: &Vector3<f64>, w: usize) -> f64 {
+    (0..3).map(|c| normal[c] * positions[c * (positions.len() / 3) + w]).sum()
+}
+
+/// Whether the positions extend along every axis along which the normal does: a force across the plane
+/// of an arm does no work.
+fn reached(normal: &Vector3<f64>, positions: &[f64]) -> bool {
+    let extent = |along: &[f64]| {
+        let [low, high] = [f64::min, f64::max].map(|of| along.iter().copied().reduce(of).unwrap_or(0.0));
+        high - low
+    };
+    let extents: Vec<f64> = positions.chunks_exact((positions.len() / 3).max(1)).map(extent).collect();
+    let largest = extents.iter().copied().fold(0.0, f64::max);
+    extents.iter().zip(normal.iter()).all(|(extent, n)| *n == 0.0 || *extent > EXTENDS * largest)
+}
+
+/// Depth behind the plane in every window, m.
+fn depths(positions: &[f64], normal: &Vector3<f64>, at: f64) -> Vec<f64> {
+    (0..positions.len() / 3).map(|w| (at - height(positions, normal, w)).max(0.0)).collect()
+}
+
+/// Torques of a unit force along the normal in the windows of a part of the log, `[joint][window]`.
+fn along(unit: &[f64], normal: &Vector3<f64>, dof: usize) -> Vec<Vec<f64>> {
+    let len = unit.len() / (6 * dof).max(1);
+    let torque = |j: usize, w: usize| -(0..3).map(|c| normal[c] * unit[(c * dof + j) * len + w]).sum::<f64>();
+    (0..dof).map(|j| (0..len).map(|w| torque(j, w)).collect()).collect()
+}
+
+/// A plane on trial: what its force would take of the residual.
+struct Plane {
+    direction: usize,
+    normal: Vector3<f64>,
+    at: f64,
+    /// Its torques times the residual, and times themselves, weighted.
+    sums: [f64; 2],
+}
+
+impl Plane {
+    /// Those of one normal that have parts of the log behind them.
+    fn of(direction: usize, normal: Vector3<f64>, positions: &[f64]) -> impl Iterator<Item = Self> {
+        let mut heights: Vec<f64> = (0..positions.len() / 3).map(|w| height(positions, &normal, w)).collect();
+        heights.sort_by(f64::total_cmp);
+        let at = move |share: f64| heights.get((share * heights.len() as f64) as usize).copied();
+        BEHIND.into_iter().filter_map(at).map(move |at| Self { direction, normal, at, sums: [0.0; 2] })
+    }
+
+    fn add(&mut self, depth: f64, [with, own]: [f64; 2]) {
+        self.sums[0] += depth * with;
+        self.sums[1] += depth * depth * own;
+    }
+
+    /// As a shape, which tilts about the middle of what is behind it: about a point far from there a
+    /// tilt would also move it.
+    fn shape(&self, positions: &[f64]) -> Vec<f64> {
+        let len = positions.len() / 3;
+        let behind: Vec<usize> = (0..len).filter(|&w| height(positions, &self.normal, w) < self.at).collect();
+        let mean = |c: usize| behind.iter().map(|w| positions[c * len + w]).sum::<f64>() / behind.len().max(1) as f64;
+        let middle = Vector3::from_fn(|c, _| mean(c));
+        let beyond = self.at - self.normal.dot(&middle);
+        vec![self.direction as f64, 0.0, 0.0, beyond, middle.x, middle.y, middle.z]
+    }
+
+    /// It pushes and does not pull.
+    fn gain(&self) -> f64 {
+        let [with, own] = self.sums;
+        if with > 0.0 && own > 0.0 { with * with / own } else { 0.0 }
+    }
+}
+
+impl Hypothesis for Wall {
+    fn effect(&self) -> EffectKind {
+        EffectKind::ExternalContact
+    }
+
+    fn kind(&self) -> Kind {
+        Kind::Outside
+    }
+
+    fn scope(&self) -> Scope {
+        Scope::Robot
+    }
+
+    fn shape(&self) -> &'static [Shape] {
+        const TILT: [f64; 2] = [-TILTED, TILTED];
+        &[
+            Shape { symbol: Symbol::Own("direction"), unit: "", range: [0.0, 25.0], step: None },
+            Shape { symbol: Symbol::Own("first tilt"), unit: "rad", range: TILT, step: Some(-0.2) },
+            Shape { symbol: Symbol::Own("second tilt"), unit: "rad", range: TILT, step: Some(-0.2) },
+            Shape { symbol: Symbol::Own("beyond"), unit: "m", range: [-1e3, 1e3], step: Some(-0.03) },
+            Shape { symbol: Symbol::Own("x"), unit: "m", range: [-1e3, 1e3], step: None },
+            Shape { symbol: Symbol::Own("y"), unit: "m", range: [-1e3, 1e3], step: None },
+            Shape { symbol: Symbol::Own("z"), unit: "m", range: [-1e3, 1e3], step: None },
+        ]
+    }
+
+    /// The planes whose force takes most of the residual, as it is.
+    fn grid(&self, scene: &WindowedData<'_>, _: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
+        let positions = scene.tool_positions();
+        let weight: Vec<f64> = residual.iter().map(|row| quiet(row)).collect();
+        let mut planes: Vec<Plane> = directions()
+            .enumerate()
+            .filter(|(_, n)| reached(n, &positions))
+            .flat_map(|(d, n)| Plane::of(d, n, &positions))
+            .collect();
+        for part in parts(scene.len) {
+            let unit = scene.wrenches(part.clone(), true);
+            for same in planes.chunk_by_mut(|a, b| a.direction == b.direction) {
+                let torque = along(&unit, &same[0].normal, scene.dof());
+                for w in part.clone() {
+                    let at = height(&positions, &same[0].normal, w);
+                    let live = (0..scene.dof()).filter(|&j| scene.live[j][w]);
+                    let sums = live.fold([0.0; 2], |[with, own], j| {
+                        let torque = torque[j][w - part.start];
+                        [with + weight[j] * torque * residual[j][w], own + weight[j] * torque * torque]
+                    });
+                    same.iter_mut().for_each(|plane| plane.add((plane.at - at).max(0.0), sums));
+                }
+            }
+        }
+        planes.sort_by(|a, b| b.gain().total_cmp(&a.gain()));
+        let found = planes.iter().filter(|plane| plane.gain() > 0.0).take(TRIED);
+        found.map(|plane| plane.shape(&positions)).collect()
+    }
+
+    /// What is met nowhere, or never left, is no wall.
+    fn shows(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> bool {
+        let behind =
+            depths(&scene.tool_positions(), &normal(shape), distance(shape)).iter().filter(|d| **d > 0.0).count();
+        let share = behind as f64 / scene.len.max(1) as f64;
+        (SHARE[0]..=SHARE[1]).contains(&share) && behind as f64 * scene.step >= LEAST
+    }
+
+    fn terms(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> Vec<Term> {
+        let normal = normal(shape);
+        let depth = depths(&scene.tool_positions(), &normal, distance(shape));
+        let mut rows = vec![Vec::with_capacity(scene.len); scene.dof()];
+        for part in parts(scene.len) {
+            let torques = along(&scene.wrenches(part.clone(), true), &normal, scene.dof());
+            for (row, torque) in rows.iter_mut().zip(torques) {
+                row.extend(torque.iter().zip(&depth[part.clone()]).map(|(torque, depth)| torque * depth));
+            }
+        }
+        let column = scene.column(rows);
+        if column.rows.is_empty() { Vec::new() } else { vec![Term::new(Keys::K, column, Sign::Positive)] }
+    }
+
+    /// The force where the tool is deepest is one that the motors can bear.
+    fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], x: &[f64]) -> bool {
+        let deepest = depths(&scene.tool_positions(), &normal(shape), distance(shape)).into_iter().fold(0.0, f64::max);
+        ExternalContact.plausible(scene, place, shape, &[x[0] * deepest])
+    }
+
+    fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
+        let normal = normal(found.shape);
+        let facing = [Keys::NX, Keys::NY, Keys::NZ].into_iter().zip(normal.iter());
+        let facing = facing.map(|(key, n)| Named::new(key, *n, None));
+        let at = Named::new(Keys::AT, distance(found.shape), found.shape_std[BEYOND]);
+        found.all_terms().chain(facing).chain([at]).collect()
+    }
+
+    fn over(&self) -> Over {
+        Over::Position
+    }
+
+    fn says(&self) -> &'static str {
+        "a force pushes the tool out of a half-space, in proportion to the depth in it, as a compliant wall does"
+    }
+
+    fn shown_by(&self) -> &'static str {
+        ExternalContact.shown_by()
+    }
+}

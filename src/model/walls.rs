@@ -1,0 +1,57 @@
+//! Torques of the walls that a robot file names (`external_contact` with `k`): what the motors bear
+//! while the tool is behind them.
+
+use dh_codegen::robot::{Effect, Robot};
+use nalgebra::{Vector3, Vector6};
+
+use crate::model::States;
+use crate::model::rigid_body::Numeric;
+
+/// All walls of a file.
+pub(crate) struct Walls {
+    numeric: Numeric,
+    planes: Vec<Plane>,
+}
+
+/// `stiffness max(at - n'p, 0)` along the unit normal `n`.
+struct Plane {
+    /// N/m
+    stiffness: f64,
+    normal: Vector3<f64>,
+    /// m, along the normal.
+    at: f64,
+}
+
+impl Walls {
+    /// Of this robot; `None` where it meets none.
+    pub(crate) fn of(robot: &Robot) -> Option<Self> {
+        let plane = |effect: &Effect| match effect {
+            Effect::ExternalContact(contact) => {
+                let normal = Vector3::from(contact.normal()).try_normalize(0.0)?;
+                Some(Plane { stiffness: contact.stiffness(), normal, at: contact.at() })
+            }
+            _ => None,
+        };
+        let planes: Vec<Plane> = robot.effects.iter().filter_map(plane).filter(|p| p.stiffness > 0.0).collect();
+        (!planes.is_empty()).then(|| Self { numeric: Numeric::new(&robot.effective()), planes })
+    }
+
+    /// Adds their torques at states to `out` (joint-major), N m.
+    pub(crate) fn add(&self, states: &States, out: &mut [f64]) {
+        let (n, len) = (self.numeric.dof(), states.len);
+        for s in 0..len {
+            let q: Vec<f64> = (0..n).map(|j| states.q[j * len + s]).collect();
+            let tool = self.numeric.tool(&q).fixed_view::<3, 1>(0, 3).into_owned();
+            let press = |p: &Plane| p.normal * p.stiffness * (p.at - p.normal.dot(&tool)).max(0.0);
+            let force: Vector3<f64> = self.planes.iter().map(press).sum();
+            if force == Vector3::zeros() {
+                continue;
+            }
+            let Some(last) = self.numeric.frames(&q).pop() else { continue };
+            let moment = (tool - last.fixed_view::<3, 1>(0, 3)).cross(&force);
+            let wrench = Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
+            let torques = self.numeric.jacobian(&q).transpose() * wrench;
+            (0..n).for_each(|j| out[j * len + s] -= torques[j]);
+        }
+    }
+}
