@@ -10,6 +10,7 @@ use crate::model::file_torque_model::FileTorqueModel;
 use crate::model::interpreted::Interpreted;
 use crate::model::rigid_body::Numeric;
 use crate::model::robot_edit;
+use crate::model::walls::Walls;
 use crate::model::{Arm, Change, Description, LikelyBodies, PerturbableArm, States, TorqueModel};
 
 /// A robot whose geometry can be questioned; zeros, lengths, base and bodies as the effects of its
@@ -41,7 +42,7 @@ impl PerturbableRobot {
             numeric: Numeric::new(&robot),
             gears: rows.iter().map(|&row| robot.joints[row].drive.gear_ratio).collect(),
             given: param::standard_values(&robot),
-            known: if file.has_effects() { laws(&file, &robot) } else { None },
+            known: if file.has_effects() || Walls::of(&file).is_some() { laws(&file, &robot) } else { None },
             delays: file.laws().iter().map(|l| l.delay).collect(),
             robot,
             file,
@@ -305,6 +306,33 @@ mod tests {
         shifted.q[9..12].iter_mut().for_each(|q| *q += 0.2);
         plant.inverse_dynamics(&shifted, &given, &mut other);
         assert!(one.iter().zip(&other).all(|(a, b)| (a - b).abs() < 1e-10));
+    }
+
+    /// What a wall of the file does is known: the slopes of its energy.
+    #[test]
+    fn a_wall_of_the_file_is_known() {
+        let wall = "effects: { external_contact: { k: 300, nx: 0.6, ny: 0.8, at: 0.2 } }";
+        let text = format!("{}\n{wall}\n", include_str!("../../robots/planar2r.yaml"));
+        let plant = PerturbableRobot::new(&Robot::from_yaml(&text, &no_files).unwrap().robot);
+        let depth = |q1: f64, q2: f64| {
+            let [x, y] = [0.5 * q1.cos() + 0.4 * (q1 + q2).cos(), 0.5 * q1.sin() + 0.4 * (q1 + q2).sin()];
+            (0.2 - 0.6 * x - 0.8 * y).max(0.0)
+        };
+        let energy = |q1: f64, q2: f64| 150.0 * depth(q1, q2).powi(2);
+        let (q1, q2): (Vec<f64>, Vec<f64>) = (0..9).map(|k| (0.7 * f64::from(k), 0.9 - 0.3 * f64::from(k))).unzip();
+        let time: Vec<f64> = (0..9).map(|k| 0.01 * f64::from(k)).collect();
+        let states = States { len: 9, q: [q1.clone(), q2.clone()].concat(), dq: vec![0.0; 18], ddq: vec![0.0; 18] };
+        let mut out = vec![0.0; 18];
+        assert!(plant.known(0.0, &time, &states, &[], &mut out));
+        let mut behind = 0;
+        for (s, (q1, q2)) in q1.into_iter().zip(q2).enumerate() {
+            behind += usize::from(depth(q1, q2) > 0.0);
+            let slopes = [energy(q1 + 1e-6, q2) - energy(q1 - 1e-6, q2), energy(q1, q2 + 1e-6) - energy(q1, q2 - 1e-6)];
+            for (j, slope) in slopes.into_iter().enumerate() {
+                assert!((out[j * 9 + s] - slope / 2e-6).abs() < 1e-6, "{j} {s}: {} {slope}", out[j * 9 + s]);
+            }
+        }
+        assert!(behind > 1 && behind < 8, "{behind}");
     }
 
     #[test]
