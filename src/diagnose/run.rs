@@ -12,7 +12,7 @@ use super::fit::model::{Mode, ModelUnderTest};
 use super::search::SearchSettings;
 use super::select::contenders::{Refit, Searched};
 use super::select::excess::explained;
-use super::select::measure::{Meter, root_mean_square};
+use super::select::measure::{Measured, Meter, root_mean_square};
 use super::select::offer::Choice;
 use super::select::refine_and_select::{Selected, Session};
 use super::select::suspects::{likelier, name};
@@ -155,6 +155,10 @@ fn torque_rms(recordings: &[Recording], share: f64, dof: usize) -> Vec<f64> {
     (0..dof).map(|j| root_mean_square(&all(j))).collect()
 }
 
+fn errors_of(fit: &Measured, validate: &Measured) -> Errors {
+    Errors { fit: fit.rms.clone(), validate: validate.rms.clone(), moving: validate.steady.clone() }
+}
+
 /// The smaller of two errors, per joint, N m.
 fn least(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a.min(*b)).collect()
@@ -236,11 +240,7 @@ fn once(
         return Err(DiagnoseError::NoTorque);
     }
     let before = Meter::new(plant, validate, &start).of_the_file();
-    let baseline = Errors {
-        fit: Meter::new(plant, fit, &start).of_the_file().rms,
-        validate: before.rms.clone(),
-        moving: before.steady.clone(),
-    };
+    let baseline = errors_of(&Meter::new(plant, fit, &start).of_the_file(), &before);
     let before = before.error;
 
     let (refit, refitted) = Refit::new(plant, fit, validate, own_validation, settings)?;
@@ -273,13 +273,12 @@ fn once(
     let Selected { tested, fitted, mut after, mut after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);
     let other_links = tested.mode == Mode::Refitted && has_links;
-    let offered_errors =
-        Errors { fit: after_fit.rms.clone(), validate: after.rms.clone(), moving: after.steady.clone() };
-    let verdict = verdict(&causes, &left, other_links.then_some([&baseline, &offered_errors]));
+    let with = errors_of(&after_fit, &after);
+    let verdict = verdict(&causes, &left, other_links.then_some([&baseline, &with]));
     let parts = (&tested, &fitted);
     let errors = [&mut after_fit, &mut after];
     let left = session.explained_by_formulas(&mut causes, left, parts, errors, file_holds, &torque_rms);
-    let extended = Errors { fit: after_fit.rms.clone(), validate: after.rms.clone(), moving: after.steady.clone() };
+    let extended = errors_of(&after_fit, &after);
     let offered = if causes.iter().any(Cause::has_law) { Offered::Extended } else { offered };
     unknown(&mut causes, &left, [&baseline, &extended], noise, scale);
     let view = after.view(plant, validate);
