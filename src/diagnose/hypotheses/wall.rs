@@ -58,7 +58,7 @@ const TRIED: usize = 8;
 /// Unit normal of a shape.
 fn normal(shape: &[f64]) -> Vector3<f64> {
     let middle = directions().nth(shape[DIRECTION].max(0.0) as usize).unwrap_or_else(Vector3::z);
-    // The axis least along it: at least 0.82 of a right angle away.
+    // An axis that is not along it.
     let aside = if middle.x.abs() < FRAC_1_SQRT_2 { Vector3::x() } else { Vector3::y() };
     let first = middle.cross(&aside).normalize();
     let second = middle.cross(&first);
