@@ -33,8 +33,8 @@ impl FileEffects {
             .chain(robot.all_effects().laws.iter().map(|(row, law)| format!("law {} of joint {}", law.text(), row + 1)))
             .collect();
         let scaled = robot.joints.iter().any(|joint| joint.drive.effects.iter().any(|e| e.kind() == GAIN));
-        let model = FileTorqueModel::new(robot).ok().map(|model| model.among_walls(robot));
-        (!names.is_empty()).then_some(Self { names, scaled, model })
+        let model = || Some(FileTorqueModel::new(robot).ok()?.among_walls(robot));
+        (!names.is_empty()).then(|| Self { names, scaled, model: model() })
     }
 
     /// Lets motions carry what the effects need: margins for the low-pass, and temperatures.

@@ -166,7 +166,7 @@ impl Hypothesis for Wall {
         ]
     }
 
-    /// The planes whose force takes most of the residual, as it is.
+    /// The planes whose force takes most of the residual, with nothing else refitted.
     fn grid(&self, scene: &WindowedData<'_>, _: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let positions = scene.tool_positions();
         let weight: Vec<f64> = residual.iter().map(|row| quiet(row)).collect();

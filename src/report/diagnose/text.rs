@@ -50,7 +50,7 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
             "The file has no link parameters; with base parameters fitted to the logs nothing is wrong beyond the noise.".to_string()
         }
         (Verdict::Unexplained, true) if found.causes.is_empty() && found.links_refitted => {
-            "Links or rotors of the file are wrong: with base parameters fitted to the logs nothing is left beyond the noise. Which of them, these logs don't say."
+            "Links or rotors of the file are wrong: with base parameters fitted to the logs nothing is left beyond the noise. Which of them can't be told from these logs."
                 .to_string()
         }
         (Verdict::Explained, _) => format!("The error is explained by {}.", list(&named)),
