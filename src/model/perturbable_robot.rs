@@ -183,14 +183,11 @@ impl PerturbableArm for PerturbableRobot {
     fn wrench_columns(&self, states: &States, base: bool, out: &mut [f64]) {
         let dof = self.dof();
         each(states, dof, |s, q, _, _| {
-            let Some(last) = self.numeric.frames(q).pop() else { return };
-            let (jacobian, tool) = (self.numeric.jacobian(q), self.numeric.tool(q));
-            let lever = (tool - last).fixed_view::<3, 1>(0, 3).into_owned();
+            let (tool, jacobian) = self.numeric.tool_and_jacobian(q);
             let turn = if base { Matrix3::identity() } else { tool.fixed_view::<3, 3>(0, 0).transpose() };
             for j in 0..dof {
-                let turning = jacobian.fixed_view::<3, 1>(3, j);
-                let force = turn * (jacobian.fixed_view::<3, 1>(0, j) + turning.cross(&lever));
-                let moment = turn * turning;
+                let force = turn * jacobian.fixed_view::<3, 1>(0, j);
+                let moment = turn * jacobian.fixed_view::<3, 1>(3, j);
                 for c in 0..3 {
                     out[(c * dof + j) * states.len + s] = force[c];
                     out[((c + 3) * dof + j) * states.len + s] = moment[c];

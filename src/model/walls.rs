@@ -2,7 +2,7 @@
 //! while the tool is behind them.
 
 use dh_codegen::robot::{Effect, Robot};
-use nalgebra::{Vector3, Vector6};
+use nalgebra::Vector3;
 
 use crate::model::States;
 use crate::model::rigid_body::Numeric;
@@ -41,16 +41,11 @@ impl Walls {
         let (n, len) = (self.numeric.dof(), states.len);
         for s in 0..len {
             let q: Vec<f64> = (0..n).map(|j| states.q[j * len + s]).collect();
-            let tool = self.numeric.tool(&q).fixed_view::<3, 1>(0, 3).into_owned();
-            let press = |p: &Plane| p.normal * p.stiffness * (p.at - p.normal.dot(&tool)).max(0.0);
+            let (tool, jacobian) = self.numeric.tool_and_jacobian(&q);
+            let origin = tool.fixed_view::<3, 1>(0, 3).into_owned();
+            let press = |p: &Plane| p.normal * p.stiffness * (p.at - p.normal.dot(&origin)).max(0.0);
             let force: Vector3<f64> = self.planes.iter().map(press).sum();
-            if force == Vector3::zeros() {
-                continue;
-            }
-            let Some(last) = self.numeric.frames(&q).pop() else { continue };
-            let moment = (tool - last.fixed_view::<3, 1>(0, 3)).cross(&force);
-            let wrench = Vector6::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
-            let torques = self.numeric.jacobian(&q).transpose() * wrench;
+            let torques = jacobian.fixed_rows::<3>(0).transpose() * force;
             (0..n).for_each(|j| out[j * len + s] -= torques[j]);
         }
     }

@@ -172,15 +172,15 @@ impl Hypothesis for Wall {
         let weight: Vec<f64> = residual.iter().map(|row| quiet(row)).collect();
         let mut planes: Vec<Plane> = directions()
             .enumerate()
-            .filter(|(_, n)| reached(n, &positions))
-            .flat_map(|(d, n)| Plane::of(d, n, &positions))
+            .filter(|(_, n)| reached(n, positions))
+            .flat_map(|(d, n)| Plane::of(d, n, positions))
             .collect();
         for part in parts(scene.len) {
             let unit = scene.wrenches(part.clone(), true);
             for same in planes.chunk_by_mut(|a, b| a.direction == b.direction) {
                 let torque = along(&unit, &same[0].normal, scene.dof());
                 for w in part.clone() {
-                    let at = height(&positions, &same[0].normal, w);
+                    let at = height(positions, &same[0].normal, w);
                     let live = (0..scene.dof()).filter(|&j| scene.live[j][w]);
                     let sums = live.fold([0.0; 2], |[with, own], j| {
                         let torque = torque[j][w - part.start];
@@ -192,20 +192,24 @@ impl Hypothesis for Wall {
         }
         planes.sort_by(|a, b| b.gain().total_cmp(&a.gain()));
         let found = planes.iter().filter(|plane| plane.gain() > 0.0).take(TRIED);
-        found.map(|plane| plane.shape(&positions)).collect()
+        found.map(|plane| plane.shape(positions)).collect()
     }
 
-    /// What is met nowhere, or never left, is no wall.
+    /// What is met nowhere, or never left, is no wall; nor does a normal lean out of the plane of an
+    /// arm.
     fn shows(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> bool {
-        let behind =
-            depths(&scene.tool_positions(), &normal(shape), distance(shape)).iter().filter(|d| **d > 0.0).count();
+        let (positions, normal) = (scene.tool_positions(), normal(shape));
+        if !reached(&normal, positions) {
+            return false;
+        }
+        let behind = depths(positions, &normal, distance(shape)).iter().filter(|d| **d > 0.0).count();
         let share = behind as f64 / scene.len.max(1) as f64;
         (SHARE[0]..=SHARE[1]).contains(&share) && behind as f64 * scene.step >= LEAST
     }
 
     fn terms(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> Vec<Term> {
         let normal = normal(shape);
-        let depth = depths(&scene.tool_positions(), &normal, distance(shape));
+        let depth = depths(scene.tool_positions(), &normal, distance(shape));
         let mut rows = vec![Vec::with_capacity(scene.len); scene.dof()];
         for part in parts(scene.len) {
             let torques = along(&scene.wrenches(part.clone(), true), &normal, scene.dof());
@@ -219,7 +223,7 @@ impl Hypothesis for Wall {
 
     /// The force where the tool is deepest is one that the motors can bear.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], x: &[f64]) -> bool {
-        let deepest = depths(&scene.tool_positions(), &normal(shape), distance(shape)).into_iter().fold(0.0, f64::max);
+        let deepest = depths(scene.tool_positions(), &normal(shape), distance(shape)).into_iter().fold(0.0, f64::max);
         ExternalContact.plausible(scene, place, shape, &[x[0] * deepest])
     }
 

@@ -125,14 +125,11 @@ fn a_wall_is_a_contact_that_depends_on_the_position() {
         [rigid[0] + friction[0] - shoulder, rigid[1] + friction[1] - elbow]
     });
     assert_eq!(names(&found), [("external_contact", vec![])]);
-    // A normal that leans out of the arm's plane is one in it that is shorter.
-    let [k, nx, ny, found_at] = ["k", "nx", "ny", "at"].map(|symbol| value(&found, symbol));
-    let length = nx.hypot(ny);
-    let named = [k * length * length, nx / length, ny / length, found_at / length];
+    let named = ["k", "nx", "ny", "at"].map(|symbol| value(&found, symbol));
     for (found, wanted) in named.into_iter().zip([stiffness, normal[0], normal[1], at]) {
         assert!((found - wanted).abs() < 0.03 * wanted.abs(), "{named:?}");
     }
-    assert!(missed.iter().all(|m| *m < 1.4), "{missed:?}");
+    assert!(missed.iter().all(|m| *m < 1.2), "{missed:?}");
 }
 
 #[test]

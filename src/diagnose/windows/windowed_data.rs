@@ -8,7 +8,7 @@
 
 use std::borrow::Cow;
 use std::ops::Index;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use crate::model::{Change, DriveTerm, PerturbableArm, StandardParameter, States};
 
@@ -353,6 +353,8 @@ pub struct WindowedData<'a> {
     pub all: bool,
     /// [`WindowedData::slopes`] of the joints that were asked for last, with their numbers.
     slopes: Mutex<Vec<(usize, Arc<Slopes>)>>,
+    /// [`WindowedData::tool_positions`], once asked for.
+    positions: OnceLock<Vec<f64>>,
 }
 
 impl<'a> WindowedData<'a> {
@@ -401,6 +403,7 @@ impl<'a> WindowedData<'a> {
             period,
             all,
             slopes: Mutex::default(),
+            positions: OnceLock::new(),
             runs: cuts.iter().map(|c| c.first..c.first + c.windows).collect(),
             plant,
             len,
@@ -447,6 +450,7 @@ impl<'a> WindowedData<'a> {
         });
         self.states = states.collect();
         self.state_of_joint = of_joint;
+        self.positions = OnceLock::new();
         for j in (0..dof).filter(|&j| self.delays[j] != delays[j]) {
             let (zone, stands) = (self.velocity_noise_limit[j], self.stands[j]);
             let signed = SpeedSign { zone, stands, all: self.all };
@@ -533,12 +537,14 @@ impl<'a> WindowedData<'a> {
     }
 
     /// [`PerturbableArm::tool_positions`] in all windows.
-    pub fn tool_positions(&self) -> Vec<f64> {
-        let mut out = vec![0.0; 3 * self.len];
-        if let Some(states) = self.states.first() {
-            self.plant.tool_positions(states, &mut out);
-        }
-        out
+    pub fn tool_positions(&self) -> &[f64] {
+        self.positions.get_or_init(|| {
+            let mut out = vec![0.0; 3 * self.len];
+            if let Some(states) = self.states.first() {
+                self.plant.tool_positions(states, &mut out);
+            }
+            out
+        })
     }
 
     /// The longest lever at the last frame that some joint has in some of the postures, m.
@@ -712,6 +718,7 @@ impl<'a> WindowedData<'a> {
     /// Gives back the memory of what can be computed again.
     pub fn forget(&mut self) {
         self.slopes = Mutex::default();
+        self.positions = OnceLock::new();
     }
 
     /// How the rigid torques change with joint `j`'s motion.

@@ -1,6 +1,6 @@
 //! Positions of the frames and their motion.
 
-use nalgebra::{Matrix4, Matrix6xX, Vector6};
+use nalgebra::{Matrix4, Matrix6xX, Vector3, Vector6};
 
 use super::Numeric;
 use super::rnea::Sweep;
@@ -22,12 +22,23 @@ impl Numeric {
     /// the angular (rad/s), in world axes.
     pub fn jacobian(&self, q: &[f64]) -> Matrix6xX<f64> {
         let poses = self.poses(q);
+        self.jacobian_at(poses.last().map_or(self.base.origin, |tip| tip.origin), &poses)
+    }
+
+    /// [`Numeric::tool`] and the Jacobian of its origin, arranged as [`Numeric::jacobian`].
+    pub fn tool_and_jacobian(&self, q: &[f64]) -> (Matrix4<f64>, Matrix6xX<f64>) {
+        let poses = self.poses(q);
+        let tool = poses.last().unwrap_or(&self.base).then(&self.tool);
+        (homogeneous(&tool), self.jacobian_at(tool.origin, &poses))
+    }
+
+    /// Jacobian of a point that moves with the last frame, in the world frame.
+    fn jacobian_at(&self, point: Vector3<f64>, poses: &[Plucker]) -> Matrix6xX<f64> {
         let mut jacobian = Matrix6xX::zeros(self.dof);
-        let Some(tip) = poses.last() else { return jacobian };
-        for (row, pose) in self.rows.iter().zip(&poses) {
+        for (row, pose) in self.rows.iter().zip(poses) {
             let Some(j) = row.joint else { continue };
             let w = pose.rotation * row.axis.w;
-            let v = pose.rotation * row.axis.v + w.cross(&(tip.origin - pose.origin));
+            let v = pose.rotation * row.axis.v + w.cross(&(point - pose.origin));
             jacobian.fixed_view_mut::<3, 1>(0, j).copy_from(&v);
             jacobian.fixed_view_mut::<3, 1>(3, j).copy_from(&w);
         }
@@ -76,29 +87,37 @@ mod tests {
     use super::*;
     use crate::model::rigid_body::random::Family;
     use crate::numerics::prng::Random;
-    use nalgebra::{DVector, Matrix3, Vector3};
+    use nalgebra::{DVector, Matrix3};
 
     /// `q + s dq`.
     fn along(q: &[f64], dq: &[f64], s: f64) -> Vec<f64> {
         q.iter().zip(dq).map(|(q, dq)| q + s * dq).collect()
     }
 
-    #[test]
-    fn jacobian_meets_differences_of_the_last_frame() {
-        let mut random = Random::new(51);
+    /// Misses of `J dq` beside differences of a pose along `dq`.
+    fn misses(at: impl Fn(f64) -> Matrix4<f64>, twist: &Vector6<f64>) -> f64 {
         let h = 1e-6;
+        let rate = (at(h) - at(-h)) / (2.0 * h);
+        let rotation: Matrix3<f64> = at(0.0).fixed_view::<3, 3>(0, 0).into();
+        let spin = rate.fixed_view::<3, 3>(0, 0) * rotation.transpose();
+        let w = Vector3::new(spin[(2, 1)], spin[(0, 2)], spin[(1, 0)]);
+        let v: Vector3<f64> = rate.fixed_view::<3, 1>(0, 3).into();
+        let miss = (v - twist.fixed_rows::<3>(0)).amax().max((w - twist.fixed_rows::<3>(3)).amax());
+        miss / (1.0 + twist.amax())
+    }
+
+    #[test]
+    fn jacobians_meet_differences_of_their_frames() {
+        let mut random = Random::new(51);
         for _ in 0..100 {
             let robot = random.robot(&Family::default());
             let (numeric, s) = (Numeric::new(&robot), random.state(&robot));
-            let twist = numeric.jacobian(&s.q) * DVector::from_column_slice(&s.dq);
-            let at = |t: f64| *numeric.frames(&along(&s.q, &s.dq, t)).last().unwrap();
-            let rate = (at(h) - at(-h)) / (2.0 * h);
-            let rotation: Matrix3<f64> = at(0.0).fixed_view::<3, 3>(0, 0).into();
-            let spin = rate.fixed_view::<3, 3>(0, 0) * rotation.transpose();
-            let w = Vector3::new(spin[(2, 1)], spin[(0, 2)], spin[(1, 0)]);
-            let v: Vector3<f64> = rate.fixed_view::<3, 1>(0, 3).into();
-            assert!((v - twist.fixed_rows::<3>(0)).amax() < 1e-6 * (1.0 + twist.amax()));
-            assert!((w - twist.fixed_rows::<3>(3)).amax() < 1e-6 * (1.0 + twist.amax()));
+            let dq = DVector::from_column_slice(&s.dq);
+            let last = |t: f64| *numeric.frames(&along(&s.q, &s.dq, t)).last().unwrap();
+            assert!(misses(last, &(numeric.jacobian(&s.q) * &dq)) < 1e-6);
+            let tool = |t: f64| numeric.tool(&along(&s.q, &s.dq, t));
+            let (pose, jacobian) = numeric.tool_and_jacobian(&s.q);
+            assert!(pose == tool(0.0) && misses(tool, &(jacobian * dq)) < 1e-6);
         }
     }
 
