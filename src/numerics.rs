@@ -9,6 +9,7 @@ pub(crate) mod fft;
 pub(crate) mod integrators;
 pub(crate) mod parallel;
 pub(crate) mod pattern_search;
+pub(crate) mod periodogram;
 pub mod prng;
 pub(crate) mod sos;
 pub(crate) mod sums;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The diagnosis on logs of a simulator that this project did not write: MuJoCo plays the arms of robots/, with and without an effect that the robot file does
-not know. Prints the figures; --out keeps robot files, logs, labels and results.
+"""The diagnosis on logs of a simulator that this project did not write: MuJoCo plays arms of robots/ or others (--arms), with and without an effect that the
+robot file does not know. Prints the figures; --out keeps robot files, logs, labels and results.
 
     python3 -m pip install mujoco pyyaml
     cargo build --release --bin denavit
@@ -68,16 +68,20 @@ def limits(value, constants, default):
 
 
 class Arm:
-    """DH table, limits and bodies of a robot file; bodies that MuJoCo takes for impossible become ellipsoids."""
+    """DH table, limits and bodies of a robot file (a name in robots/, or a path); bodies that MuJoCo takes for impossible become ellipsoids."""
 
     def __init__(self, name):
-        with open(os.path.join(ROOT, "robots", name + ".yaml")) as file:
+        if not name.endswith(".yaml"):
+            name = os.path.join(ROOT, "robots", name + ".yaml")
+        with open(name) as file:
             raw = yaml.safe_load(file)
         constants = {}
         for key, value in (raw.get("constants") or {}).items():
             constants[key] = number(value, constants)
-        assert raw.get("convention", "modified") == "modified", name
-        self.name, self.joints, self.links = name, [], []
+        table = (raw.get("convention", "modified"), {j.get("type", "revolute") for j in raw["joints"]})
+        if table != ("modified", {"revolute"}):
+            sys.exit(f"{name}: only modified tables of revolute joints are played, and this is {table}")
+        self.name, self.joints, self.links = os.path.splitext(os.path.basename(name))[0], [], []
         self.gravity = [number(g, constants) for g in raw.get("gravity", [0, 0, -9.81])]
         for row, joint in enumerate(raw["joints"]):
             of = lambda key: number(joint.get(key, 0), constants)
@@ -239,7 +243,8 @@ class Law:
 
 def play(arm, moves, effect, j, x, first, random_window, form=None, scale=None):
     """Follows a motion by computed torques; true motion and command at every step. The constants of a law come from the motion `scale`."""
-    mj, extra = model(arm, effect, j, x)
+    # A spring of another form takes the place of MuJoCo's.
+    mj, extra = model(arm, None if form and effect == "joint_spring" else effect, j, x)
     plain, _ = model(arm)
     data, feed = mujoco.MjData(mj), mujoco.MjData(plain)
     t, q, v, a = moves
@@ -345,10 +350,10 @@ def record(path, arm, run, effect, j, x, rate, encoder, random):
             out.writerow([f"{t[row]:.6f}"] + [f"{x:.9g}" for x in q[k]] + [f"{x:.8g}" for x in tau[k]])
 
 
-def draw(seed, wanted, laws=False):
+def draw(seed, wanted, laws=False, arms=ARMS):
     """A case: what is hidden, its size, its logs' motions."""
     random = np.random.default_rng(seed)
-    arm = Arm(ARMS[seed % len(ARMS)])
+    arm = Arm(arms[seed % len(arms)])
     clean = seed % 5 == 0
     effect = None if clean else EFFECTS[(seed - seed // 5) % len(EFFECTS)]
     form = None
@@ -392,7 +397,7 @@ def draw(seed, wanted, laws=False):
         joints = [j + 1, runs[0][5]["other"] + 1]
     symbol, value = (None, None) if form else TRUTH.get(effect, (None, None))
     truth = {} if not symbol else {symbol + ("" if whole else str(j + 1)): value(row, x)}
-    label = {"seed": seed, "robot": arm.name, "effect": effect, "form": form, "joints": joints, "size": x, "parameters": truth, "rate": rate, "encoder": encoder}
+    label = {"seed": seed, "robot": arm.name, "effect": effect, "form": form, "dof": arm.dof(), "joints": joints, "size": x, "parameters": truth, "rate": rate, "encoder": encoder}
     return arm, runs, label, (effect, j, x, rate, encoder, random)
 
 
@@ -412,7 +417,10 @@ def diagnose(arm, runs, sensors, place):
 def same(cause, label):
     joints = sorted(cause["joints"])
     if label["effect"] == "payload" and cause["cause"] == "link_inertia_error":
-        return joints == [7 if "ur10e" not in label["robot"] else 6]
+        return joints == [label["dof"]]
+    if label["effect"] == "link_inertia_error" and label["joints"] == [1] and cause["cause"] == "rotor_inertia":
+        # Only its inertia about the axis moves: the torque of a rotor.
+        return joints == [1]
     return cause["cause"] == label["effect"] and joints == sorted(label["joints"])
 
 
@@ -466,13 +474,14 @@ def main():
     options.add_argument("--seed", type=int, default=1, help="of the first case; each has the next")
     options.add_argument("--size", type=float, default=10.0, help="error of the file that an effect makes on its joint, in noises of the torque")
     options.add_argument("--laws", action="store_true", help="hide laws of other forms")
+    options.add_argument("--arms", nargs="+", default=ARMS, help="names in robots/, or robot files, as `denavit import` writes them; their friction is drawn from their torque limits")
     options.add_argument("--out", help="folder for robot files, logs, labels and results")
     options = options.parse_args()
     if not os.access(DENAVIT, os.X_OK):
         sys.exit(f"{DENAVIT} is missing: cargo build --release --bin denavit, or DENAVIT=path")
     results = []
     for seed in range(options.seed, options.seed + options.cases):
-        case = draw(seed, options.size, options.laws)
+        case = draw(seed, options.size, options.laws, options.arms)
         if case is None:
             print(f"seed {seed}: the effect can't be made so large here, left out", file=sys.stderr)
             continue

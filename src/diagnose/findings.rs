@@ -10,6 +10,7 @@ pub(super) mod impacts;
 pub(super) mod links;
 pub(super) mod maps;
 pub(super) mod nameless;
+pub(super) mod order;
 pub(super) mod reported_cause;
 pub(super) mod result;
 pub(super) mod structure;

@@ -447,6 +447,11 @@ pub trait Hypothesis: Sync {
 
     /// Experiment that would separate it from others, or show it better.
     fn shown_by(&self) -> &'static str;
+
+    /// What would separate it here from those that it is [`Hypothesis::indistinguishable`] from.
+    fn decided_by(&self, _scene: &WindowedData<'_>, _place: &[usize]) -> &'static str {
+        self.shown_by()
+    }
 }
 
 /// The hypothesis that looks for an effect.
@@ -535,19 +540,8 @@ fn geometric(first: f64, last: f64, count: usize) -> Vec<f64> {
     (0..count).map(|i| first * (last / first).powf(i as f64 / steps)).collect()
 }
 
-/// Largest speed of joint `j`, rad/s.
-pub(super) fn fastest(scene: &WindowedData<'_>, j: usize) -> f64 {
-    scene.own[j].iter().flat_map(|o| o.v.iter()).fold(0.0, |m, v| m.max(v.abs()))
-}
-
-/// Smallest and largest position of joint `j`, rad.
-fn travel(scene: &WindowedData<'_>, j: usize) -> [f64; 2] {
-    let all = || scene.own[j].iter().flat_map(|o| o.q.iter().copied());
-    [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)]
-}
-
 /// Whether joint `j` moves at all: beyond what its noise looks like.
 fn moves(scene: &WindowedData<'_>, j: usize) -> bool {
-    let [low, high] = travel(scene, j);
-    high - low > 0.02 && fastest(scene, j) > 3.0 * scene.velocity_noise_limit[j]
+    let [low, high] = scene.travel[j];
+    high - low > 0.02 && scene.fastest[j] > 3.0 * scene.velocity_noise_limit[j]
 }

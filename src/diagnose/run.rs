@@ -1,10 +1,11 @@
 //! The diagnosis from end to end: recordings in, [`Diagnosis`] out.
 
-use super::findings::attribution::{curve, in_order};
+use super::findings::attribution::curve;
 use super::findings::calibration;
 use super::findings::deflection::deflections;
 use super::findings::impacts::impacts;
 use super::findings::nameless::unknown;
+use super::findings::order::in_order;
 use super::findings::reported_cause::quiet;
 use super::findings::result::{Cause, Diagnosis, Errors, NextExperiment, Offer, Offered, Verdict};
 use super::findings::structure::Structure;

@@ -55,19 +55,33 @@ impl Spring {
 
     /// From angle and rate at the first instant on.
     pub fn integrate(self, asked: &LinkLoad<'_>, start: [f64; 2]) -> Deflection {
+        let [only] = Self::damped(self.stiffness, [self.damping], asked, [start]);
+        only
+    }
+
+    /// Springs that differ in their dampers, each from its start. Their steps are the same, and a
+    /// processor takes several in the time of one.
+    pub fn damped<const N: usize>(
+        stiffness: f64,
+        dampings: [f64; N],
+        asked: &LinkLoad<'_>,
+        starts: [[f64; 2]; N],
+    ) -> [Deflection; N] {
         let len = asked.load.len();
-        let [mut angle, mut rate, mut second] = std::array::from_fn(|_| Vec::with_capacity(len));
-        let [mut x, mut v] = start;
+        let mut found: [Deflection; N] = std::array::from_fn(|_| std::array::from_fn(|_| Vec::with_capacity(len)));
+        let mut states = starts;
         let last = len.saturating_sub(1);
         for k in 0..len {
-            let [m, d, s] = self.at(asked, k);
-            angle.push(x);
-            rate.push(v);
-            second.push((asked.load[k] - d * v - s * x) / m);
+            let (m, s) = (asked.inertia[k], stiffness + asked.stiffness[k]);
+            for (([x, v], damping), [angle, rate, second]) in states.iter().zip(dampings).zip(&mut found) {
+                angle.push(*x);
+                rate.push(*v);
+                second.push((asked.load[k] - (damping + asked.damping[k]) * v - s * x) / m);
+            }
             if k == last {
                 break;
             }
-            let [m1, d1, s1] = self.at(asked, k + 1);
+            let (m1, s1) = (asked.inertia[k + 1], stiffness + asked.stiffness[k + 1]);
             let parts = (asked.step * (s.max(s1).max(0.0) / m.min(m1)).sqrt() / FINE).ceil().clamp(1.0, MOST);
             let h = asked.step / parts;
             let near =
@@ -75,18 +89,18 @@ impl Spring {
             for part in 0..parts as usize {
                 let f = (part as f64 + 0.5) / parts;
                 let between = |a: f64, b: f64| a + f * (b - a);
-                let (m, d, s) = (between(m, m1), between(d, d1), between(s, s1));
-                // The middle of the step holds for all of it.
-                let a = (cubic(near, f) - d * v - s * (x + 0.5 * h * v)) / (m + 0.5 * h * d + 0.25 * h * h * s);
-                x += h * (v + 0.5 * h * a);
-                v += h * a;
+                let (load, own) = (cubic(near, f), between(asked.damping[k], asked.damping[k + 1]));
+                let (m, s) = (between(m, m1), between(s, s1));
+                for ([x, v], damping) in states.iter_mut().zip(dampings) {
+                    let d = damping + own;
+                    // The middle of the step holds for all of it.
+                    let a = (load - d * *v - s * (*x + 0.5 * h * *v)) / (m + 0.5 * h * d + 0.25 * h * h * s);
+                    *x += h * (*v + 0.5 * h * a);
+                    *v += h * a;
+                }
             }
         }
-        [angle, rate, second]
-    }
-
-    fn at(self, asked: &LinkLoad<'_>, k: usize) -> [f64; 3] {
-        [asked.inertia[k], self.damping + asked.damping[k], self.stiffness + asked.stiffness[k]]
+        found
     }
 }
 

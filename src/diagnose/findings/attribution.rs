@@ -18,7 +18,7 @@ use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::Accepted;
 use crate::diagnose::select::beside::Shares;
 use crate::diagnose::select::measure::{Figures, Measured, share, taken_of};
-use dh_codegen::robot::{EffectKind, effects};
+use dh_codegen::robot::EffectKind;
 
 /// A model whose causes get probabilities.
 pub(in crate::diagnose) struct Attribution<'a> {
@@ -96,7 +96,7 @@ impl Attribution<'_> {
             rms_after: with.rms.clone(),
             on,
             not_distinguished_from: confusable(tested, item, accepted, plain_rivals),
-            shown_by: item.hypothesis.shown_by(),
+            shown_by: item.hypothesis.decided_by(&tested.scene, &item.place),
             law: None,
         }
     }
@@ -173,35 +173,6 @@ pub(in crate::diagnose) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
 
 /// A margin beyond which more of it says nothing.
 pub(in crate::diagnose) const MOST_MARGIN: f64 = 1e4;
-
-/// Puts causes in order of what they are expected to gain: of two that take the same error the
-/// surer one comes first. Those of values come after those of structure.
-pub(in crate::diagnose) fn in_order(causes: &mut Vec<Cause>, scale: &[f64]) {
-    let expected = |c: &Cause| c.probability * taken(c, scale);
-    causes.sort_by(|a, b| expected(b).total_cmp(&expected(a)));
-    values_last(causes, scale);
-}
-
-/// Errors that no value of a link's parameter explains are named before those values. This holds if
-/// they explain half of the squared error of a joint beside them, or a quarter of that of all: an
-/// error of a recording or an arm as a whole, whatever the file contains. It holds for every cause
-/// if all parameters were refitted as a matter of course.
-fn values_last(causes: &mut Vec<Cause>, noise: &[f64]) {
-    let Some(at) = causes.iter().position(|c| c.cause == effects::LinkInertiaError::NAME) else { return };
-    let refitted = causes[at].keys.is_empty();
-    let structure = |c: &Cause| {
-        let joints = c.rms_before.iter().zip(&c.rms_after).zip(noise);
-        let shares: Vec<f64> = joints.map(|((b, a), s)| (b * b - a * a) / (b * b + s * s).max(1e-24)).collect();
-        let most = shares.iter().copied().fold(0.0, f64::max);
-        most > 0.5 || shares.iter().sum::<f64>() > 0.25 * shares.len() as f64
-    };
-    let value = |c: &Cause| [effects::LinkInertiaError::NAME, effects::Payload::NAME, "unknown"].contains(&c.cause);
-    let tail = causes.split_off(at);
-    let (first, rest): (Vec<Cause>, Vec<Cause>) =
-        tail.into_iter().partition(|c| !value(c) && (refitted || c.joints.is_empty()) && structure(c));
-    causes.extend(first);
-    causes.extend(rest);
-}
 
 /// Of a plain term of friction: the square of its value by its standard deviation, of the surest
 /// one.

@@ -245,7 +245,7 @@ pub struct Diagnosis {
     pub links_refitted: bool,
     /// Standard parameters of the extended model.
     pub standard: Option<Vec<f64>>,
-    /// Causes, in order of their gain times their probability.
+    /// Causes, in order of their gain times their odds.
     pub causes: Vec<Cause>,
     /// Plain friction that the extended model has refitted but that is no news: for the file alone.
     pub friction: Vec<Cause>,

@@ -110,7 +110,7 @@ type Of = fn(&JointSeries<'_>, usize) -> f64;
 fn maps(scene: &WindowedData<'_>, j: usize) -> Vec<(&'static str, Vec<Vec<f64>>)> {
     let series =
         |f: &dyn Fn(&JointSeries<'_>, usize) -> f64| scene.own_series(j, |o| (0..o.v.len()).map(|k| f(o, k)).collect());
-    let fastest = crate::diagnose::hypotheses::fastest(scene, j).max(1e-9);
+    let fastest = scene.fastest[j].max(1e-9);
     let load = scene.rigid[j].iter().fold(1e-9_f64, |m, t| m.max(t.abs()));
     let long = scene.time.iter().fold(1.0_f64, |m, t| m.max(*t));
     let mut maps = vec![(

@@ -139,21 +139,33 @@ impl<'s, 'a> Link<'s, 'a> {
         spring.integrate(&asked, [start[0] + x, start[1] + y * rate])
     }
 
-    /// How much a spring takes of the residual of its own joint, N^2 m^2 times windows, without its
-    /// first second.
-    fn takes(&self, spring: Spring, residual: &[f64]) -> f64 {
+    /// How much springs of one resonance, Hz, take of the residual of their joint by their damping
+    /// ratios, N^2 m^2 times windows, without its first second.
+    fn takes<const N: usize>(&self, frequency: f64, ratios: [f64; N], residual: &[f64]) -> [f64; N] {
         let skip = (1.0 / self.scene.step) as usize;
-        let mut gain = 0.0;
+        let springs = ratios.map(|ratio| self.spring(frequency, ratio));
+        let stiffness = springs[0].stiffness;
+        let mut gains = [0.0; N];
         for run in &self.scene.runs {
             let asked = self.asked(run.clone());
-            let adds = self.adds(self.joint, &spring.integrate(&asked, spring.quasi_static(&asked)), run.clone());
-            for (w, c) in run.clone().zip(&adds).skip(skip.min(run.len() / 3)) {
-                if self.scene.live[self.joint][w] {
-                    gain += (2.0 * residual[w] - c) * c;
+            let starts = [springs[0].quasi_static(&asked); N];
+            let wound = Spring::damped(stiffness, springs.map(|s| s.damping), &asked, starts);
+            for (gain, wound) in gains.iter_mut().zip(&wound) {
+                let adds = self.adds(self.joint, wound, run.clone());
+                for (w, c) in run.clone().zip(&adds).skip(skip.min(run.len() / 3)) {
+                    if self.scene.live[self.joint][w] {
+                        *gain += (2.0 * residual[w] - c) * c;
+                    }
                 }
             }
         }
-        gain
+        gains
+    }
+
+    /// Of a resonance, Hz, and a damping ratio.
+    fn spring(&self, frequency: f64, ratio: f64) -> Spring {
+        let w = std::f64::consts::TAU * frequency;
+        Spring { stiffness: w * w * self.usual, damping: 2.0 * ratio * w * self.usual }
     }
 }
 
@@ -195,18 +207,15 @@ impl Hypothesis for JointElasticity {
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let Some(link) = Link::new(scene, place[0]) else { return Vec::new() };
         let residual = &residual[place[0]];
-        let spring = |frequency: f64, ratio: f64| {
-            let w = std::f64::consts::TAU * frequency;
-            Spring { stiffness: w * w * link.usual, damping: 2.0 * ratio * w * link.usual }
-        };
         let mut all: Vec<(f64, [f64; 2])> = Vec::new();
         for frequency in geometric(0.4, link.highest().max(0.5), 30) {
-            let best =
-                [0.02, 0.08, 0.3].map(|ratio| (link.takes(spring(frequency, ratio), residual), [frequency, ratio]));
-            all.extend(best.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)));
+            const RATIOS: [f64; 3] = [0.02, 0.08, 0.3];
+            let taken = link.takes(frequency, RATIOS, residual).into_iter().zip(RATIOS);
+            all.extend(taken.map(|(gain, ratio)| (gain, [frequency, ratio])).max_by(|a, b| a.0.total_cmp(&b.0)));
         }
         for frequency in geometric(link.highest(), HIGHEST, 12).into_iter().skip(1) {
-            all.push((link.takes(spring(frequency, WINDS), residual), [frequency, WINDS]));
+            let [gain] = link.takes(frequency, [WINDS], residual);
+            all.push((gain, [frequency, WINDS]));
         }
         // The two highest peaks.
         let peak = |i: &usize| {
@@ -222,14 +231,14 @@ impl Hypothesis for JointElasticity {
                 for (k, up) in [(0, true), (0, false), (1, true), (1, false)] {
                     let mut next = best.1;
                     next[k] *= if up { 1.0 + step[k] } else { 1.0 / (1.0 + step[k]) };
-                    let gain = link.takes(spring(next[0], next[1].max(LEAST)), residual);
+                    let [gain] = link.takes(next[0], [next[1].max(LEAST)], residual);
                     if gain > best.0 && link.shows(next[0], next[1]) {
                         best = (gain, next);
                     }
                 }
                 step = step.map(|s| 0.6 * s);
             }
-            let Spring { stiffness, damping } = spring(best.1[0], best.1[1].max(LEAST));
+            let Spring { stiffness, damping } = link.spring(best.1[0], best.1[1].max(LEAST));
             vec![stiffness, damping]
         };
         peaks.iter().take(2).map(finer).collect()

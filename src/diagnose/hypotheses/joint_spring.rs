@@ -13,7 +13,6 @@ use super::Sign;
 use super::Symbol;
 use super::Term;
 use super::moves;
-use super::travel;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// `KS (q - QS)`, `KS` above zero: what pushes on from its rest is gravity of a wrong mass, or a gain.
@@ -40,7 +39,7 @@ impl Hypothesis for JointSpring {
 
     /// Over the travel no more than the joint can hold.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
-        let [low, high] = travel(scene, place[0]);
+        let [low, high] = scene.travel[place[0]];
         x.iter().all(|stiffness| 0.5 * stiffness.abs() * (high - low) <= scene.rated[place[0]])
     }
 
@@ -102,7 +101,7 @@ impl Hypothesis for CableSpring {
     }
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        let [low, high] = travel(scene, place[0]);
+        let [low, high] = scene.travel[place[0]];
         let rests = (1..8).map(|k| low + f64::from(k) / 8.0 * (high - low));
         rests.flat_map(|rest| (0..FORMS.len()).map(move |form| vec![rest, form as f64])).collect()
     }
@@ -123,7 +122,7 @@ impl Hypothesis for CableSpring {
 
     /// At the ends of the travel a cable that is always taut, or never, is none.
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
-        let [low, high] = travel(scene, place[0]);
+        let [low, high] = scene.travel[place[0]];
         let edge = 0.05 * (high - low);
         moves(scene, place[0]) && (low + edge..high - edge).contains(&shape[REST])
     }
@@ -146,7 +145,7 @@ impl Hypothesis for CableSpring {
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], x: &[f64]) -> bool {
         let (side, _) = Self::form(shape);
         let pull = |at: f64| x.iter().zip([at, at.powi(3)]).map(|(k, x)| k * x).sum::<f64>();
-        let ends = travel(scene, place[0]).map(|end| end - shape[REST]);
+        let ends = scene.travel[place[0]].map(|end| end - shape[REST]);
         let back = |at: &f64| pull(*at).abs() <= scene.rated[place[0]] && pull(0.3 * at) * at >= 0.0;
         ends.iter().filter(|at| side * **at >= 0.0).all(back)
     }

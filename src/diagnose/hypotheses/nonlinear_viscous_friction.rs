@@ -11,7 +11,6 @@ use super::Shape;
 use super::Sign;
 use super::Symbol;
 use super::Term;
-use super::fastest;
 use super::geometric;
 use super::moves;
 use crate::diagnose::windows::windowed_data::WindowedData;
@@ -50,7 +49,7 @@ impl Hypothesis for NonlinearViscousFriction {
     }
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        let fast = fastest(scene, place[0]);
+        let fast = scene.fastest[place[0]];
         let slow = (2.0 * scene.velocity_noise_limit[place[0]]).clamp(1.5 * SLOWEST * fast, 0.2 * fast);
         let powers = [0.4, 0.6, 1.5, 2.0, 3.0].iter().map(|e| vec![*e, 0.0]);
         powers.chain(geometric(slow, fast, 4).into_iter().map(|v| vec![1.0, v])).collect()
@@ -68,7 +67,7 @@ impl Hypothesis for NonlinearViscousFriction {
 
     /// Neither what is constant over nearly all speeds nor what is in proportion to them.
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
-        let fast = fastest(scene, place[0]);
+        let fast = scene.fastest[place[0]];
         let differs = match shape[1] {
             0.0 => (shape[0] - 1.0).abs() >= 0.05,
             half => (SLOWEST * fast..2.0 * fast).contains(&half),
@@ -78,7 +77,7 @@ impl Hypothesis for NonlinearViscousFriction {
 
     /// A speed that runs to the least that is looked for is no estimate.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], _: &[f64]) -> bool {
-        shape[1] == 0.0 || shape[1] > 1.1 * SLOWEST * fastest(scene, place[0])
+        shape[1] == 0.0 || shape[1] > 1.1 * SLOWEST * scene.fastest[place[0]]
     }
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {

@@ -11,7 +11,6 @@ use super::Sign;
 use super::Symbol;
 use super::Term;
 use super::moves;
-use super::travel;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// `sign(v) (PC cos(PN q) + PS sin(PN q))`.
@@ -36,7 +35,7 @@ impl Hypothesis for PositionDependentFriction {
     }
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        let [low, high] = travel(scene, place[0]);
+        let [low, high] = scene.travel[place[0]];
         // At least a third of a period must lie within the travel.
         let least = (2.0 / (high - low).max(0.1)).max(1.0);
         [1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 10.0, 12.0]
@@ -47,7 +46,7 @@ impl Hypothesis for PositionDependentFriction {
     }
 
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
-        let [low, high] = travel(scene, place[0]);
+        let [low, high] = scene.travel[place[0]];
         moves(scene, place[0]) && shape[0] * (high - low) >= 2.0
     }
 

@@ -11,7 +11,6 @@ use super::Symbol;
 use super::Term;
 use super::geometric;
 use super::moves;
-use super::travel;
 use crate::diagnose::windows::windowed_data::{JointSeries, WindowedData};
 
 /// `HC z`, `dz/dt = (v / HX) (1 - z sign v)`, in place of as much Coulomb friction as the fit
@@ -59,12 +58,12 @@ impl Hypothesis for PreslidingHysteresis {
     }
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        let [low, high] = travel(scene, place[0]);
+        let [low, high] = scene.travel[place[0]];
         geometric(3e-4 * (high - low), 0.12 * (high - low), 9).into_iter().map(|x| vec![x]).collect()
     }
 
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
-        let [low, high] = travel(scene, place[0]);
+        let [low, high] = scene.travel[place[0]];
         moves(scene, place[0]) && shape[0] <= 0.2 * (high - low)
     }
 
@@ -79,7 +78,7 @@ impl Hypothesis for PreslidingHysteresis {
 
     /// Less than the joint can overcome, over a distance that is more than none: else it is a level.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], x: &[f64]) -> bool {
-        let [low, high] = travel(scene, place[0]);
+        let [low, high] = scene.travel[place[0]];
         shape[0] >= SHORTEST * (high - low) && x.iter().all(|level| *level <= scene.rated[place[0]])
     }
 

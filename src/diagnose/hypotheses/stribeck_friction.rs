@@ -12,7 +12,6 @@ use super::Shape;
 use super::Sign;
 use super::Symbol;
 use super::Term;
-use super::fastest;
 use super::geometric;
 use super::moves;
 use crate::diagnose::windows::windowed_data::WindowedData;
@@ -42,13 +41,13 @@ impl Hypothesis for StribeckFriction {
     }
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        let (slow, fast) = (2.0 * scene.velocity_noise_limit[place[0]], 0.35 * fastest(scene, place[0]));
+        let (slow, fast) = (2.0 * scene.velocity_noise_limit[place[0]], 0.35 * scene.fastest[place[0]]);
         let speeds = geometric(slow.min(0.5 * fast), fast, 8);
         speeds.iter().flat_map(|&v| [vec![v, 2.0], vec![v, 1.0]]).collect()
     }
 
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
-        moves(scene, place[0]) && shape[0] <= 0.5 * fastest(scene, place[0])
+        moves(scene, place[0]) && shape[0] <= 0.5 * scene.fastest[place[0]]
     }
 
     fn integer_shape(&self) -> Option<usize> {

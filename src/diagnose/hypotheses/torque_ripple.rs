@@ -10,8 +10,8 @@ use super::Sign;
 use super::Symbol;
 use super::Term;
 use super::moves;
-use super::travel;
 use crate::diagnose::windows::windowed_data::WindowedData;
+use crate::numerics::periodogram::{Orders, Sample, periodogram};
 
 /// The largest ripple, as a share of the joint's torque.
 const LARGEST: f64 = 0.3;
@@ -21,7 +21,7 @@ pub struct TorqueRipple;
 
 /// Orders whose periodogram of the residual over the angle stands out, highest first.
 fn peaks(scene: &WindowedData<'_>, j: usize, residual: &[f64]) -> Vec<f64> {
-    let [low, high] = travel(scene, j);
+    let [low, high] = scene.travel[j];
     let range = (high - low).max(0.05);
     let q: Vec<f64> = scene.own_series(j, |o| o.q.to_vec());
     let v: Vec<f64> = scene.own_series(j, |o| o.v.to_vec());
@@ -34,55 +34,14 @@ fn peaks(scene: &WindowedData<'_>, j: usize, residual: &[f64]) -> Vec<f64> {
     let step = 0.7 / range;
     let first = (9.5 / range).max(1.0);
     let count = (((most - first) / step).max(0.0) as usize).min(6000);
-    // From order to order each window's angle turns on by the same: two multiplications of complex
-    // numbers instead of sines.
-    struct Window {
-        residual: f64,
-        /// Cosine and sine of the angle times the order, and of what an order more adds.
-        at: [f64; 2],
-        by: [f64; 2],
-        /// The same of half of what the window covers.
-        half: [f64; 2],
-        half_by: [f64; 2],
-        /// Half of what it covers per order.
-        covers: f64,
-    }
-    let turned = |[c, s]: [f64; 2], [dc, ds]: [f64; 2]| [c * dc - s * ds, s * dc + c * ds];
-    let circle = |angle: f64| [angle.cos(), angle.sin()];
-    let mut windows: Vec<Window> = used
-        .iter()
-        .map(|&w| {
-            let covers = 0.5 * v[w] * scene.step;
-            Window {
-                residual: residual[w],
-                at: circle(first * q[w]),
-                by: circle(step * q[w]),
-                half: circle(first * covers),
-                half_by: circle(step * covers),
-                covers,
-            }
-        })
-        .collect();
-    let power: Vec<f64> = (0..count)
-        .map(|i| {
-            let n = first + i as f64 * step;
-            let (mut c, mut s, mut norm) = (0.0, 0.0, 0.0);
-            for w in &mut windows {
-                // A window averages over the angle that it covers.
-                let half = n * w.covers;
-                let damp = if half.abs() < 1e-6 { 1.0 } else { w.half[1] / half };
-                let weighed = w.residual * damp;
-                (c, s, norm) = (c + weighed * w.at[0], s + weighed * w.at[1], norm + damp * damp);
-                (w.at, w.half) = (turned(w.at, w.by), turned(w.half, w.half_by));
-            }
-            (c * c + s * s) / norm.max(1.0)
-        })
-        .collect();
+    let sample = |&w: &usize| Sample { value: residual[w], angle: q[w], half: 0.5 * v[w] * scene.step };
+    let orders = Orders { first, step, count };
+    let power = periodogram(&used.iter().map(sample).collect::<Vec<Sample>>(), &orders);
     let mut order: Vec<usize> = (0..count)
         .filter(|&i| (i == 0 || power[i] >= power[i - 1]) && (i + 1 == count || power[i] > power[i + 1]))
         .collect();
     order.sort_by(|a, b| power[*b].total_cmp(&power[*a]));
-    order.into_iter().take(4).map(|i| first + i as f64 * step).collect()
+    order.into_iter().take(4).map(|i| orders.at(i)).collect()
 }
 
 impl Hypothesis for TorqueRipple {
@@ -113,7 +72,7 @@ impl Hypothesis for TorqueRipple {
             return Vec::new();
         }
         let mut orders = peaks(scene, j, &residual[j]);
-        let [low, high] = travel(scene, j);
+        let [low, high] = scene.travel[j];
         let least = 9.5 / (high - low).max(0.05);
         orders.extend([2.0, 3.0, 4.0, 6.0, 8.0].into_iter().filter(|n| *n >= least));
         if let Some(gear) = scene.plant.gear_ratios()[j] {
@@ -124,7 +83,7 @@ impl Hypothesis for TorqueRipple {
 
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
         // Less than a period and a half in the travel is no ripple.
-        let [low, high] = travel(scene, place[0]);
+        let [low, high] = scene.travel[place[0]];
         moves(scene, place[0]) && shape[0] * (high - low) >= 9.4
     }
 

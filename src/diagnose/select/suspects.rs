@@ -7,11 +7,22 @@
 
 use crate::diagnose::findings::calibration;
 use crate::diagnose::findings::result::Cause;
-use dh_codegen::robot::effects;
+use dh_codegen::robot::effects::{self, Key};
 
-/// Whether two causes are one in one place.
+/// Whether two causes are one in one place. A push is not another one, nor the wall that is met
+/// beside it.
 fn same(a: &Cause, b: &Cause) -> bool {
-    a.cause == b.cause && a.joints == b.joints
+    let together = match (window(a), window(b)) {
+        (Some([start, end]), Some([other_start, other_end])) => start < other_end && other_start < end,
+        (one, other) => one == other,
+    };
+    a.cause == b.cause && a.joints == b.joints && together
+}
+
+/// Begin and end of a push, s; `None` of what acts throughout.
+fn window(cause: &Cause) -> Option<[f64; 2]> {
+    let of = |key: Key| cause.keys.iter().find(|named| named.symbol == key.into()).map(|named| named.value);
+    Some([of(effects::ExternalContact::START)?, of(effects::ExternalContact::END)?])
 }
 
 /// Keeps each cause with its largest probability, and those that are not known yet.
@@ -74,6 +85,7 @@ pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagnose::hypotheses::Named;
 
     fn cause(cause: &'static str, joints: &[usize], probability: f64) -> Cause {
         Cause { joints: joints.to_vec(), probability, on: "validate", ..Cause::blank(cause, "") }
@@ -88,6 +100,21 @@ mod tests {
         let mut left = [cause("payload", &[], 0.2), cause("torque_offset", &[3], 0.1)];
         raise(&mut left, &known);
         assert_eq!(left.map(|c| c.probability), [0.6, 0.1]);
+    }
+
+    #[test]
+    fn a_push_is_neither_another_one_nor_a_wall() {
+        let push = |window: [f64; 2], probability| {
+            let keys = [effects::ExternalContact::START, effects::ExternalContact::END];
+            let keys = keys.into_iter().zip(window).map(|(key, at)| Named::new(key, at, None)).collect();
+            Cause { keys, ..cause("external_contact", &[], probability) }
+        };
+        let mut causes = [push([1.0, 2.0], 0.4), push([2.5, 4.0], 0.5), cause("external_contact", &[], 0.9)];
+        let mut known = Vec::new();
+        remember(&mut known, &causes);
+        assert_eq!(known.len(), 3);
+        raise(&mut causes, &[push([1.1, 2.1], 0.6), push([7.0, 8.0], 0.8)]);
+        assert_eq!(causes.map(|c| c.probability), [0.6, 0.5, 0.9]);
     }
 
     #[test]

@@ -209,6 +209,21 @@ fn a_wall_is_looked_for_where_it_is() {
     assert!([low - 0.1, high + 0.1].iter().all(|at| !wall.shows(&scene, &[], &[21.0, 0.0, 0.0, *at, 0.0, 0.0, 0.0])));
 }
 
+/// The first link's inertia about its axis gives the torque of a rotor there, and is named beside it;
+/// the second link is turned by both joints, its rotor by one.
+#[test]
+fn a_rotor_is_a_link_that_nothing_else_turns() {
+    let plant = PerturbableRobot::new(&planar());
+    let recordings = [recording()];
+    let scene = windows(&plant, &recordings, 0.0);
+    let rotor = laws(EffectKind::RotorInertia).next().unwrap();
+    assert_eq!(rotor.indistinguishable(&scene, &[0]), ["link_inertia_error"]);
+    assert!(rotor.indistinguishable(&scene, &[1]).is_empty());
+    // No motion decides it.
+    assert_ne!(rotor.decided_by(&scene, &[0]), rotor.shown_by());
+    assert_eq!(rotor.decided_by(&scene, &[1]), rotor.shown_by());
+}
+
 /// Random columns on joint 1: the first, and one of which it is a part.
 fn two_columns(scene: &WindowedData<'_>) -> [Vec<f64>; 2] {
     let mut random = Random::new(21);

@@ -338,6 +338,10 @@ pub struct WindowedData<'a> {
     pub velocity_noise_limit: Vec<f64>,
     /// Whether a joint stands most of the time.
     stands: Vec<bool>,
+    /// Smallest and largest position of each joint, rad.
+    pub travel: Vec<[f64; 2]>,
+    /// Largest speed of each joint, rad/s.
+    pub fastest: Vec<f64>,
     /// By how much each joint's torque is taken to be late, s.
     pub delays: Vec<f64>,
     /// Rotor inertias of the file, kg m^2.
@@ -393,6 +397,8 @@ impl<'a> WindowedData<'a> {
             standard: None,
             velocity_noise_limit: dead.iter().map(|d| d.0).collect(),
             stands: dead.iter().map(|d| d.1).collect(),
+            travel: vec![[f64::INFINITY, f64::NEG_INFINITY]; dof],
+            fastest: vec![0.0; dof],
             delays: vec![f64::NAN; dof],
             rotors: rotors(plant),
             rated: rated(plant, recordings),
@@ -456,6 +462,9 @@ impl<'a> WindowedData<'a> {
             let signed = SpeedSign { zone, stands, all: self.all };
             self.own[j] = cuts.iter().map(|cut| cut.joint(j, delays[j], &signed)).collect();
             self.live[j] = self.joined(self.own[j].iter().map(|own| signed.live(own)));
+            let all = || self.own[j].iter().flat_map(|own| own.q.iter().copied());
+            self.travel[j] = [all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max)];
+            self.fastest[j] = self.own[j].iter().flat_map(|own| own.v.iter()).fold(0.0, |m, v| v.abs().max(m));
             let mut y = self.joined(cuts.iter().map(|cut| cut.torque(j)));
             self.masked(j, &mut y);
             self.y[j] = Arc::new(y);

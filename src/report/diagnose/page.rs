@@ -49,7 +49,7 @@ pub fn diagnose_html(
         let _ = writeln!(body, "<section><h2>Why this model</h2><ul>{why}</ul></section>");
     }
     if !found.causes.is_empty() {
-        body.push_str("<section><h2>Causes</h2><p class=note>In order of what they gain, times their probability. Bars: RMS error of each joint <span class='key before'></span>with all causes but this one, <span class='key after'></span>with it; the line across is the joint's noise.</p>\n");
+        body.push_str("<section><h2>Causes</h2><p class=note>In order of what they gain, times the odds that they are there. Bars: RMS error of each joint <span class='key before'></span>with all causes but this one, <span class='key after'></span>with it; the line across is the joint's noise.</p>\n");
         for (number, c) in found.causes.iter().enumerate() {
             cause(&mut body, number, c, found.own_validation);
         }
@@ -174,7 +174,7 @@ fn in_short(body: &mut String, found: &Diagnosis, warnings: &Warnings) {
         let more = if more > 0 { format!(" {more} more below.") } else { String::new() };
         let _ = writeln!(
             body,
-            "<div class=scroll><table class=short><thead><tr><th>cause<th>joint<th>probability<th class=words>against it</tr></thead><tbody>{rows}</tbody></table></div><p class=note>In order of what they gain, times their probability.{more}</p>"
+            "<div class=scroll><table class=short><thead><tr><th>cause<th>joint<th>probability<th class=words>against it</tr></thead><tbody>{rows}</tbody></table></div><p class=note>In order of what they gain, times the odds that they are there.{more}</p>"
         );
     }
     let actions: String = actions(found).iter().map(|a| format!("<li>{}", escape(a))).collect();
