@@ -18,6 +18,7 @@ mod repeat;
 mod resample;
 mod rest;
 mod stiction;
+mod torque_noise;
 
 pub use crate::numerics::butterworth::{CutoffError, low_pass};
 pub use crate::numerics::sos::{Biquad, Sos};
@@ -29,6 +30,7 @@ pub use prepare::{Derivatives, Filter, Prepare, PrepareError, Prepared, Preparer
 pub use repeat::repeatability;
 pub use resample::resample;
 pub use rest::{DeadZone, white_noise};
+pub use torque_noise::noise_between_reversals;
 
 #[cfg(test)]
 mod tests;

@@ -11,6 +11,7 @@ use super::clock;
 use super::deserved::{Deserved, deserved, steps};
 use super::even::Resampler;
 use super::low_pass;
+use super::noise_between_reversals;
 use super::resample;
 use super::rest;
 use super::rest::DeadZone;
@@ -881,7 +882,7 @@ impl Preparer {
             velocity_noise: Vec::with_capacity(dof),
             bandwidth: self.bandwidth(),
             error: self.narrow.iter().filter_map(|n| n.error).collect(),
-            torque_noise: self.torque_noise(rate),
+            torque_noise: Vec::with_capacity(dof),
             clock_error: self.rows_noise.as_ref().map_or(0.0, |noise| noise.time),
             band: self.band(),
             ..Motion::default()
@@ -924,6 +925,7 @@ impl Preparer {
             motion.states.q.extend_from_slice(&q[from..to]);
             motion.states.dq.extend_from_slice(&dq[from..to]);
             motion.states.ddq.extend_from_slice(&ddq[from..to]);
+            motion.torque_noise.push(self.torque_noise(joint, &dq, rate));
             speeds.push(dq);
         }
         self.rests(&mut motion, &speeds, &reversals, from..to);
@@ -1030,16 +1032,17 @@ impl Preparer {
         through(x, self.torque_filter.as_ref().map(|(filter, sos)| (*filter, sos)), period)
     }
 
-    /// Standard deviation of the sensors' noise in what becomes of the torques, N m.
-    fn torque_noise(&self, rate: f64) -> Vec<f64> {
+    /// Standard deviation of the sensor's noise in what becomes of a joint's torque, N m; `dq`: its
+    /// speed, rad/s.
+    fn torque_noise(&self, joint: usize, dq: &[f64], rate: f64) -> f64 {
         let low_pass = self.torque_filter.as_ref().filter(|_| !self.settings.raw_torque);
         let passed = low_pass.map_or(1.0, |(filter, _)| filter.noise_gain(rate));
-        let gain = |j: usize| self.settings.torque_gains.get(j).map_or(1.0, |gain| gain.abs());
-        let recorded = |j: usize| match &self.rows_noise {
-            Some(noise) => noise.torque[j],
-            None => white_noise([&self.evened[self.dof + j][..]].into_iter()),
+        let gain = self.settings.torque_gains.get(joint).map_or(1.0, |gain| gain.abs());
+        let recorded = match &self.rows_noise {
+            Some(noise) => noise.torque[joint],
+            None => noise_between_reversals([(&self.evened[self.dof + joint][..], dq)].into_iter()),
         };
-        (0..self.dof).map(|j| recorded(j) * gain(j) * passed).collect()
+        recorded * gain * passed
     }
 
     /// How noisy a joint's filtered velocity is, whose error is `speed` by what the low-pass took

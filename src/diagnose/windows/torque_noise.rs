@@ -1,13 +1,11 @@
 //! Noise of the torques, and autocorrelation time of their errors.
 
 use super::recording::Stretch;
-use crate::data::signal::white_noise;
+use crate::data::signal::noise_between_reversals;
 use crate::identify::dot;
 
-/// Standard deviation of each joint's torque noise, N m, without a model. It comes from fourth
-/// differences of the raw samples, in which motion below a tenth of the sampling rate leaves
-/// nothing. Noise that was low-passed before it was recorded is not seen. Where rows were put on
-/// another clock, that of the rows.
+/// Standard deviation of each joint's torque noise, N m, without a model: see
+/// [`noise_between_reversals`]. Where rows were put on another clock, that of the rows.
 pub fn torque_noise<'r>(stretches: impl Iterator<Item = &'r Stretch> + Clone, dof: usize) -> Vec<f64> {
     let all = || stretches.clone();
     let of = |j: usize| {
@@ -19,7 +17,8 @@ pub fn torque_noise<'r>(stretches: impl Iterator<Item = &'r Stretch> + Clone, do
         let plain = || all().filter(|s| s.torque_noise.len() != dof);
         let others: usize = plain().map(|s| s.states.len).sum();
         if others > 0 {
-            squares += white_noise(plain().map(|s| s.of(&s.tau, j))).powi(2) * others as f64;
+            let noise = noise_between_reversals(plain().map(|s| (s.of(&s.tau, j), s.of(&s.states.dq, j))));
+            squares += noise.powi(2) * others as f64;
         }
         (squares / (samples + others).max(1) as f64).sqrt()
     };

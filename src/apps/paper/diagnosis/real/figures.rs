@@ -2,7 +2,8 @@
 
 use super::{RealCase, Untouched};
 use crate::apps::paper::diagnosis::{Claim, Tally};
-use crate::diagnose::{Cause, Diagnosis};
+use crate::diagnose::{Cause, Diagnosis, Quantity};
+use dh_codegen::robot::effects;
 
 /// How far from 1 the size may be that an informed fit finds.
 const RECOVERED: f64 = 0.2;
@@ -72,11 +73,16 @@ impl RealCase {
         self.new.iter().map(|&i| &self.found.causes[i])
     }
 
-    /// Parameters of the rightly named cause: symbol, truth, value, standard deviation.
+    /// Parameters of the rightly named cause: symbol, truth, value, standard deviation. Forces are
+    /// added in the axes of the base; one that was found in the tool's has other components.
     pub fn parameters(&self) -> Vec<(String, f64, f64, f64)> {
         let Some(cause) = self.fresh().find(|c| c.cause == self.added.cause && c.joints == self.added.joints) else {
             return Vec::new();
         };
+        let in_base = |p: &Quantity| p.symbol == effects::ExternalContact::BASE.name() && p.value != 0.0;
+        if cause.cause == effects::ExternalContact::NAME && !cause.parameters.iter().any(in_base) {
+            return Vec::new();
+        }
         let of = |(symbol, truth): &(String, f64)| {
             let p = cause.parameters.iter().find(|p| p.symbol == *symbol)?;
             let std = p.std.filter(|s| s.is_finite() && *s > 0.0)?;
