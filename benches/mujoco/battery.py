@@ -353,8 +353,9 @@ def record(path, arm, run, effect, j, x, rate, encoder, random):
 def draw(seed, wanted, laws=False, arms=ARMS):
     """A case: what is hidden, its size, its logs' motions."""
     random = np.random.default_rng(seed)
-    arm = Arm(arms[seed % len(arms)])
     clean = seed % 5 == 0
+    # Every arm has clean logs, and others.
+    arm = Arm(arms[(seed + seed // 5) % len(arms)] if len(arms) % 5 == 0 else arms[seed % len(arms)])
     effect = None if clean else EFFECTS[(seed - seed // 5) % len(EFFECTS)]
     form = None
     if laws and effect:

@@ -448,9 +448,10 @@ pub trait Hypothesis: Sync {
     /// Experiment that would separate it from others, or show it better.
     fn shown_by(&self) -> &'static str;
 
-    /// What would separate it here from those that it is [`Hypothesis::indistinguishable`] from.
-    fn decided_by(&self, _scene: &WindowedData<'_>, _place: &[usize]) -> &'static str {
-        self.shown_by()
+    /// What would tell it here from those that it is [`Hypothesis::indistinguishable`] from, where no
+    /// motion does.
+    fn decided_by(&self, _scene: &WindowedData<'_>, _place: &[usize]) -> Option<&'static str> {
+        None
     }
 }
 

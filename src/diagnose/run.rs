@@ -86,12 +86,11 @@ pub fn diagnose(
         // Of the logs that are not as the model says by themselves, where they are long enough.
         let others = if found.file_holds { fit } else { validate };
         if let Ok(other) = once(plant, others, &[], settings, progress) {
-            let same = |a: &Cause, b: &Cause| a.cause == b.cause && a.joints == b.joints;
             // A cause that no offered model has is one of the logs that differ.
-            let known = |c: &Cause| found.causes.iter().any(|k| k.in_extended && same(k, c));
+            let known = |c: &Cause| found.causes.iter().any(|k| k.in_extended && k.is(c));
             found.changes = other.causes.into_iter().filter(|c| c.cause != "unknown" && !known(c)).collect();
             let changes = &found.changes;
-            found.causes.retain(|c| c.in_extended || !changes.iter().any(|k| same(k, c)));
+            found.causes.retain(|c| c.in_extended || !changes.iter().any(|k| k.is(c)));
         }
         if found.file_holds && !found.changes.is_empty() {
             // What the fitted logs show has a name.
@@ -173,7 +172,7 @@ fn without_columns(model: &Selected<'_>, left: Vec<Structure>, noise: &[f64]) ->
     let left = impacts.iter().fold(left, |left, i| i.explain(left, &model.after_fit, noise));
     causes.extend(impacts.map(|i| i.cause(&model.after_fit, noise)));
     // A cause that the model has already is not named twice.
-    let known = |c: &Cause| model.causes.iter().any(|k| k.cause == c.cause && k.joints == c.joints);
+    let known = |c: &Cause| model.causes.iter().any(|k| k.is(c));
     causes.retain(|c| !known(c) && c.probability >= calibration::NAMED);
     (left, causes)
 }
@@ -199,7 +198,8 @@ const WRONG: f64 = 1.3;
 
 /// What would separate the first cause that these data leave open from the others.
 fn next_experiment(causes: &[Cause]) -> Option<NextExperiment> {
-    let open = causes.iter().find(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown")?;
+    let separable = |c: &&Cause| !c.not_distinguished_from.is_empty() && c.decided_by.is_none();
+    let open = causes.iter().filter(|c| c.cause != "unknown").find(separable)?;
     Some(NextExperiment {
         between: std::iter::once(open.cause).chain(open.not_distinguished_from.iter().copied()).collect(),
         joints: open.joints.clone(),

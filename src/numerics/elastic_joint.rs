@@ -114,6 +114,22 @@ fn cubic([a, b, c, d]: [f64; 4], s: f64) -> f64 {
 mod tests {
     use super::*;
 
+    /// Springs that are taken together are those that are taken one by one, bit for bit.
+    #[test]
+    fn springs_with_other_dampers_are_springs() {
+        let len = 60;
+        let series = |by: f64| -> Vec<f64> { (0..len).map(|k| 2.0 + (by * k as f64).sin()).collect() };
+        let (load, inertia, damping, stiffness) = (series(0.3), series(0.1), series(0.2), series(0.05));
+        let (load, inertia, damping, stiffness) = (&load[..], &inertia[..], &damping[..], &stiffness[..]);
+        let asked = LinkLoad { load, inertia, damping, stiffness, step: 0.01 };
+        let (dampings, starts) = ([3.0, 40.0], [[0.01, -0.2], [0.03, 0.5]]);
+        let together = Spring::damped(900.0, dampings, &asked, starts);
+        for (k, found) in together.iter().enumerate() {
+            let alone = Spring { stiffness: 900.0, damping: dampings[k] }.integrate(&asked, starts[k]);
+            assert_eq!(*found, alone);
+        }
+    }
+
     /// A load that begins at once, and one that swings: against the closed solutions of the damped
     /// oscillator.
     #[test]

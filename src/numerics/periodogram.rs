@@ -15,7 +15,7 @@ pub struct Sample {
     pub half: f64,
 }
 
-/// Evenly spaced orders, 1/turn.
+/// Evenly spaced orders, 1/turn, above zero.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Orders {
     pub first: f64,

@@ -164,6 +164,7 @@ fn diagnosis_page_stands_alone() {
             on: "validate",
             not_distinguished_from: vec!["viscous_friction"],
             shown_by: "a second speed",
+            decided_by: None,
             law: None,
             in_extended: true,
             curve: Some(Evidence {

@@ -652,7 +652,13 @@ impl Preparer {
             return;
         }
         let found = self.found_times(clock.resample, clock.period);
-        let torque = (0..self.dof).map(|j| white_noise([&self.raw[self.dof + j][..]].into_iter())).collect();
+        let noise = |j: usize| {
+            let (q, torque) = (&self.raw[j], &self.raw[self.dof + j]);
+            let mut way: Vec<f64> = q.windows(2).map(|q| q[1] - q[0]).collect();
+            way.extend(way.last().copied());
+            noise_between_reversals([(&torque[..], &way[..])].into_iter())
+        };
+        let torque = (0..self.dof).map(noise).collect();
         let known = self.rows_noise.take();
         let times = match found {
             Some(found) => {
@@ -882,7 +888,6 @@ impl Preparer {
             velocity_noise: Vec::with_capacity(dof),
             bandwidth: self.bandwidth(),
             error: self.narrow.iter().filter_map(|n| n.error).collect(),
-            torque_noise: Vec::with_capacity(dof),
             clock_error: self.rows_noise.as_ref().map_or(0.0, |noise| noise.time),
             band: self.band(),
             ..Motion::default()

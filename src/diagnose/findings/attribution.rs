@@ -65,6 +65,7 @@ impl Attribution<'_> {
         let recurrence = self.recurrence(item);
         let counted = shares.far.map_or(part, |far| 0.5 * (part + far));
         let confirmed = on != "fit" || item.hypothesis.local() || shares.recurs_far();
+        let rivals = confusable(tested, item, accepted, plain_rivals);
         let features = Features { support, margin, share: counted, recurrence, confirmed };
         Cause {
             cause: item.hypothesis.name(),
@@ -95,14 +96,22 @@ impl Attribution<'_> {
             rms_before: without.rms.clone(),
             rms_after: with.rms.clone(),
             on,
-            not_distinguished_from: confusable(tested, item, accepted, plain_rivals),
-            shown_by: item.hypothesis.decided_by(&tested.scene, &item.place),
+            decided_by: self.decided_by(item, &rivals),
+            not_distinguished_from: rivals,
+            shown_by: item.hypothesis.shown_by(),
             law: None,
         }
     }
 }
 
 impl Attribution<'_> {
+    /// What tells an item from its only rival where no motion does; with other rivals a motion is
+    /// asked for.
+    fn decided_by(&self, item: &Item, rivals: &[&'static str]) -> Option<&'static str> {
+        let [_] = rivals else { return None };
+        item.hypothesis.decided_by(&self.tested.scene, &item.place)
+    }
+
     /// What is said of a link whose mass the motion does not show, and the file's can't be.
     fn assumed(&self, item: &Item) -> String {
         let (tested, fitted) = (self.tested, self.fitted);

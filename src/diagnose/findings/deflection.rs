@@ -133,6 +133,7 @@ fn cause(model: &Selected<'_>, j: usize, found: &Spring, left: f64, noise: &[f64
         on: "fit",
         not_distinguished_from: Vec::new(),
         shown_by: hypothesis.map_or("", |h| h.shown_by()),
+        decided_by: None,
         law: None,
         in_extended: true,
         curve: None,

@@ -261,6 +261,7 @@ impl Impacts {
             on: "fit",
             not_distinguished_from: Vec::new(),
             shown_by: by_name(effects::Backlash::NAME).map_or("", |cause| cause.shown_by()),
+            decided_by: None,
             law: None,
             in_extended: true,
             curve: None,

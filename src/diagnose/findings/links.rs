@@ -159,6 +159,7 @@ impl Session<'_> {
             on: "validate",
             not_distinguished_from: Vec::new(),
             shown_by: "an exciting motion for the base parameters",
+            decided_by: None,
             law: None,
             in_extended: true,
             curve: None,

@@ -12,7 +12,8 @@ const SURE: f64 = 0.99;
 /// another stands behind it where the other's odds are more than twice its own. Those of values come after those of
 /// structure.
 pub(in crate::diagnose) fn in_order(causes: &mut Vec<Cause>, scale: &[f64]) {
-    let weighed = |c: &Cause| c.probability / (1.0 - c.probability.min(SURE)) * taken(c, scale);
+    let odds = |c: &Cause| c.probability.min(SURE) / (1.0 - c.probability.min(SURE));
+    let weighed = |c: &Cause| odds(c) * taken(c, scale);
     causes.sort_by(|a, b| weighed(b).total_cmp(&weighed(a)));
     values_last(causes, scale);
 }
@@ -61,7 +62,7 @@ mod tests {
 
     #[test]
     fn a_sure_cause_comes_before_a_doubtful_one_that_takes_more() {
-        let doubtful = || cause("torque_ripple", &[1], 0.4, 0.5);
+        let doubtful = || cause("torque_ripple", &[1], 0.4, 0.2);
         assert_eq!(names(vec![doubtful(), cause("backlash", &[1], 0.9, 0.7)]), ["backlash", "torque_ripple"]);
         // What takes next to nothing stays behind.
         assert_eq!(names(vec![cause("backlash", &[1], 0.9, 0.99), doubtful()]), ["torque_ripple", "backlash"]);

@@ -1,6 +1,7 @@
 //! Result of a diagnosis: plain data.
 
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects::{self, Key};
 
 use crate::diagnose::hypotheses::{Named, Quantity};
 use crate::identify::ErrorBudget;
@@ -106,6 +107,8 @@ pub struct Cause {
     pub not_distinguished_from: Vec<&'static str>,
     /// Experiment that would show it better, or separate it from those.
     pub shown_by: &'static str,
+    /// What would tell it from those, where no motion does.
+    pub decided_by: Option<&'static str>,
     /// The curve that shows it.
     pub curve: Option<Evidence>,
     /// The torque that the model lacks on its joint in closed form, for an error without a name: an
@@ -114,11 +117,30 @@ pub struct Cause {
 }
 
 impl Cause {
+    /// Whether another cause is the same one in the same place. A push is not another one, nor the
+    /// wall that is met beside it: windows of one push overlap for half of the shorter.
+    pub fn is(&self, other: &Self) -> bool {
+        let overlap = |a: [f64; 2], b: [f64; 2]| a[1].min(b[1]) - a[0].max(b[0]);
+        let shorter = |a: [f64; 2], b: [f64; 2]| (a[1] - a[0]).min(b[1] - b[0]);
+        let together = match (self.window(), other.window()) {
+            (Some(one), Some(other)) => 2.0 * overlap(one, other) >= shorter(one, other),
+            (one, other) => one == other,
+        };
+        self.cause == other.cause && self.joints == other.joints && together
+    }
+
+    /// Begin and end of a push, s since its log began; `None` of what acts throughout.
+    pub(in crate::diagnose) fn window(&self) -> Option<[f64; 2]> {
+        let of = |key: Key| self.keys.iter().find(|named| named.symbol == key.into()).map(|named| named.value);
+        Some([of(effects::ExternalContact::START)?, of(effects::ExternalContact::END)?])
+    }
+
     /// One of which nothing is known but its name and the experiment that would show it.
     pub(in crate::diagnose) fn blank(cause: &'static str, shown_by: &'static str) -> Self {
         Self {
             cause,
             shown_by,
+            decided_by: None,
             joints: Vec::new(),
             probability: 0.0,
             parameters: Vec::new(),

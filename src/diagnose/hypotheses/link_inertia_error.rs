@@ -10,6 +10,7 @@ use super::Symbol;
 use super::Term;
 use super::payload::{Payload, body_terms};
 use super::point_mass::POINT_LINK;
+use super::rotor_inertia::{DATA_SHEET, shows_as_a_rotor};
 use crate::diagnose::fit::regulariser::deviations;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::{Inertial, StandardParameter};
@@ -43,8 +44,16 @@ impl Hypothesis for LinkInertiaError {
     }
 
     fn indistinguishable(&self, scene: &WindowedData<'_>, place: &[usize]) -> &'static [&'static str] {
-        let last = place.first().is_some_and(|j| j + 1 == scene.dof());
-        if last { &[effects::Payload::NAME] } else { &[] }
+        match place.first() {
+            Some(j) if j + 1 == scene.dof() => &[effects::Payload::NAME],
+            Some(j) if shows_as_a_rotor(scene, *j) => &[effects::RotorInertia::NAME],
+            _ => &[],
+        }
+    }
+
+    fn decided_by(&self, scene: &WindowedData<'_>, place: &[usize]) -> Option<&'static str> {
+        let rotor = self.indistinguishable(scene, place).contains(&effects::RotorInertia::NAME);
+        rotor.then_some(DATA_SHEET)
     }
 
     /// A last link that is heavier by something that can be a body has a payload on it: the columns

@@ -11,7 +11,7 @@ use super::Over;
 use super::Sign;
 use super::Term;
 use super::moves;
-use super::payload::body_columns;
+use super::payload::body_terms;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// `IA ddq`.
@@ -20,17 +20,18 @@ pub struct RotorInertia;
 /// Part of the largest acceleration by which two columns of the same series differ at most.
 const ROUNDED: f64 = 1e-6;
 
-/// Whether nothing but this joint accelerates its link: a parameter of the link gives the torque that
-/// a rotor gives, and no other, as the inertia of the first link about its axis does.
-fn turns_alone(scene: &WindowedData<'_>, j: usize) -> bool {
+/// What tells a rotor from a link that [`shows_as_a_rotor`].
+pub(super) const DATA_SHEET: &str = "the rotor's inertia in the drive's data sheet";
+
+/// Whether all that the torques show of a joint's link is the torque of a rotor, as with the inertia
+/// of a first link about its vertical axis.
+pub(super) fn shows_as_a_rotor(scene: &WindowedData<'_>, j: usize) -> bool {
     let own = scene.pointwise(j, |o, k| o.a[k]);
-    let Some((_, own)) = own.rows.first() else { return false };
+    let link = body_terms(scene, scene.plant.rows()[j], effects::LinkInertiaError::BODY);
+    let ([(_, own)], [Term { column, .. }]) = (&own.rows[..], &link[..]) else { return false };
     let least = ROUNDED * own.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
-    body_columns(scene, scene.plant.rows()[j]).into_iter().any(|torques| {
-        let column = scene.column(torques);
-        let alone = column.rows.len() == 1 && column.rows[0].0 == j;
-        alone && column.rows[0].1.iter().zip(&**own).all(|(a, b)| (a - b).abs() <= least)
-    })
+    let alike = |torque: &[f64]| torque.iter().zip(&**own).all(|(a, b)| (a - b).abs() <= least);
+    matches!(&column.rows[..], [(joint, torque)] if *joint == j && alike(torque))
 }
 
 impl Hypothesis for RotorInertia {
@@ -61,11 +62,11 @@ impl Hypothesis for RotorInertia {
     }
 
     fn indistinguishable(&self, scene: &WindowedData<'_>, place: &[usize]) -> &'static [&'static str] {
-        if turns_alone(scene, place[0]) { &[effects::LinkInertiaError::NAME] } else { &[] }
+        if shows_as_a_rotor(scene, place[0]) { &[effects::LinkInertiaError::NAME] } else { &[] }
     }
 
-    fn decided_by(&self, scene: &WindowedData<'_>, place: &[usize]) -> &'static str {
-        if turns_alone(scene, place[0]) { "the rotor's inertia in the drive's data sheet" } else { self.shown_by() }
+    fn decided_by(&self, scene: &WindowedData<'_>, place: &[usize]) -> Option<&'static str> {
+        shows_as_a_rotor(scene, place[0]).then_some(DATA_SHEET)
     }
 
     fn over(&self) -> Over {

@@ -49,42 +49,39 @@ const SHARE: [f64; 2] = [0.02, 0.8];
 /// Least time behind it, s.
 const LEAST: f64 = 0.5;
 
-/// Extent along an axis, by the largest one, from which on the tool moves along it.
-const EXTENDS: f64 = 1e-3;
-
 /// Shapes that are tried with everything else refitted.
 const TRIED: usize = 8;
 
-/// Unit normal of a shape.
-fn normal(shape: &[f64]) -> Vector3<f64> {
+/// Unit normal of a shape. It does not lean out of the plane of an arm that has one: along what is
+/// across it a force gives no torque.
+fn normal(scene: &WindowedData<'_>, shape: &[f64]) -> Vector3<f64> {
     let middle = directions().nth(shape[DIRECTION].max(0.0) as usize).unwrap_or_else(Vector3::z);
     // An axis that is not along it.
     let aside = if middle.x.abs() < FRAC_1_SQRT_2 { Vector3::x() } else { Vector3::y() };
     let first = middle.cross(&aside).normalize();
     let second = middle.cross(&first);
-    (middle + first * shape[TILTS[0]].tan() + second * shape[TILTS[1]].tan()).normalize()
+    let free = middle + first * shape[TILTS[0]].tan() + second * shape[TILTS[1]].tan();
+    inside(scene, &free).unwrap_or(middle)
 }
 
+/// A direction without what gives no torque in it, of length 1; `None` where little is left of it.
+fn inside(scene: &WindowedData<'_>, direction: &Vector3<f64>) -> Option<Vector3<f64>> {
+    let idle = scene.directions_without_torque();
+    let across: Vector3<f64> = idle.iter().map(|across| across * across.dot(direction)).sum();
+    (direction - across).try_normalize(LEAST_INSIDE * direction.norm())
+}
+
+/// Part of a direction that has to lie inside the plane of an arm.
+const LEAST_INSIDE: f64 = 0.3;
+
 /// Distance of the plane of a shape from the base along its normal, m.
-fn distance(shape: &[f64]) -> f64 {
-    shape[BEYOND] + normal(shape).iter().zip(&shape[PIVOT..]).map(|(n, p)| n * p).sum::<f64>()
+fn distance(scene: &WindowedData<'_>, shape: &[f64]) -> f64 {
+    shape[BEYOND] + normal(scene, shape).iter().zip(&shape[PIVOT..]).map(|(n, p)| n * p).sum::<f64>()
 }
 
 /// Position along the normal in one window, m.
 fn height(positions: &[f64], normal: &Vector3<f64>, w: usize) -> f64 {
     (0..3).map(|c| normal[c] * positions[c * (positions.len() / 3) + w]).sum()
-}
-
-/// Whether the positions extend along every axis along which the normal does: a force across the plane
-/// of an arm does no work.
-fn reached(normal: &Vector3<f64>, positions: &[f64]) -> bool {
-    let extent = |along: &[f64]| {
-        let [low, high] = [f64::min, f64::max].map(|of| along.iter().copied().reduce(of).unwrap_or(0.0));
-        high - low
-    };
-    let extents: Vec<f64> = positions.chunks_exact((positions.len() / 3).max(1)).map(extent).collect();
-    let largest = extents.iter().copied().fold(0.0, f64::max);
-    extents.iter().zip(normal.iter()).all(|(extent, n)| *n == 0.0 || *extent > EXTENDS * largest)
 }
 
 /// Depth behind the plane in every window, m.
@@ -172,7 +169,7 @@ impl Hypothesis for Wall {
         let weight: Vec<f64> = residual.iter().map(|row| quiet(row)).collect();
         let mut planes: Vec<Plane> = directions()
             .enumerate()
-            .filter(|(_, n)| reached(n, positions))
+            .filter_map(|(d, n)| Some((d, inside(scene, &n)?)))
             .flat_map(|(d, n)| Plane::of(d, n, positions))
             .collect();
         for part in parts(scene.len) {
@@ -195,21 +192,17 @@ impl Hypothesis for Wall {
         found.map(|plane| plane.shape(positions)).collect()
     }
 
-    /// What is met nowhere, or never left, is no wall; nor does a normal lean out of the plane of an
-    /// arm.
+    /// What is met nowhere, or never left, is no wall.
     fn shows(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> bool {
-        let (positions, normal) = (scene.tool_positions(), normal(shape));
-        if !reached(&normal, positions) {
-            return false;
-        }
-        let behind = depths(positions, &normal, distance(shape)).iter().filter(|d| **d > 0.0).count();
+        let depth = depths(scene.tool_positions(), &normal(scene, shape), distance(scene, shape));
+        let behind = depth.iter().filter(|d| **d > 0.0).count();
         let share = behind as f64 / scene.len.max(1) as f64;
         (SHARE[0]..=SHARE[1]).contains(&share) && behind as f64 * scene.step >= LEAST
     }
 
     fn terms(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> Vec<Term> {
-        let normal = normal(shape);
-        let depth = depths(scene.tool_positions(), &normal, distance(shape));
+        let normal = normal(scene, shape);
+        let depth = depths(scene.tool_positions(), &normal, distance(scene, shape));
         let mut rows = vec![Vec::with_capacity(scene.len); scene.dof()];
         for part in parts(scene.len) {
             let torques = along(&scene.wrenches(part.clone(), true), &normal, scene.dof());
@@ -223,15 +216,17 @@ impl Hypothesis for Wall {
 
     /// The force where the tool is deepest is one that the motors can bear.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], x: &[f64]) -> bool {
-        let deepest = depths(scene.tool_positions(), &normal(shape), distance(shape)).into_iter().fold(0.0, f64::max);
+        let deepest = depths(scene.tool_positions(), &normal(scene, shape), distance(scene, shape))
+            .into_iter()
+            .fold(0.0, f64::max);
         ExternalContact.plausible(scene, place, shape, &[x[0] * deepest])
     }
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
-        let normal = normal(found.shape);
+        let normal = normal(found.scene, found.shape);
         let facing = [Keys::NX, Keys::NY, Keys::NZ].into_iter().zip(normal.iter());
         let facing = facing.map(|(key, n)| Named::new(key, *n, None));
-        let at = Named::new(Keys::AT, distance(found.shape), found.shape_std[BEYOND]);
+        let at = Named::new(Keys::AT, distance(found.scene, found.shape), found.shape_std[BEYOND]);
         found.all_terms().chain(facing).chain([at]).collect()
     }
 

@@ -7,28 +7,12 @@
 
 use crate::diagnose::findings::calibration;
 use crate::diagnose::findings::result::Cause;
-use dh_codegen::robot::effects::{self, Key};
-
-/// Whether two causes are one in one place. A push is not another one, nor the wall that is met
-/// beside it.
-fn same(a: &Cause, b: &Cause) -> bool {
-    let together = match (window(a), window(b)) {
-        (Some([start, end]), Some([other_start, other_end])) => start < other_end && other_start < end,
-        (one, other) => one == other,
-    };
-    a.cause == b.cause && a.joints == b.joints && together
-}
-
-/// Begin and end of a push, s; `None` of what acts throughout.
-fn window(cause: &Cause) -> Option<[f64; 2]> {
-    let of = |key: Key| cause.keys.iter().find(|named| named.symbol == key.into()).map(|named| named.value);
-    Some([of(effects::ExternalContact::START)?, of(effects::ExternalContact::END)?])
-}
+use dh_codegen::robot::effects;
 
 /// Keeps each cause with its largest probability, and those that are not known yet.
 pub(in crate::diagnose) fn remember<'c>(known: &mut Vec<Cause>, causes: impl IntoIterator<Item = &'c Cause>) {
     for cause in causes {
-        match known.iter_mut().find(|k| same(k, cause)) {
+        match known.iter_mut().find(|k| k.is(cause)) {
             Some(k) if k.probability < cause.probability => *k = cause.clone(),
             Some(_) => {}
             None => known.push(cause.clone()),
@@ -39,7 +23,7 @@ pub(in crate::diagnose) fn remember<'c>(known: &mut Vec<Cause>, causes: impl Int
 /// Gives causes the probability that they had beside everything else.
 pub(in crate::diagnose) fn raise(causes: &mut [Cause], known: &[Cause]) {
     for cause in causes {
-        let before = known.iter().filter(|k| same(k, cause)).map(|k| k.probability);
+        let before = known.iter().filter(|k| k.is(cause)).map(|k| k.probability);
         cause.probability = before.fold(cause.probability, f64::max);
     }
 }
@@ -61,12 +45,14 @@ pub(in crate::diagnose) fn likelier(links: Vec<Cause>, suspects: &[Cause]) -> Ve
 
 /// Adds the suspects that are likely enough to be named and not in the offered model. Where one
 /// acts on the joints of a cause of that model, neither model has both, and the data do not
-/// separate them.
+/// separate them. Pushes are not named beside a wall: they are its meetings, by a model without it.
 pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
     raise(causes, &suspects);
     let offered = causes.len();
-    for mut suspect in suspects {
-        if suspect.probability < calibration::NAMED || causes.iter().any(|c| same(c, &suspect)) {
+    let contact = |c: &Cause| c.cause == effects::ExternalContact::NAME;
+    let walled = causes.iter().any(|c| contact(c) && c.window().is_none());
+    for mut suspect in suspects.into_iter().filter(|s| !(walled && contact(s))) {
+        if suspect.probability < calibration::NAMED || causes.iter().any(|c| c.is(&suspect)) {
             continue;
         }
         let joints = suspect.joints.clone();
@@ -109,12 +95,19 @@ mod tests {
             let keys = keys.into_iter().zip(window).map(|(key, at)| Named::new(key, at, None)).collect();
             Cause { keys, ..cause("external_contact", &[], probability) }
         };
-        let mut causes = [push([1.0, 2.0], 0.4), push([2.5, 4.0], 0.5), cause("external_contact", &[], 0.9)];
+        let wall = || cause("external_contact", &[], 0.9);
+        let mut causes = [push([1.0, 2.0], 0.4), push([1.9, 4.0], 0.5), wall()];
         let mut known = Vec::new();
         remember(&mut known, &causes);
         assert_eq!(known.len(), 3);
         raise(&mut causes, &[push([1.1, 2.1], 0.6), push([7.0, 8.0], 0.8)]);
         assert_eq!(causes.map(|c| c.probability), [0.6, 0.5, 0.9]);
+        // What a model without the wall takes for pushes is not named beside it.
+        for (model, named) in [(wall(), 1), (push([1.0, 2.0], 0.4), 2)] {
+            let mut causes = vec![model];
+            name(&mut causes, vec![push([5.0, 6.0], 0.7)]);
+            assert_eq!(causes.len(), named);
+        }
     }
 
     #[test]

@@ -10,12 +10,19 @@ use std::borrow::Cow;
 use std::ops::Index;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
-use crate::model::{Change, DriveTerm, PerturbableArm, StandardParameter, States};
+use nalgebra::{Matrix3, Matrix3xX, Vector3};
 
 use crate::data::signal::{Band, central};
+use crate::model::{Change, DriveTerm, PerturbableArm, StandardParameter, States};
 
 use super::recording::{Recording, Stretch};
 use super::torque_noise::torque_noise;
+
+/// Postures in which torques of a force on the tool are looked at.
+const POSTURES: usize = 16;
+
+/// Part of the largest sum of squared torques up to which a direction has none.
+const IDLE: f64 = 1e-9;
 
 /// What is cut off both ends of every stretch, s, so that a delayed state exists for each sample.
 const EDGE: f64 = 0.15;
@@ -359,6 +366,8 @@ pub struct WindowedData<'a> {
     slopes: Mutex<Vec<(usize, Arc<Slopes>)>>,
     /// [`WindowedData::tool_positions`], once asked for.
     positions: OnceLock<Vec<f64>>,
+    /// [`WindowedData::directions_without_torque`], once asked for.
+    idle: OnceLock<Vec<Vector3<f64>>>,
 }
 
 impl<'a> WindowedData<'a> {
@@ -410,6 +419,7 @@ impl<'a> WindowedData<'a> {
             all,
             slopes: Mutex::default(),
             positions: OnceLock::new(),
+            idle: OnceLock::new(),
             runs: cuts.iter().map(|c| c.first..c.first + c.windows).collect(),
             plant,
             len,
@@ -553,6 +563,24 @@ impl<'a> WindowedData<'a> {
                 self.plant.tool_positions(states, &mut out);
             }
             out
+        })
+    }
+
+    /// Directions in which a force on the tool gives no torque in any posture, axes of the base: that
+    /// across the plane of an arm that has one.
+    pub fn directions_without_torque(&self) -> &[Vector3<f64>] {
+        self.idle.get_or_init(|| {
+            let every = (self.len / POSTURES).max(1);
+            let torques = |w: usize| {
+                let unit = self.wrenches(w..w + 1, true);
+                Matrix3xX::from_fn(self.dof(), |c, j| unit[c * self.dof() + j])
+            };
+            let squares: Matrix3<f64> =
+                (0..self.len).step_by(every).map(torques).map(|torque| &torque * torque.transpose()).sum();
+            let axes = squares.symmetric_eigen();
+            let most = axes.eigenvalues.amax();
+            let idle = (0..3).filter(|&k| axes.eigenvalues[k] <= IDLE * most);
+            idle.map(|k| axes.eigenvectors.column(k).into_owned()).collect()
         })
     }
 

@@ -68,7 +68,7 @@ fn cause(c: &Cause) -> Value {
             "share_interval": c.interval.map(|x| if x.is_finite() { json!(x) } else { Value::Null }),
         },
         "not_distinguished_from": c.not_distinguished_from,
-        "shown_by": c.shown_by,
+        "shown_by": c.decided_by.unwrap_or(c.shown_by),
     });
     if let Some(law) = &c.law {
         found["law"] = json!(law);

@@ -146,7 +146,7 @@ fn foot(body: &mut String, found: &Diagnosis, provenance: &Provenance) {
         ("data", format!("{} s fitted, {} s validating", figure(found.seconds[0]), figure(found.seconds[1]))),
         ("validation", validation.to_string()),
         ("links", links.to_string()),
-        ("noise", "sensors by fourth differences of the unfiltered torques, and the uncertainty of motion and clock; noise of sensors that was low-passed before the recording is missing".into()),
+        ("noise", "sensors by fourth differences of the unfiltered torques between the reversals of the joint, and the uncertainty of motion and clock; noise of sensors that was low-passed before the recording is missing".into()),
     ];
     rows.extend(provenance.iter().map(|(what, value)| (what.as_str(), value.clone())));
     for (what, value) in rows {
@@ -327,7 +327,7 @@ fn cause(body: &mut String, number: usize, c: &Cause, own_validation: bool) {
             body,
             "<p class=open><b>Not separated from {}</b> by this data; {} would separate them.</p>",
             escape(&rivals.join(", ")),
-            escape(c.shown_by)
+            escape(c.decided_by.unwrap_or(c.shown_by))
         );
     }
     if c.cause == effects::TimeDelay::NAME {

@@ -193,7 +193,7 @@ pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
                 text,
                 "   This data does not separate it from {}; {} would.",
                 c.not_distinguished_from.join(", "),
-                c.shown_by
+                c.decided_by.unwrap_or(c.shown_by)
             );
         }
     }

@@ -45,14 +45,9 @@ pub(super) fn is_recovered(size: f64) -> bool {
     (size - 1.0).abs() < RECOVERED
 }
 
-/// Whether two causes are one in one place.
-fn same(a: &Cause, b: &Cause) -> bool {
-    a.cause == b.cause && a.joints == b.joints
-}
-
 /// Causes of `found` that `plain` does not have; `unknown` is none.
 pub(super) fn new_causes(found: &Diagnosis, plain: &Diagnosis) -> Vec<usize> {
-    let new = |c: &Cause| c.cause != "unknown" && !plain.causes.iter().any(|p| same(c, p));
+    let new = |c: &Cause| c.cause != "unknown" && !plain.causes.iter().any(|p| c.is(p));
     (0..found.causes.len()).filter(|&i| new(&found.causes[i])).collect()
 }
 
@@ -129,7 +124,7 @@ impl Stability {
             }
             for cause in arm.whole.causes.iter().filter(|c| c.cause != "unknown") {
                 let mut there = Tally::default();
-                halves.iter().for_each(|half| there.count(half.causes.iter().any(|c| same(c, cause))));
+                halves.iter().for_each(|half| there.count(half.causes.iter().any(|c| c.is(cause))));
                 if cause.probability > 0.8 {
                     stability.sure.count(there.good == there.all);
                 }
