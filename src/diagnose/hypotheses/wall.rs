@@ -71,8 +71,11 @@ fn inside(scene: &WindowedData<'_>, direction: &Vector3<f64>) -> Option<Vector3<
     (direction - across).try_normalize(LEAST_INSIDE * direction.norm())
 }
 
-/// Part of a direction that has to lie inside the plane of an arm.
-const LEAST_INSIDE: f64 = 0.3;
+/// Least part of a direction inside the plane of an arm for it to be one there.
+const LEAST_INSIDE: f64 = 0.1;
+
+/// The same of one that is tried: what leans out farther is one of the others there.
+const MOSTLY: f64 = 0.85;
 
 /// Distance of the plane of a shape from the base along its normal, m.
 fn distance(scene: &WindowedData<'_>, shape: &[f64]) -> f64 {
@@ -169,7 +172,7 @@ impl Hypothesis for Wall {
         let weight: Vec<f64> = residual.iter().map(|row| quiet(row)).collect();
         let mut planes: Vec<Plane> = directions()
             .enumerate()
-            .filter_map(|(d, n)| Some((d, inside(scene, &n)?)))
+            .filter_map(|(d, n)| Some((d, inside(scene, &n).filter(|unit| unit.dot(&n) >= MOSTLY)?)))
             .flat_map(|(d, n)| Plane::of(d, n, positions))
             .collect();
         for part in parts(scene.len) {
