@@ -49,11 +49,10 @@ impl Attribution<'_> {
         interval: [f64; 2],
         on: &'static str,
     ) -> Cause {
-        let Self { tested, fitted, uncertainty, accepted: all, rivals: plain_rivals, noise, own_validation, .. } =
-            *self;
+        let Self { tested, fitted, uncertainty, accepted: all, rivals: plain_rivals, noise, .. } = *self;
         let keys = self.keys(item);
-        let joint = item.place.first().map(|j| j + 1);
-        let parameters: Vec<Quantity> = keys.iter().map(|key| key.of_joint(joint)).collect();
+        let of_joint = |key: &Named| key.of_joint(item.place.first().map(|j| j + 1));
+        let parameters: Vec<Quantity> = keys.iter().map(of_joint).collect();
         let accepted = item.accepted.map(|a| &all[a]);
         let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
         let part = shares.within.unwrap_or_else(|| share(&without.steady, &with.steady, noise, &item.place));
@@ -83,7 +82,7 @@ impl Attribution<'_> {
                 all: [&without.rms, &with.rms],
                 moving: [&without.steady, &with.steady],
                 noise,
-                on: measured_on(on, own_validation),
+                on: measured_on(on, self.own_validation),
                 confirmed: accepted.map(|a| a.confirmed),
                 repeats: shares.repeats,
             }) + &elsewhere.collect::<String>()
