@@ -9,8 +9,8 @@ use super::result::Cause;
 const SURE: f64 = 0.99;
 
 /// Puts causes in order of what they gain times their odds: one that takes twice the error of
-/// another stands behind it where the other's odds are more than twice its own. Those of values come after those of
-/// structure.
+/// another stands behind it where the other's odds are more than twice its own. Values of links come
+/// after errors of the robot as a whole.
 pub(in crate::diagnose) fn in_order(causes: &mut Vec<Cause>, scale: &[f64]) {
     let odds = |c: &Cause| c.probability.min(SURE) / (1.0 - c.probability.min(SURE));
     let weighed = |c: &Cause| odds(c) * taken(c, scale);
