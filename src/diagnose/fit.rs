@@ -7,4 +7,5 @@ pub(super) mod model;
 pub(super) mod moments;
 pub(super) mod possible;
 pub(super) mod regulariser;
+pub(super) mod shapes;
 pub(super) mod uncertainty;

@@ -355,6 +355,12 @@ pub trait Hypothesis: Sync {
         None
     }
 
+    /// Of what touches the robot wherever that is in a place: in which windows it does. Empty for all
+    /// others.
+    fn touches(&self, _scene: &WindowedData<'_>, _shape: &[f64]) -> Vec<bool> {
+        Vec::new()
+    }
+
     /// How many instances may act in one place (ripple of several orders, pushes one after the
     /// other).
     fn most(&self) -> usize {

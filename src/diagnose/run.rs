@@ -12,17 +12,18 @@ use super::findings::structure::Structure;
 use super::fit::model::{Mode, ModelUnderTest};
 use super::search::SearchSettings;
 use super::select::contenders::{Refit, Searched};
-use super::select::excess::explained;
+use super::select::excess::{explained, here_and_there};
 use super::select::measure::{Measured, Meter, root_mean_square};
-use super::select::offer::Choice;
+use super::select::offer::{Choice, Rival};
 use super::select::refine_and_select::{Selected, Session};
-use super::select::suspects::{likelier, name};
+use super::select::suspects::{likelier, name, not_explained};
 use super::windows::motion_error::budget;
 use super::windows::recording::{Recording, Stretch, unexplained};
 use super::windows::torque_noise::torque_noise;
 use crate::identify::ConsistentError;
 use crate::model::PerturbableArm;
 use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::effects::FrictionDrift;
 
 /// How to diagnose.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -95,12 +96,22 @@ pub fn diagnose(
         if found.file_holds && !found.changes.is_empty() {
             // What the fitted logs show has a name.
             found.causes.retain(|c| c.cause != "unknown");
+            found.causes.extend(faded(&found.changes));
         }
         if found.verdict == Verdict::NothingWrong {
             found.verdict = Verdict::Unexplained;
         }
     }
     Ok(found)
+}
+
+/// Causes of the fitted logs alone that the validating ones do not refute: friction that fades is gone
+/// where these began with warm gears.
+fn faded(changes: &[Cause]) -> impl Iterator<Item = Cause> {
+    let fades = |c: &&Cause| c.cause == FrictionDrift::NAME;
+    let note = "; the validating logs do not show it, as with gears that were warm by then";
+    let cause = move |c: &Cause| Cause { in_extended: false, evidence: format!("{}{note}", c.evidence), ..c.clone() };
+    changes.iter().filter(fades).map(cause)
 }
 
 /// The diagnosis with the effects of the file, those left out that the data contradict.
@@ -213,6 +224,36 @@ fn halves(recordings: &[Recording]) -> [Vec<Recording>; 2] {
     [first, rest]
 }
 
+/// Causes of the offered model and beside it, and the structure that none of them explains.
+fn named(
+    session: &Session<'_>,
+    model: &Selected<'_>,
+    rival: Option<&Rival>,
+    suspects: Vec<Cause>,
+    torque_rms: &[f64],
+) -> (Vec<Cause>, Vec<Structure>) {
+    let (left, unplayed) = without_columns(model, session.left(model, torque_rms), session.noise);
+    let mut causes = model.causes.clone();
+    if model.tested.mode == Mode::Refitted && has_links(session.plant) {
+        causes.extend(likelier(session.links(model, rival), &suspects));
+    }
+    causes.extend(unplayed);
+    let left = match causes.is_empty() && left.is_empty() {
+        true => here_and_there(&model.after_fit, session.noise),
+        false => left,
+    };
+    let suspects = if causes.is_empty() { suspects } else { not_explained(suspects, &model.after_fit) };
+    if !causes.is_empty() || !left.is_empty() {
+        name(&mut causes, suspects);
+    }
+    (causes, left)
+}
+
+/// Whether the file says more of the links than nothing.
+fn has_links(plant: &dyn PerturbableArm) -> bool {
+    plant.given().is_some_and(|given| given.iter().any(|v| *v != 0.0))
+}
+
 /// [`diagnose`] with the effects of the file kept.
 fn once(
     plant: &dyn PerturbableArm,
@@ -245,7 +286,7 @@ fn once(
     let before = before.error;
 
     let (refit, refitted) = Refit::new(plant, fit, validate, own_validation, settings)?;
-    let has_links = plant.given().is_some_and(|g| g.iter().any(|v| *v != 0.0));
+    let has_links = has_links(plant);
     // The contribution of sensors, motion and clock to the error is no evidence.
     let scene = if has_links { &start.scene } else { &refitted.scene };
     let budget = budget(scene, recorded, &noise).within(&least(&baseline.fit, &refit.errors.fit));
@@ -261,16 +302,7 @@ fn once(
     let Searched { models, said, suspects } = session.models(has_links, &refit, &torque_rms)?;
     let Choice { offered, mut why, changed, file_holds, model, rival } = session.choose(models, &file_out, &refit)?;
     why.extend(said);
-    let left = session.left(&model, &torque_rms);
-    let (left, unplayed) = without_columns(&model, left, noise);
-    let mut causes = model.causes.clone();
-    if model.tested.mode == Mode::Refitted && has_links {
-        causes.extend(likelier(session.links(&model, rival.as_ref()), &suspects));
-    }
-    causes.extend(unplayed);
-    if !causes.is_empty() || !left.is_empty() {
-        name(&mut causes, suspects);
-    }
+    let (mut causes, left) = named(&session, &model, rival.as_ref(), suspects, &torque_rms);
     let Selected { tested, fitted, mut after, mut after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);
     let other_links = tested.mode == Mode::Refitted && has_links;

@@ -656,7 +656,7 @@ impl Preparer {
             let (q, torque) = (&self.raw[j], &self.raw[self.dof + j]);
             let mut way: Vec<f64> = q.windows(2).map(|q| q[1] - q[0]).collect();
             way.extend(way.last().copied());
-            noise_between_reversals([(&torque[..], &way[..])].into_iter())
+            noise_between_reversals([(&torque[..], &way[..])].into_iter(), clock.period.recip())
         };
         let torque = (0..self.dof).map(noise).collect();
         let known = self.rows_noise.take();
@@ -1045,7 +1045,7 @@ impl Preparer {
         let gain = self.settings.torque_gains.get(joint).map_or(1.0, |gain| gain.abs());
         let recorded = match &self.rows_noise {
             Some(noise) => noise.torque[joint],
-            None => noise_between_reversals([(&self.evened[self.dof + joint][..], dq)].into_iter()),
+            None => noise_between_reversals([(&self.evened[self.dof + joint][..], dq)].into_iter(), rate),
         };
         recorded * gain * passed
     }

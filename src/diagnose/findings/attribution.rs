@@ -149,7 +149,7 @@ impl Attribution<'_> {
             return calibration::local(features.support, brief);
         }
         let of = |effect: EffectKind| {
-            let found = self.evidence.iter().find(|e| e.effect == effect && e.place == item.place)?;
+            let found = self.evidence.iter().find(|e| !e.local && e.effect == effect && e.place == item.place)?;
             let (validated, confirmed) = (features.share, features.confirmed);
             Some(calibration::change(&Change { share: found.share, left_out: found.left_out, validated, confirmed }))
         };

@@ -422,7 +422,7 @@ impl<'a> ModelUnderTest<'a> {
     }
 
     /// Sizes that stand in the shape of a law ([`Hypothesis::unit`]), by Gauss's and Newton's steps
-    /// with everything else refitted.
+    /// with everything else refitted; then the numbers of all other shapes.
     pub fn polish(&mut self, chosen: &mut [Chosen]) -> Fitted {
         let mut fitted = self.fit(chosen);
         for index in (0..chosen.len()).filter(|&i| chosen[i].cause.unit()).collect::<Vec<usize>>() {
@@ -453,6 +453,7 @@ impl<'a> ModelUnderTest<'a> {
                 }
             }
         }
+        let fitted = self.polish_shapes(chosen, fitted);
         // The scene's model is that of the last trial.
         self.update_model(&fitted);
         fitted

@@ -25,8 +25,7 @@ impl Uncertainty {
         for (index, c) in chosen.iter().enumerate() {
             let places = c.cause.shape().iter().enumerate().map(|(k, number)| {
                 let integer = c.cause.integer_shape() == Some(k) && c.shape[k].fract() == 0.0;
-                let first =
-                    number.step.filter(|_| number.named() && !(integer && c.cause.integer_prior_std().is_none()))?;
+                let first = number.step.filter(|_| !(integer && c.cause.integer_prior_std().is_none()))?;
                 let step = if first > 0.0 { 1e-2 * first * c.shape[k] } else { -1e-2 * first };
                 let step = Some(step).filter(|s| *s != 0.0)?;
                 let column = derivative(tested, fitted, index, c, k, step)?;

@@ -17,8 +17,9 @@ use crate::diagnose::windows::windowed_data::WindowedData;
 /// `IA ddq`.
 pub struct RotorInertia;
 
-/// Part of the largest acceleration by which two columns of the same series differ at most.
-const ROUNDED: f64 = 1e-6;
+/// Part of the largest acceleration by which two columns of the same series differ at most. Right
+/// angles that a file has rounded leave as much of what they should have made 0.
+const ROUNDED: f64 = 1e-4;
 
 /// What tells a rotor from a link that [`shows_as_a_rotor`].
 pub(super) const DATA_SHEET: &str = "the rotor's inertia in the drive's data sheet";
@@ -28,10 +29,12 @@ pub(super) const DATA_SHEET: &str = "the rotor's inertia in the drive's data she
 pub(super) fn shows_as_a_rotor(scene: &WindowedData<'_>, j: usize) -> bool {
     let own = scene.pointwise(j, |o, k| o.a[k]);
     let link = body_terms(scene, scene.plant.rows()[j], effects::LinkInertiaError::BODY);
-    let ([(_, own)], [Term { column, .. }]) = (&own.rows[..], &link[..]) else { return false };
+    let [(_, own)] = &own.rows[..] else { return false };
     let least = ROUNDED * own.iter().fold(0.0, |most: f64, a| most.max(a.abs()));
+    let rows = || link.iter().flat_map(|term| &term.column.rows);
+    let shown: Vec<_> = rows().filter(|(_, torque)| torque.iter().any(|x| x.abs() > least)).collect();
     let alike = |torque: &[f64]| torque.iter().zip(&**own).all(|(a, b)| (a - b).abs() <= least);
-    matches!(&column.rows[..], [(joint, torque)] if *joint == j && alike(torque))
+    matches!(shown[..], [(joint, torque)] if *joint == j && alike(torque))
 }
 
 impl Hypothesis for RotorInertia {

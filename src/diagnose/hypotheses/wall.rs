@@ -195,10 +195,14 @@ impl Hypothesis for Wall {
         found.map(|plane| plane.shape(positions)).collect()
     }
 
+    fn touches(&self, scene: &WindowedData<'_>, shape: &[f64]) -> Vec<bool> {
+        let depth = depths(scene.tool_positions(), &normal(scene, shape), distance(scene, shape));
+        depth.into_iter().map(|depth| depth > 0.0).collect()
+    }
+
     /// What is met nowhere, or never left, is no wall.
     fn shows(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> bool {
-        let depth = depths(scene.tool_positions(), &normal(scene, shape), distance(scene, shape));
-        let behind = depth.iter().filter(|d| **d > 0.0).count();
+        let behind = self.touches(scene, shape).into_iter().filter(|behind| *behind).count();
         let share = behind as f64 / scene.len.max(1) as f64;
         (SHARE[0]..=SHARE[1]).contains(&share) && behind as f64 * scene.step >= LEAST
     }
@@ -226,11 +230,24 @@ impl Hypothesis for Wall {
     }
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
-        let normal = normal(found.scene, found.shape);
-        let facing = [Keys::NX, Keys::NY, Keys::NZ].into_iter().zip(normal.iter());
-        let facing = facing.map(|(key, n)| Named::new(key, *n, None));
-        let at = Named::new(Keys::AT, distance(found.scene, found.shape), found.shape_std[BEYOND]);
-        found.all_terms().chain(facing).chain([at]).collect()
+        let of = |shape: &[f64]| {
+            let n = normal(found.scene, shape);
+            [n.x, n.y, n.z, distance(found.scene, shape)]
+        };
+        let values = of(found.shape);
+        // Each number of the shape moved by its deviation: the pivot is where they are independent.
+        let moved = (0..found.shape.len()).filter_map(|k| {
+            let mut shape = found.shape.to_vec();
+            shape[k] += found.shape_std[k]?;
+            Some(of(&shape))
+        });
+        let moved: Vec<[f64; 4]> = moved.collect();
+        let std = |c: usize| {
+            let sum: f64 = moved.iter().map(|other| (other[c] - values[c]).powi(2)).sum();
+            (sum > 0.0).then(|| sum.sqrt())
+        };
+        let keys = [Keys::NX, Keys::NY, Keys::NZ, Keys::AT].into_iter().enumerate();
+        found.all_terms().chain(keys.map(|(c, key)| Named::new(key, values[c], std(c)))).collect()
     }
 
     fn over(&self) -> Over {

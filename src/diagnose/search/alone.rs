@@ -2,6 +2,7 @@
 
 use super::candidate::evaluate;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
+use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// What acts in a part of a log gains at least so many times what it would gain elsewhere.
 const ALONE: f64 = 3.0;
@@ -19,9 +20,47 @@ pub(in crate::diagnose) fn is_brief(chosen: &Chosen) -> bool {
     chosen.cause.acts(&chosen.shape).is_some_and(|[start, end]| end - start <= BRIEF)
 }
 
+/// Share of its windows in which something else touches the robot that leaves a push no evidence of
+/// its own.
+const TOUCHED: f64 = 0.5;
+
+/// Whether what acts in a part of a log does so while another cause touches the robot: it is then an
+/// error of that one's law, which says how a force depends on the position and not what else it does.
+pub(in crate::diagnose) fn is_an_error_of_contact<'c>(
+    scene: &WindowedData<'_>,
+    last: &Chosen,
+    others: impl IntoIterator<Item = &'c Chosen>,
+) -> bool {
+    let Some(span) = last.span(scene.step) else { return false };
+    let share = |other: &Chosen| {
+        let touches = other.cause.touches(scene, &other.shape);
+        let part = touches.get(span.start..span.end.min(touches.len())).unwrap_or(&[]);
+        part.iter().filter(|touches| **touches).count() as f64 / part.len().max(1) as f64
+    };
+    others.into_iter().any(|other| share(other) > TOUCHED)
+}
+
+/// Least motion of a stretch, by that in the part of a log where a cause acts, for it to be compared.
+const AS_MUCH: f64 = 0.5;
+
+/// Sums up to each window of how much the arm moves: of all joints, the speed by the joint's fastest.
+fn motion(scene: &WindowedData<'_>) -> Vec<f64> {
+    let mut sums = vec![0.0; scene.len + 1];
+    for j in 0..scene.dof() {
+        let speed = &scene.states[scene.state_of_joint[j]].dq[j * scene.len..(j + 1) * scene.len];
+        let fastest = speed.iter().fold(f64::MIN_POSITIVE, |most, v| most.max(v.abs()));
+        sums[1..].iter_mut().zip(speed).for_each(|(sum, v)| *sum += v.abs() / fastest);
+    }
+    for w in 0..scene.len {
+        sums[w + 1] += sums[w];
+    }
+    sums
+}
+
 /// Whether a cause gains far more in its part of a log than it would anywhere else: a slow error
-/// looks like a constant wrench in any short piece. `before` is the model without it. Where there is
-/// nothing to compare with, that is unknown, and it is not taken for alone.
+/// looks like a constant wrench in any short piece, and one of the motion in any piece with as much of
+/// it. So stretches in which the arm moves far less are not compared. `before` is the model without it.
+/// Where there is nothing to compare with, that is unknown, and it is not taken for alone.
 pub(in crate::diagnose) fn is_alone(tested: &ModelUnderTest<'_>, before: &Fitted, chosen: &Chosen) -> bool {
     let Chosen { cause, place, shape, .. } = chosen;
     let Some([start, end]) = cause.acts(shape) else { return true };
@@ -32,13 +71,21 @@ pub(in crate::diagnose) fn is_alone(tested: &ModelUnderTest<'_>, before: &Fitted
         evaluate(tested, before, *cause, place, &shape).map(|c| c.raw(before))
     };
     let Some(here) = at(start) else { return false };
+    let sums = motion(&tested.scene);
+    let moved = |begin: f64| {
+        let [first, last] =
+            [begin, begin + length].map(|t| ((t / tested.scene.step).round() as usize).min(sums.len() - 1));
+        sums[last] - sums[first]
+    };
+    let least = AS_MUCH * moved(start);
     let brief = is_brief(chosen);
     let step = length.max(1e-3);
     // From its ends onwards, so that a short log has some too.
     let [room_before, room_after] = [start, all - end].map(|room| room - length + 1e-9);
     let steps = |room: f64| (0..MOST).map(move |k| k as f64 * step).take_while(move |by| *by <= room);
     let begins = steps(room_before).map(|by| start - length - by).chain(steps(room_after).map(|by| end + by));
-    let mut others: Vec<f64> = begins.filter_map(|begin| at(begin.max(0.0))).collect();
+    let begins = begins.map(|begin| begin.max(0.0)).filter(|begin| moved(*begin) >= least);
+    let mut others: Vec<f64> = begins.filter_map(at).collect();
     others.sort_by(f64::total_cmp);
     let last = others.len().saturating_sub(1);
     let rank = if brief { last.saturating_sub(1) } else { (0.75 * last as f64).round() as usize };

@@ -270,13 +270,17 @@ pub(in crate::diagnose) fn refine(tested: &ModelUnderTest<'_>, fitted: &Fitted, 
         }
     }
     follow(tested, fitted, candidate);
-    // Many numbers depend on each other: they are walked again, with smaller steps.
+    // Many numbers depend on each other: they are walked again, with smaller steps, and together along
+    // the way that they took (Hooke and Jeeves 1961).
     let many = shape.iter().filter(|number| number.step.is_some()).count() > 2;
     for pass in 0..if many { PASSES } else { 1 } {
-        let before = candidate.score;
+        let before = candidate.clone();
         walk(tested, fitted, candidate, FINER.powi(pass));
-        if candidate.score - before < 1.0 {
+        if candidate.score - before.score < 1.0 {
             break;
+        }
+        if many {
+            stride(tested, fitted, candidate, &before.shape);
         }
     }
     if let Some(k) = candidate.cause.integer_shape() {
@@ -287,6 +291,21 @@ pub(in crate::diagnose) fn refine(tested: &ModelUnderTest<'_>, fitted: &Fitted, 
         {
             *candidate = better;
         }
+    }
+}
+
+/// Goes on in the direction from an earlier shape, farther each time, while that is better.
+fn stride(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate, from: &[f64]) {
+    let way: Vec<f64> = candidate.shape.iter().zip(from).map(|(to, from)| to - from).collect();
+    let mut length = 1.0;
+    loop {
+        let next: Vec<f64> = candidate.shape.iter().zip(&way).map(|(at, way)| at + length * way).collect();
+        let inside = candidate.cause.shape().iter().zip(&next).all(|(n, x)| n.range[0] <= *x && *x <= n.range[1]);
+        match evaluate(tested, fitted, candidate.cause, &candidate.place, &next).filter(|_| inside) {
+            Some(better) if better.score > candidate.score => *candidate = better,
+            _ => break,
+        }
+        length *= 2.0;
     }
 }
 

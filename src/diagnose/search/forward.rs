@@ -6,6 +6,7 @@
 //! of a joint's error, in the fit and on stretches of the logs that are left out in turn, and makes
 //! no other joint worse there.
 
+use super::alone::is_an_error_of_contact;
 use super::baseline_friction::BaselineFriction;
 use super::candidate::{Candidate, candidates, evaluate, logs, price, refine, rivals, unknowns};
 use super::driving_friction::level_drives;
@@ -49,6 +50,8 @@ const WHOLE: f64 = 2.0;
 pub(in crate::diagnose) struct Evidence {
     pub(in crate::diagnose) effect: EffectKind,
     pub(in crate::diagnose) place: Vec<usize>,
+    /// Whether it acts in a part of a log: of contacts, a push and no wall.
+    pub(in crate::diagnose) local: bool,
     /// Share of the squared error of its main joint that it takes; of a cause that acts in a part
     /// of a log, there.
     pub(in crate::diagnose) share: f64,
@@ -111,13 +114,14 @@ pub(in crate::diagnose) fn forward(
     };
     let mut fitted = search.tested.fit(&mut []);
     let mut refused = Vec::new();
-    while search.accepted.len() < settings.most {
+    loop {
         progress(&format!("{} found, looking for more", search.evidence.len()));
         let Some(next) = search.round(&fitted, &mut refused) else { break };
         fitted = next;
     }
     progress("whether other laws explain several causes at once");
     search.unite(&mut fitted);
+    search.without_errors_of_contact(&mut fitted);
     search.prune(&mut fitted);
     let Forward { mut accepted, friction, mut evidence, .. } = search;
     simplify(tested, &mut accepted, &mut fitted);
@@ -207,6 +211,27 @@ impl Forward<'_, '_> {
         adopt(&mut self.accepted, &self.chosen);
     }
 
+    /// Takes out pushes that a wall found later explains but for an error of its law.
+    fn without_errors_of_contact(&mut self, fitted: &mut Fitted) {
+        let other = |i: usize| self.chosen.iter().enumerate().filter(move |(k, _)| *k != i).map(|(_, c)| c);
+        let error = |i: &usize| is_an_error_of_contact(&self.tested.scene, &self.chosen[*i], other(*i));
+        let errors: Vec<usize> = (0..self.chosen.len()).filter(error).collect();
+        if errors.is_empty() {
+            return;
+        }
+        for i in errors.into_iter().rev() {
+            let gone = self.chosen.remove(i);
+            self.accepted.remove(i);
+            // The evidence of several pushes has one name; the last is that of what was found last.
+            let of_it = |e: &Evidence| e.local && e.effect == gone.cause.effect() && e.place == gone.place;
+            if let Some(at) = self.evidence.iter().position(of_it) {
+                self.evidence.remove(at);
+            }
+        }
+        *fitted = self.tested.fit(&mut self.chosen);
+        adopt(&mut self.accepted, &self.chosen);
+    }
+
     /// Takes out, the least first, what takes less than the least gain of a joint's error beside all
     /// others: what was accepted before the cause that it stood for.
     fn prune(&mut self, fitted: &mut Fitted) {
@@ -234,10 +259,9 @@ impl Forward<'_, '_> {
                 let k = 3 * e.place.first()? + which;
                 return (!self.tested.frozen[k]).then_some(Part::Friction(k));
             }
-            let here = |c: &Chosen| c.cause.effect() == e.effect && c.place == e.place;
-            let index = self.chosen.iter().position(here)?;
-            let cause = self.chosen[index].cause;
-            (!cause.moves_time() && !cause.local()).then_some(Part::Cause(index))
+            let here = |c: &Chosen| c.cause.effect() == e.effect && c.place == e.place && !c.cause.local();
+            let index = self.chosen.iter().position(here).filter(|_| !e.local)?;
+            (!self.chosen[index].cause.moves_time()).then_some(Part::Cause(index))
         };
         self.evidence.iter().filter_map(of).collect()
     }
@@ -271,7 +295,7 @@ impl Forward<'_, '_> {
                 (PLAIN[k % 3].effect(), vec![k / 3])
             }
         };
-        self.evidence.retain(|e| e.effect != effect || e.place != place);
+        self.evidence.retain(|e| e.local || e.effect != effect || e.place != place);
     }
 
     /// The best law of a cause beside the `rest`, if it loses no more than the unknowns of what it
@@ -299,12 +323,14 @@ impl Forward<'_, '_> {
         (pays && self.judge().stands(trial.last()?, &next)).then_some((trial, next))
     }
 
-    /// All candidates, plain friction among them, best first.
+    /// All candidates, plain friction among them, best first. Beside the most causes that act
+    /// throughout, those that act in a part of a log: the others do not stand for them.
     fn ranked(&self, fitted: &Fitted, refused: &[Law]) -> Vec<Candidate> {
+        let full = self.chosen.iter().filter(|c| !c.cause.local()).count() >= self.settings.most;
         let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| {
             let same = |c: &&Chosen| c.cause.name() == cause.name() && c.place == place;
             let excluded = self.excluded.iter().any(|(effect, at)| *effect == cause.effect() && at == place);
-            !excluded && self.chosen.iter().filter(same).count() < cause.most()
+            !excluded && (cause.local() || !full) && self.chosen.iter().filter(same).count() < cause.most()
         };
         let mut all = candidates(self.tested, fitted, &wanted);
         for (k, _) in self.tested.frozen.iter().enumerate().filter(|(_, frozen)| **frozen) {
@@ -379,7 +405,7 @@ impl Forward<'_, '_> {
         let candidate = &ranked[at];
         let Candidate { cause, place, .. } = candidate;
         let evidence = |share: f64, left_out: f64| {
-            Some(Evidence { effect: cause.effect(), place: place.clone(), share, left_out })
+            Some(Evidence { effect: cause.effect(), place: place.clone(), local: cause.local(), share, left_out })
         };
         let stands = match plain(candidate) {
             Some(k) => !level_drives(self.tested, k, after, self.noise[k / 3]),

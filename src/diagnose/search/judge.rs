@@ -3,7 +3,7 @@
 //! large enough to matter beside the noise.
 
 use super::SearchSettings;
-use super::alone::is_alone;
+use super::alone::{is_alone, is_an_error_of_contact};
 use super::candidate::{logs, unknowns};
 use super::driving_friction::friction_drives;
 use crate::diagnose::fit::likelihood::gain as autoregressive_gain;
@@ -172,9 +172,13 @@ impl Judge<'_> {
     }
 
     /// Whether a cause that acts in a part of a log shows there alone; see [`is_alone`]. Several such
-    /// parts that make up most of the logs are not apart from anything.
+    /// parts that make up most of the logs are not apart from anything, and beside what touches the
+    /// robot there nothing stands alone.
     pub(super) fn is_alone(&self, last: &Chosen, before: &Fitted) -> bool {
         let scene = &self.tested.scene;
+        if is_an_error_of_contact(scene, last, self.accepted.iter().map(|a| &a.chosen)) {
+            return false;
+        }
         let duration = |c: &Chosen| c.cause.acts(&c.shape).map_or(0.0, |[start, end]| end - start);
         let acting: f64 = self.accepted.iter().map(|a| duration(&a.chosen)).sum::<f64>() + duration(last);
         acting < PART * scene.len as f64 * scene.step && is_alone(self.tested, before, last)

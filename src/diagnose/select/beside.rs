@@ -8,7 +8,7 @@
 use super::excess::{CHANGED, EXCESS};
 use std::ops::Range;
 
-use super::measure::{Figures, Measured, Meter, bootstrap, here, leave_out, root_mean_square, share};
+use super::measure::{Figures, Measured, Meter, bootstrap, bootstrap_within, here, leave_out, root_mean_square, share};
 use super::refine_and_select::Session;
 use crate::diagnose::findings::reported_cause::Item;
 use crate::diagnose::fit::model::{Chosen, ModelUnderTest};
@@ -45,6 +45,8 @@ pub(in crate::diagnose) struct Without {
     /// Of a cause that acts in a part of a log: the largest share of a joint's squared error that
     /// it takes there.
     pub(in crate::diagnose) within: Option<f64>,
+    /// Of a cause that acts in a part of a log: whether it makes a joint worse there.
+    pub(in crate::diagnose) spoils: bool,
     /// Whether they are those on the fitted logs.
     pub(in crate::diagnose) near: bool,
     /// Joints that differ between fitted and validating logs, whether the model has the cause or
@@ -148,9 +150,13 @@ impl<'a> Beside<'_, 'a> {
         let apart = (0..noise.len()).map(apart).collect();
         let span =
             item.accepted.filter(|_| item.hypothesis.local()).and_then(|i| chosen[i].span(self.near.fine.scene.step));
-        let within = span.map(|span| share_within(span, [&measured, with], noise));
+        let within = span.clone().map(|span| share_within(span, [&measured, with], noise));
+        let spoils = span.clone().is_some_and(|span| with.is_worse_within(span, &measured, noise));
         let repeats = if near { None } else { size(&measured, with) };
-        let interval = bootstrap(&measured, with, &item.place);
-        Without { interval, measured: measured.figures(), within, near, apart, far_share: None, repeats }
+        let interval = match span {
+            Some(span) => bootstrap_within(span, &measured, with),
+            None => bootstrap(&measured, with, &item.place),
+        };
+        Without { interval, measured: measured.figures(), within, spoils, near, apart, far_share: None, repeats }
     }
 }

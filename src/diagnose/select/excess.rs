@@ -50,6 +50,37 @@ pub(in crate::diagnose) fn excess([fit, validate]: [&Measured; 2], floor: &[f64]
     (0..floor.len()).filter_map(joint).collect()
 }
 
+/// Error by floor in a stretch in which a joint moves, above which that is wrong by itself, length of
+/// such a stretch, s, and the least of them together.
+const WITHIN: f64 = 5.0;
+const STRETCH: f64 = 0.25;
+const TOGETHER: f64 = 0.5;
+
+/// Joints that a model misses by far in some stretches of the fitted logs, where all of the logs looks
+/// like noise: a gap that shows when the load turns about.
+pub(in crate::diagnose) fn here_and_there(fit: &Measured, floor: &[f64]) -> Vec<Structure> {
+    let joint = |j: usize| {
+        let stretches = fit.stretches(j, STRETCH).filter(|(_, rms)| *rms > WITHIN * floor[j]);
+        let found: Vec<([f64; 2], f64)> = stretches.collect();
+        let [first, last] = [found.first()?.0[0], found.last()?.0[1]];
+        let rms = (found.iter().map(|(_, rms)| rms * rms).sum::<f64>() / found.len() as f64).sqrt();
+        (found.len() as f64 * STRETCH >= TOGETHER).then(|| Structure {
+            joint: j,
+            rms,
+            description: format!(
+                "joint {} is missed by {} N m in {} s between {} and {} s of the fitted logs, where noise explains {}",
+                j + 1,
+                short(rms),
+                short(found.len() as f64 * STRETCH),
+                short(first),
+                short(last),
+                short(floor[j])
+            ),
+        })
+    };
+    (0..floor.len()).filter_map(joint).collect()
+}
+
 /// Structure, and joints with excess alone.
 pub(in crate::diagnose) fn with_excess(mut found: Vec<Structure>, more: Vec<Structure>) -> Vec<Structure> {
     let there: Vec<usize> = found.iter().map(|s| s.joint).collect();
@@ -129,6 +160,20 @@ fn worse(own: &[f64], refit: &[f64], scale: &[f64], noise: &[f64]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Half a second of ten times the noise in 30 s is seen where the joint moves, and as one stretch it
+    /// is not.
+    #[test]
+    fn a_stretch_that_is_missed_by_far_is_said() {
+        let of = |wrong: usize, moves: bool| {
+            let error =
+                |k: usize| if (1000..1000 + wrong).contains(&k) { 1.0 } else { 0.1 * (-1.0_f64).powi(k as i32) };
+            Measured::made(vec![(0..3000).map(error).collect()], vec![vec![moves; 3000]])
+        };
+        let found = here_and_there(&of(50, true), &[0.1]);
+        assert!(found.len() == 1 && found[0].description.contains("0.50 s between 10.0 and 10.5"), "{found:?}");
+        assert!(here_and_there(&of(25, true), &[0.1]).is_empty() && here_and_there(&of(50, false), &[0.1]).is_empty());
+    }
 
     #[test]
     fn one_joint_that_is_much_worse_counts() {

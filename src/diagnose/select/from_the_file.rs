@@ -38,7 +38,9 @@ fn diluting(evidence: &[Evidence], probability: &[f64]) -> Vec<Placed> {
 /// Whether an item is what was found, or has the term of friction that was.
 fn is_of(item: &Item, e: &Evidence) -> bool {
     let term = |k: &usize| PLAIN[k % 3].effect() == e.effect;
-    item.place == e.place && (item.hypothesis.effect() == e.effect || item.friction.iter().any(term))
+    item.place == e.place
+        && item.hypothesis.local() == e.local
+        && (item.hypothesis.effect() == e.effect || item.friction.iter().any(term))
 }
 
 impl<'a> Session<'a> {
@@ -95,7 +97,13 @@ mod tests {
 
     #[test]
     fn what_is_unlikely_is_excluded_where_it_diluted_a_cause() {
-        let of = |effect, place: &[usize], share| Evidence { effect, place: place.to_vec(), share, left_out: 0.4 };
+        let of = |effect, place: &[usize], share| Evidence {
+            effect,
+            place: place.to_vec(),
+            local: false,
+            share,
+            left_out: 0.4,
+        };
         let evidence = [
             of(EffectKind::CoulombFriction, &[2], 0.6),
             of(EffectKind::TimeDelay, &[2], 0.3),

@@ -1,10 +1,11 @@
 //! Errors of models on recordings, every sample counted, and what a cause takes of them.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use crate::diagnose::findings::maps::View;
 use crate::diagnose::findings::reported_cause::Item;
-use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
+use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::windows::recording::Recording;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::PerturbableArm;
@@ -13,14 +14,15 @@ use crate::model::PerturbableArm;
 pub(in crate::diagnose) struct Measured {
     pub(in crate::diagnose) rms: Vec<f64>,
     /// The same where the joint moves. At reversals the sign of a velocity inside its noise, or of
-    /// a joint that sticks, errs by twice the Coulomb level, whatever the cause.
+    /// a joint that sticks, errs by twice the Coulomb level, whatever the cause. Of a joint that hardly
+    /// moves, what dry friction at rest can't be: see [`at_rest`].
     pub(in crate::diagnose) steady: Vec<f64>,
     /// The same where it moves swiftly; of all samples where it hardly does.
     pub(in crate::diagnose) swift: Vec<f64>,
     pub(in crate::diagnose) error: Vec<Vec<f64>>,
     pub(in crate::diagnose) time: Vec<f64>,
     /// Samples that follow each other without a gap.
-    pub(in crate::diagnose) runs: Vec<std::ops::Range<usize>>,
+    pub(in crate::diagnose) runs: Vec<Range<usize>>,
     /// Torque of the model, per joint, N m.
     model: Vec<Arc<Vec<f64>>>,
     /// Delays for which the motion was taken, s.
@@ -29,6 +31,8 @@ pub(in crate::diagnose) struct Measured {
     pub(in crate::diagnose) shown: Vec<bool>,
     /// Samples at which each joint moves.
     moves: Vec<Vec<bool>>,
+    /// Coulomb level of the file, per joint, N m.
+    coulomb: Vec<f64>,
 }
 
 /// [`Measured::rms`] and [`Measured::steady`]: what is kept of a model that was only tried.
@@ -38,10 +42,49 @@ pub(in crate::diagnose) struct Figures {
 }
 
 impl Measured {
-    /// Errors of a joint, of this model and of `other`, where it moves; all of them where that is less
-    /// than half.
+    /// Errors of a joint, of this model and of `other`, where it moves; all of them where it hardly does.
     pub(in crate::diagnose) fn where_it_moves(&self, other: &Self, joint: usize) -> [Vec<f64>; 2] {
         [self, other].map(|m| moving(&m.error[joint], &self.moves[joint]))
+    }
+
+    /// How many samples so many seconds have.
+    fn samples_of(&self, seconds: f64) -> usize {
+        let step = self.time.windows(2).map(|w| w[1] - w[0]).find(|d| *d > 0.0).unwrap_or(0.01);
+        (seconds / step) as usize
+    }
+
+    /// Begin and end, s, and error, root mean square, N m, of stretches of so many seconds in which a
+    /// joint moves throughout.
+    pub(in crate::diagnose) fn stretches(&self, joint: usize, seconds: f64) -> impl Iterator<Item = ([f64; 2], f64)> {
+        let length = self.samples_of(seconds).max(1);
+        let starts = self
+            .runs
+            .iter()
+            .flat_map(move |run| (run.start..run.end).step_by(length).filter(move |s| s + length <= run.end));
+        let spans = starts
+            .map(move |start| start..start + length)
+            .filter(move |span| self.moves[joint][span.clone()].iter().all(|m| *m));
+        spans.map(move |span| {
+            ([self.time[span.start], self.time[span.end - 1]], root_mean_square(&self.error[joint][span]))
+        })
+    }
+
+    /// Whether some joint's error in a span of samples is larger than another model's, by more than dry
+    /// friction at rest can make of it: a joint that stands bears a push.
+    pub(in crate::diagnose) fn is_worse_within(&self, span: Range<usize>, other: &Self, noise: &[f64]) -> bool {
+        let part = |m: &Self, j: usize| m.error[j].get(span.clone()).map_or(0.0, root_mean_square);
+        let borne = |j: usize| part(other, j).max(self.coulomb[j].abs() + noise[j]);
+        (0..noise.len()).any(|j| part(self, j) > WORSE_WITHIN * borne(j))
+    }
+
+    /// Whether some joint's error between two times, s since a log began, is larger than elsewhere.
+    pub(in crate::diagnose) fn stands_out(&self, [start, end]: [f64; 2]) -> bool {
+        let inside = |t: f64| (start..=end).contains(&t);
+        let larger = |(error, usual): (&Vec<f64>, &f64)| {
+            let part: Vec<f64> = error.iter().zip(&self.time).filter(|(_, t)| inside(**t)).map(|(e, _)| *e).collect();
+            root_mean_square(&part) > STANDS_OUT * usual
+        };
+        self.error.iter().zip(&self.steady).any(larger)
     }
 
     /// The figures alone, without series.
@@ -60,10 +103,16 @@ impl Measured {
         let error = &mut self.error[joint];
         error.iter_mut().zip(torque).for_each(|(e, t)| *e -= t);
         self.rms[joint] = root_mean_square(error);
-        self.steady[joint] = where_it_moves(error, &self.moves[joint]);
+        self.steady[joint] = where_it_moves(error, &self.moves[joint], self.coulomb[joint]);
         self.swift[joint] = swift(error, velocity, self.steady[joint]);
     }
 }
+
+/// Error of a joint in a part of a log, by that where it moves, from which on it stands out.
+const STANDS_OUT: f64 = 1.5;
+
+/// By how much an error may grow in a part of a log.
+const WORSE_WITHIN: f64 = 1.2;
 
 /// Least speed of a joint, by its fastest, at which its error counts as excess: about a reversal
 /// dry friction is no function of the recorded velocity.
@@ -74,18 +123,38 @@ fn swift(error: &[f64], velocity: &[f64], steady: f64) -> f64 {
     let fastest = velocity.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     let pairs = error.iter().zip(velocity).filter(|(_, v)| v.abs() > SWIFT * fastest);
     let swift: Vec<f64> = pairs.map(|(e, _)| *e).collect();
-    if 2 * swift.len() < error.len() { steady } else { root_mean_square(&swift) }
+    if hardly(swift.len(), error) { steady } else { root_mean_square(&swift) }
 }
 
-/// An error where the joint moves; all of it where that is less than half.
+/// Least share of its samples in which a joint moves, for these to stand for it: a motion from point to
+/// point rests for most of the time.
+const MOVES: f64 = 0.1;
+
+/// Whether a joint moves in too few samples.
+fn hardly(moving: usize, all: &[f64]) -> bool {
+    (moving as f64) < MOVES * all.len() as f64
+}
+
+/// An error where the joint moves; all of it where it hardly does.
 fn moving(error: &[f64], moves: &[bool]) -> Vec<f64> {
     let moving: Vec<f64> = error.iter().zip(moves).filter(|(_, moves)| **moves).map(|(e, _)| *e).collect();
-    if 2 * moving.len() < error.len() { error.to_vec() } else { moving }
+    if hardly(moving.len(), error) { error.to_vec() } else { moving }
 }
 
-/// Root mean square of that.
-fn where_it_moves(error: &[f64], moves: &[bool]) -> f64 {
-    root_mean_square(&moving(error, moves))
+/// What of an error can't be dry friction of a joint at rest, which is any torque up to its Coulomb level.
+fn at_rest(error: f64, coulomb: f64) -> f64 {
+    (error.abs() - coulomb.abs()).max(0.0)
+}
+
+/// Root mean square of an error where the joint moves; of all samples where it hardly does, what dry
+/// friction explains of those at rest taken out.
+fn where_it_moves(error: &[f64], moves: &[bool], coulomb: f64) -> f64 {
+    let part = moving(error, moves);
+    if part.len() < error.len() {
+        return root_mean_square(&part);
+    }
+    let beyond = |(e, moves): (&f64, &bool)| if *moves { *e } else { at_rest(*e, coulomb) };
+    root_mean_square(&error.iter().zip(moves).map(beyond).collect::<Vec<f64>>())
 }
 
 pub(in crate::diagnose) const RAW: f64 = 1e9;
@@ -145,7 +214,10 @@ impl<'a> Meter<'a> {
         let scene = &self.fine.scene;
         let moves: Vec<Vec<bool>> =
             scene.own.iter().map(|own| scene.joined(own.iter().map(|own| own.moves.clone()))).collect();
-        let steady: Vec<f64> = error.iter().zip(&moves).map(|(error, moves)| where_it_moves(error, moves)).collect();
+        let level = |given: [Option<f64>; 3]| given[1].unwrap_or(0.0);
+        let coulomb: Vec<f64> = given_friction(self.fine.plant).into_iter().map(level).collect();
+        let steady = (0..error.len()).map(|j| where_it_moves(&error[j], &moves[j], coulomb[j]));
+        let steady: Vec<f64> = steady.collect();
         let velocity = |j: usize| &scene.states[scene.state_of_joint[j]].dq[j * scene.len..(j + 1) * scene.len];
         let swift = (0..error.len()).map(|j| swift(&error[j], velocity(j), steady[j])).collect();
         let (time, runs, model) = (scene.time.clone(), scene.runs.clone(), scene.whole.clone());
@@ -159,6 +231,7 @@ impl<'a> Meter<'a> {
             model,
             delays: scene.delays.clone(),
             moves,
+            coulomb,
             shown: Vec::new(),
         }
     }
@@ -261,31 +334,45 @@ pub(in crate::diagnose) fn bootstrap(without: &Measured, with: &Measured, place:
     if main >= with.error.len() {
         return [f64::NAN; 2];
     }
-    let [b, a] = with.where_it_moves(without, main);
-    let step = with.time.windows(2).map(|w| w[1] - w[0]).find(|d| *d > 0.0).unwrap_or(0.01);
-    let length = ((0.5 / step) as usize).max(1);
-    let n = a.len().min(b.len());
-    let sums: Vec<[f64; 2]> = (0..n / length)
-        .map(|i| {
-            let span = i * length..(i + 1) * length;
-            [a[span.clone()].iter().map(|e| e * e).sum(), b[span].iter().map(|e| e * e).sum()]
-        })
-        .collect();
+    let [after, before] = with.where_it_moves(without, main);
+    interval(&before, &after, with.samples_of(BLOCK))
+}
+
+/// The same of a cause that acts in a part of a log, there, on the joint where it takes most: blocks of
+/// all of the log would often miss it.
+pub(in crate::diagnose) fn bootstrap_within(span: Range<usize>, without: &Measured, with: &Measured) -> [f64; 2] {
+    let part = |m: &Measured, j: usize| m.error[j].get(span.clone()).unwrap_or(&[]).to_vec();
+    let taken = |j: &usize| {
+        let [before, after] = [without, with].map(|m| root_mean_square(&part(m, *j)).powi(2));
+        if before > 0.0 { 1.0 - after / before } else { 0.0 }
+    };
+    let main = (0..with.error.len()).max_by(|a, b| taken(a).total_cmp(&taken(b))).unwrap_or(0);
+    interval(&part(without, main), &part(with, main), with.samples_of(BLOCK).min(span.len() / LEAST_BLOCKS))
+}
+
+/// Length of the blocks, s, and how many of them a part of a log has.
+const BLOCK: f64 = 0.5;
+const LEAST_BLOCKS: usize = 8;
+
+/// 90 % interval of the share of a squared error that goes, by blocks of so many samples.
+fn interval(before: &[f64], after: &[f64], block: usize) -> [f64; 2] {
+    let square = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>();
+    let both = before.chunks_exact(block.max(1)).zip(after.chunks_exact(block.max(1)));
+    let sums: Vec<[f64; 2]> = both.map(|(before, after)| [square(before), square(after)]).collect();
     if sums.len() < 4 {
         return [f64::NAN; 2];
     }
     let mut random = crate::numerics::prng::Random::new(1);
-    let mut shares: Vec<f64> = (0..400)
-        .map(|_| {
-            let (mut before, mut after) = (0.0, 0.0);
-            for _ in 0..sums.len() {
-                let pick = sums[random.below(sums.len())];
-                before += pick[0];
-                after += pick[1];
-            }
-            if before > 0.0 { 1.0 - after / before } else { 0.0 }
-        })
-        .collect();
+    let mut draw = |_| {
+        let (mut before, mut after) = (0.0, 0.0);
+        for _ in 0..sums.len() {
+            let pick = sums[random.below(sums.len())];
+            before += pick[0];
+            after += pick[1];
+        }
+        if before > 0.0 { 1.0 - after / before } else { 0.0 }
+    };
+    let mut shares: Vec<f64> = (0..400).map(&mut draw).collect();
     shares.sort_by(f64::total_cmp);
     [shares[20], shares[379]]
 }
@@ -303,13 +390,61 @@ pub(in crate::diagnose) fn share(before: &[f64], after: &[f64], noise: &[f64], p
 }
 
 #[cfg(test)]
+impl Measured {
+    /// Errors that are said, samples a hundredth of a second apart, of joints that move where it is said;
+    /// their Coulomb level is 1 N m.
+    pub(in crate::diagnose) fn made(error: Vec<Vec<f64>>, moves: Vec<Vec<bool>>) -> Self {
+        let samples = error[0].len();
+        let steady: Vec<f64> = error.iter().zip(&moves).map(|(e, m)| where_it_moves(e, m, 1.0)).collect();
+        Self {
+            rms: error.iter().map(|e| root_mean_square(e)).collect(),
+            swift: steady.clone(),
+            steady,
+            coulomb: vec![1.0; error.len()],
+            error,
+            time: (0..samples).map(|k| 0.01 * k as f64).collect(),
+            runs: vec![0..samples],
+            model: Vec::new(),
+            delays: Vec::new(),
+            shown: Vec::new(),
+            moves,
+        }
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 
+    /// A push of 1 s in a log of 30 s that takes nine tenths of an error there: of blocks of the whole log
+    /// most do not meet it.
+    #[test]
+    fn a_push_is_weighed_where_it_acts() {
+        let wave = |k: usize| 0.1 * (k as f64).sin();
+        let before: Vec<f64> = (0..3000).map(|k| wave(k) + f64::from((1000..1100).contains(&k)) * 0.3).collect();
+        let after: Vec<f64> = (0..3000).map(wave).collect();
+        let of = |error: &[f64]| Measured::made(vec![error.to_vec()], vec![vec![true; 3000]]);
+        let (without, with) = (of(&before), of(&after));
+        let [low, high] = bootstrap_within(1000..1100, &without, &with);
+        assert!(low > 0.8 && high < 1.0, "{low} {high}");
+        assert!(bootstrap(&without, &with, &[])[0] < 0.2);
+        // The same push in a joint that stands, 3 N m more than its friction bears.
+        let stands = |error: f64| Measured::made(vec![vec![error; 3000]], vec![vec![false; 3000]]);
+        assert!(stands(4.0).is_worse_within(1000..1100, &stands(0.5), &[0.1]));
+        assert!(!stands(1.0).is_worse_within(1000..1100, &stands(0.5), &[0.1]));
+        assert!(without.stands_out([10.2, 10.8]) && !with.stands_out([10.2, 10.8]));
+    }
+
     #[test]
     fn a_joint_that_hardly_moves_is_measured_at_rest_too() {
-        let error = [1.0, 2.0, 3.0, 4.0];
-        assert_eq!(moving(&error, &[true, false, true, true]), [1.0, 3.0, 4.0]);
-        assert_eq!(moving(&error, &[false, false, true, false]), error);
+        let error = [1.0, 2.0, 3.0, -4.0];
+        assert_eq!(moving(&error, &[true, false, true, false]), [1.0, 3.0]);
+        assert_eq!(moving(&error, &[false; 4]), error);
+        // At rest dry friction of 3 N m is any torque up to that.
+        assert_eq!(where_it_moves(&error, &[true, false, true, false], 3.0), 5.0_f64.sqrt());
+        assert_eq!(where_it_moves(&error, &[false; 4], 3.0), 0.5);
+        let long: Vec<f64> = (0..20).map(|k| f64::from(k == 3 || k == 7)).collect();
+        let moves: Vec<bool> = (0..20).map(|k| k == 3).collect();
+        assert_eq!(where_it_moves(&long, &moves, 1.0), (1.0_f64 / 20.0).sqrt());
     }
 }

@@ -42,7 +42,7 @@ pub(in crate::diagnose) struct Session<'a> {
 
 /// Least share of a joint's squared error that a cause takes where it acts, if that is a part of a
 /// log only: no other stretch can confirm it.
-const LOCAL_SHARE: f64 = 0.25;
+const LOCAL_SHARE: f64 = 0.4;
 
 /// Probability far below that at which a cause is named.
 pub(super) const FAR_BELOW: f64 = 0.1;
@@ -78,9 +78,10 @@ fn unsure(cause: &Cause, item: &Item) -> String {
     )
 }
 
-/// The fit with the sizes of laws that have them in their shape; `None` where there are none.
+/// The fit with the numbers of all shapes refined together; `None` where there are none.
 fn polish(tested: &mut ModelUnderTest<'_>, accepted: &mut [Accepted]) -> Option<Fitted> {
-    if !accepted.iter().any(|a| a.chosen.cause.unit()) {
+    let refined = |a: &Accepted| a.chosen.cause.shape().iter().any(|number| number.step.is_some());
+    if !accepted.iter().any(refined) {
         return None;
     }
     let mut chosen = chosen_of(accepted);
@@ -205,6 +206,7 @@ impl<'a> Session<'a> {
         let mut why = Vec::new();
         let fitted =
             backward_eliminate(self.plant, self.fit, &mut tested, &mut accepted, fitted, self.ground, &mut why);
+        let fitted = polish(&mut tested, &mut accepted).unwrap_or(fitted);
         let found = Found { rivals, why, evidence: evidence.unwrap_or_default(), suspects };
         self.validated(tested, accepted, fitted, found)
     }
@@ -223,7 +225,10 @@ impl<'a> Session<'a> {
         // still stand out beside everything else.
         let out = |i: usize| takes(&others[i].measured.rms, &after_fit.rms, self.settings.search.least_gain);
         let stands = |i: usize| match items[i].hypothesis.local() {
-            true => others[i].within.is_some_and(|share| share >= LOCAL_SHARE) && !others[i].may_be_chance(),
+            true => {
+                let Without { within, spoils, .. } = others[i];
+                within.is_some_and(|share| share >= LOCAL_SHARE) && !spoils && !others[i].may_be_chance()
+            }
             false => !others[i].differs(&items[i].place) || out(i),
         };
         (0..causes.len()).filter(|&i| if causes[i].on == "fit" { !stands(i) } else { !holds(i) }).collect()
@@ -294,6 +299,9 @@ impl<'a> Session<'a> {
             fitted = measured.fitted;
             let failed = self.failed(&items, &others, &causes, [&after, &after_fit]);
             let weak: Vec<usize> = (0..causes.len()).filter(|&i| stands_out[i] < 0.0).collect();
+            // A push that does not hold where it acts is none in any model.
+            let pushes = || failed.iter().filter(|&&i| items[i].hypothesis.local());
+            suspects.retain(|suspect| !pushes().any(|&i| causes[i].is(suspect)));
             beside_the_rest(&mut suspects, &mut causes, &[&failed[..], &weak].concat());
             let weakest = weak.into_iter().min_by(|&a, &b| stands_out[a].total_cmp(&stands_out[b]));
             let failed = match weakest.filter(|_| failed.is_empty()) {

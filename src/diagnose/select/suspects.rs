@@ -7,6 +7,7 @@
 
 use crate::diagnose::findings::calibration;
 use crate::diagnose::findings::result::Cause;
+use crate::diagnose::select::measure::Measured;
 use dh_codegen::robot::effects;
 
 /// Keeps each cause with its largest probability, and those that are not known yet.
@@ -41,6 +42,12 @@ pub(in crate::diagnose) fn likelier(links: Vec<Cause>, suspects: &[Cause]) -> Ve
     let body = |c: &&Cause| [effects::Payload::NAME, effects::LinkInertiaError::NAME].contains(&c.cause);
     let likeliest = suspects.iter().filter(body).map(|c| c.probability).fold(0.0, f64::max);
     links.into_iter().filter(|c| c.probability > likeliest).collect()
+}
+
+/// Suspects but for pushes where the offered model leaves no more than elsewhere on the fitted logs (its
+/// errors there): they were errors of a model that lacks its causes.
+pub(in crate::diagnose) fn not_explained(suspects: Vec<Cause>, after_fit: &Measured) -> Vec<Cause> {
+    suspects.into_iter().filter(|s| s.window().is_none_or(|window| after_fit.stands_out(window))).collect()
 }
 
 /// Adds the suspects that are likely enough to be named and not in the offered model. Where one
@@ -116,6 +123,24 @@ mod tests {
         assert_eq!(likelier(links(), &[cause("viscous_friction", &[2], 0.95)]).len(), 2);
         let left = likelier(links(), &[cause("payload", &[], 0.8), cause("link_inertia_error", &[1], 0.3)]);
         assert_eq!(left.iter().map(|c| &c.joints[..]).collect::<Vec<_>>(), [[2]]);
+    }
+
+    /// A push where the offered model leaves an error stays suspected, elsewhere not; what acts throughout
+    /// stays.
+    #[test]
+    fn a_push_that_the_offered_model_explains_is_none() {
+        let error = |k: usize| if (200..300).contains(&k) { 0.5 } else { 0.1 };
+        let after = Measured::made(vec![(0..1000).map(error).collect()], vec![vec![true; 1000]]);
+        let push = |window: [f64; 2]| {
+            let keys = [effects::ExternalContact::START, effects::ExternalContact::END];
+            let keys = keys.into_iter().zip(window).map(|(key, at)| Named::new(key, at, None)).collect();
+            Cause { keys, ..cause("external_contact", &[], 0.9) }
+        };
+        let left = not_explained(vec![push([2.1, 2.9]), push([6.0, 7.0]), cause("payload", &[], 0.5)], &after);
+        assert_eq!(
+            left.iter().map(|c| (c.cause, c.window())).collect::<Vec<_>>(),
+            [("external_contact", Some([2.1, 2.9])), ("payload", None)]
+        );
     }
 
     #[test]

@@ -300,6 +300,22 @@ fn a_spring_is_as_stiff_as_its_column_is_large() {
     assert!((all[0].shape[0] / truth[0] - 1.0).abs() < 0.03, "{:?}", all[0].shape);
 }
 
+/// Two orders of ripple stand for each other where a joint makes little of a turn: each by itself stops
+/// where the other is wrong.
+#[test]
+fn numbers_of_two_laws_are_refined_together() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let q = recording().stretches[0].states.q.clone();
+    let recordings =
+        made([0.02; 2], 3, &|j, k| if j == 0 { 0.5 * (6.0 * q[k]).cos() + 0.4 * (12.0 * q[k]).sin() } else { 0.0 });
+    let mut tested = tested(&plant, &recordings);
+    let mut all = [6.25, 12.4].map(|order| chosen(EffectKind::TorqueRipple, &[0], &[order]));
+    tested.polish(&mut all);
+    let found = all.map(|c| c.shape[0]);
+    assert!((found[0] - 6.0).abs() < 0.05 && (found[1] - 12.0).abs() < 0.05, "{found:?}");
+}
+
 /// What is found beside the file's numbers, under the names that the file has for the whole.
 #[test]
 fn names_of_the_file_are_of_the_whole() {

@@ -3,9 +3,11 @@
 
 use super::columns::{PERIOD, recording};
 use super::mechanisms::planar;
+use crate::diagnose::fit::model::Chosen;
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::regulariser::Regulariser;
 use crate::diagnose::hypotheses::{hypothesis, laws};
+use crate::diagnose::search::alone::is_an_error_of_contact;
 use crate::diagnose::windows::windowed_data::{BLOCKS, Column, WindowedData, dead_zones};
 use crate::model::perturbable_robot::PerturbableRobot;
 use crate::model::{Change, PerturbableArm};
@@ -212,6 +214,17 @@ fn a_wall_is_looked_for_where_it_is() {
     }
     assert!((scene.directions_without_torque()[0].z.abs() - 1.0).abs() < 1e-12);
     assert_eq!(scene.directions_without_torque().len(), 1);
+    // A push while the tip is behind it is an error of its law; one while it is not may be a push.
+    let touches = wall.touches(&scene, &shape);
+    let behind = |wanted: bool| (0..scene.len - 20).find(|&w| touches[w..w + 20].iter().all(|t| *t == wanted)).unwrap();
+    let chosen = |cause, shape: &[f64]| Chosen { cause, place: Vec::new(), shape: shape.to_vec(), x: vec![1.0] };
+    let push = laws(EffectKind::ExternalContact).next().unwrap();
+    let of = |start: usize| {
+        let ends = [start, start + 20].map(|w| w as f64 * scene.step);
+        is_an_error_of_contact(&scene, &chosen(push, &[ends[0], ends[1], 1.0, 0.0]), [&chosen(wall, &shape)])
+    };
+    assert!(of(behind(true)) && !of(behind(false)));
+    assert!(!is_an_error_of_contact(&scene, &chosen(wall, &shape), [&chosen(wall, &shape)]));
     // What is always behind it is a spring, what never is is free.
     assert!([low - 0.1, high + 0.1].iter().all(|at| !wall.shows(&scene, &[], &[21.0, 0.0, 0.0, *at, 0.0, 0.0, 0.0])));
 }
@@ -230,6 +243,10 @@ fn a_first_link_is_a_rotor_where_gravity_is_along_its_axis() {
     assert_eq!(link.indistinguishable(&scene, &[0]), ["rotor_inertia"]);
     // No motion decides it.
     assert_eq!([0, 1].map(|j| rotor.decided_by(&scene, &[j]).is_some()), [true, false]);
+    // As it is where an angle of the file is a right one but for its last digits.
+    let plant = PerturbableRobot::new(&Robot { gravity: [0.0, 1e-7, -9.81], ..planar() });
+    let scene = windows(&plant, &recordings, 0.0);
+    assert_eq!(rotor.indistinguishable(&scene, &[0]), ["link_inertia_error"]);
     // Gravity shows the first moments of the link, too.
     let plant = PerturbableRobot::new(&planar());
     let scene = windows(&plant, &recordings, 0.0);

@@ -17,7 +17,9 @@ pub fn torque_noise<'r>(stretches: impl Iterator<Item = &'r Stretch> + Clone, do
         let plain = || all().filter(|s| s.torque_noise.len() != dof);
         let others: usize = plain().map(|s| s.states.len).sum();
         if others > 0 {
-            let noise = noise_between_reversals(plain().map(|s| (s.of(&s.tau, j), s.of(&s.states.dq, j))));
+            let slowest = plain().map(|s| s.period).fold(0.0, f64::max);
+            let series = plain().map(|s| (s.of(&s.tau, j), s.of(&s.states.dq, j)));
+            let noise = noise_between_reversals(series, slowest.recip());
             squares += noise.powi(2) * others as f64;
         }
         (squares / (samples + others).max(1) as f64).sqrt()

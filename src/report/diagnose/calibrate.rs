@@ -16,18 +16,20 @@ pub struct Identified<'a> {
     pub warnings: &'a Warnings,
 }
 
-/// The joint, from 0, of which the extended model removes the largest share of the squared torque;
-/// where it gains nowhere, the one that errs most. `None` where no torque was measured.
+/// The joint, from 0, of which the extended model removes the largest share of the squared torque where
+/// it moves; where it gains nowhere, the one that errs most there beside what noise explains. `None`
+/// where no torque was measured.
 pub(super) fn most_improved_joint(found: &Diagnosis) -> Option<usize> {
     let share = |errors: &[f64], j: usize| (errors[j] / found.torque_rms[j]).powi(2);
-    let (before, after) = (&found.baseline.validate, &found.extended.validate);
+    let (before, after) = (&found.baseline.moving, &found.extended.moving);
     let gain = |j: usize| share(before, j) - share(after, j);
     let measured = || (0..found.torque_rms.len()).filter(|&j| gain(j).is_finite());
     let best = measured().max_by(|&a, &b| gain(a).total_cmp(&gain(b)))?;
     if gain(best) > 0.0 {
         return Some(best);
     }
-    measured().max_by(|&a, &b| share(before, a).total_cmp(&share(before, b)))
+    let beside_noise = |j: usize| before[j] / found.noise_floor.get(j).copied().unwrap_or(0.0).max(f64::MIN_POSITIVE);
+    measured().max_by(|&a, &b| beside_noise(a).total_cmp(&beside_noise(b)))
 }
 
 /// The most probable cause that acts on a joint, from 0.

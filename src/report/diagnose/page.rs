@@ -146,7 +146,7 @@ fn foot(body: &mut String, found: &Diagnosis, provenance: &Provenance) {
         ("data", format!("{} s fitted, {} s validating", figure(found.seconds[0]), figure(found.seconds[1]))),
         ("validation", validation.to_string()),
         ("links", links.to_string()),
-        ("noise", "sensors by fourth differences of the unfiltered torques between the reversals of the joint, and the uncertainty of motion and clock; noise of sensors that was low-passed before the recording is missing".into()),
+        ("noise", "sensors by fourth differences of the unfiltered torques between the reversals of the joint, their memory of some samples included, and the uncertainty of motion and clock; what a low-pass of some hundredths of a second left of it is missing".into()),
     ];
     rows.extend(provenance.iter().map(|(what, value)| (what.as_str(), value.clone())));
     for (what, value) in rows {

@@ -14,7 +14,7 @@ use crate::report::parts::number::{digits, pad};
 pub fn diagnose_warnings(found: &Diagnosis, logs: &[Prepared]) -> Warnings {
     let mut warnings = Warnings::default();
     let joints: Vec<String> = (0..found.noise_floor.len())
-        .filter(|&j| found.extended.validate[j] > 1.05 * found.baseline.validate[j])
+        .filter(|&j| found.extended.moving[j] > 1.05 * found.baseline.moving[j])
         .map(|j| (j + 1).to_string())
         .collect();
     if !joints.is_empty() {
@@ -35,6 +35,7 @@ pub fn diagnose_warnings(found: &Diagnosis, logs: &[Prepared]) -> Warnings {
 /// The diagnosis in two sentences.
 pub fn diagnose_verdict(found: &Diagnosis) -> String {
     let named: Vec<&Cause> = found.causes.iter().filter(|c| c.cause != "unknown").collect();
+    let (offered, suspected): (Vec<&Cause>, Vec<&Cause>) = named.iter().partition(|c| c.in_extended);
     let list = |causes: &[&Cause]| {
         let each: Vec<String> =
             causes.iter().take(4).map(|c| format!("{} {}", c.cause.replace('_', " "), place(c))).collect();
@@ -53,15 +54,21 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
             "Links or rotors of the file are wrong: with base parameters fitted to the logs nothing is left beyond the noise. Which of them can't be told from these logs."
                 .to_string()
         }
-        (Verdict::Explained, _) => format!("The error is explained by {}.", list(&named)),
+        (Verdict::Explained, _) => format!("The error is explained by {}.", list(&offered)),
         (Verdict::PartlyExplained, false) => {
-            format!("Part of the error is explained by {}; structure without a name is left.", list(&named))
+            format!("Part of the error is explained by {}; structure without a name is left.", list(&offered))
         }
         (_, false) => format!(
             "There is structure in the error, and no model with a known cause predicts it surely better. Suspected: {}.",
             list(&named)
         ),
         _ => "There is structure in the error that none of the known causes explains.".to_string(),
+    };
+    let first = match found.verdict {
+        Verdict::Explained | Verdict::PartlyExplained if !suspected.is_empty() => {
+            format!("{first} Suspected beside it: {}.", list(&suspected))
+        }
+        _ => first,
     };
     let first = format!("{first}{}", by_formula(found));
     let first = match (found.has_links, found.verdict) {

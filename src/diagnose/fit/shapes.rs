@@ -1,0 +1,111 @@
+//! The numbers in which laws are not linear, all together: by Gauss's and Newton's steps with
+//! everything else refitted.
+//!
+//! The search walks each of them beside what was found before. Numbers that stand for each other (a
+//! Stribeck speed and its exponent, two orders of ripple) stop on that walk before they have arrived.
+
+use super::model::{Chosen, Fitted, ModelUnderTest};
+use super::moments::Solution;
+use super::uncertainty::derivative;
+use crate::diagnose::hypotheses::{Sign, at_edge};
+use crate::diagnose::windows::windowed_data::Column;
+
+/// Most steps, and the shares of a step that are tried.
+const STEPS: usize = 6;
+const SHARES: [f64; 3] = [1.0, 0.4, 0.15];
+
+/// Gain of the misfit below which steps end.
+const LEAST: f64 = 0.1;
+
+/// Largest change of a number in one step: of one that is refined by shares of itself by this share,
+/// of another by so many of its first steps.
+const FARTHEST: f64 = 0.5;
+const MOST_STEPS: f64 = 5.0;
+
+/// A number of a shape: its cause's place in the model, and its own in the shape.
+type Number = (usize, usize);
+
+impl ModelUnderTest<'_> {
+    /// The fit with these numbers where the misfit is least; the causes have them. Sizes that stand in
+    /// a shape have a walk of their own ([`ModelUnderTest::polish`]).
+    pub(super) fn polish_shapes(&mut self, chosen: &mut [Chosen], mut fitted: Fitted) -> Fitted {
+        for _ in 0..STEPS {
+            let Some(step) = self.step(&fitted, chosen) else { break };
+            let known = misfit(&fitted);
+            let better = SHARES.into_iter().find_map(|share| {
+                let mut trial = chosen.to_vec();
+                for ((index, k), by) in &step {
+                    let number = &trial[*index].cause.shape()[*k];
+                    let value = &mut trial[*index].shape[*k];
+                    let most = match number.step {
+                        Some(first) if first > 0.0 => FARTHEST * value.abs(),
+                        first => MOST_STEPS * first.unwrap_or(0.0).abs(),
+                    };
+                    *value = (*value + (share * by).clamp(-most, most)).clamp(number.range[0], number.range[1]);
+                }
+                self.better(trial, known)
+            });
+            let Some((trial, next)) = better else { break };
+            let gained = known - misfit(&next);
+            chosen.clone_from_slice(&trial);
+            fitted = next;
+            if gained < LEAST {
+                break;
+            }
+        }
+        fitted
+    }
+
+    /// A model and its fit, if that has less misfit and each of its causes still stands.
+    fn better(&mut self, mut trial: Vec<Chosen>, known: f64) -> Option<(Vec<Chosen>, Fitted)> {
+        let shows = |c: &Chosen| !at_edge(c.cause, &c.shape) && c.cause.shows(&self.scene, &c.place, &c.shape);
+        if !trial.iter().all(shows) {
+            return None;
+        }
+        let next = self.fit(&mut trial);
+        let stands = trial.iter().zip(&next.terms).all(|(c, terms)| {
+            let signed = terms.iter().zip(&c.x).all(|(term, x)| term.sign != Sign::Positive || *x > 0.0);
+            !terms.is_empty() && signed && c.cause.plausible(&self.scene, &c.place, &c.shape, &c.x)
+        });
+        (stands && misfit(&next) < known).then_some((trial, next))
+    }
+
+    /// The step of all numbers; `None` where there are none.
+    fn step(&self, fitted: &Fitted, chosen: &[Chosen]) -> Option<Vec<(Number, f64)>> {
+        let (mut numbers, mut columns): (Vec<Number>, Vec<Column>) = (Vec::new(), Vec::new());
+        for (index, c) in chosen.iter().enumerate().filter(|(_, c)| moves(c)) {
+            for (k, number) in c.cause.shape().iter().enumerate() {
+                // An order that is an integer stays one.
+                let integer = c.cause.integer_shape() == Some(k) && c.shape[k].fract() == 0.0;
+                let Some(first) = number.step.filter(|_| !integer) else { continue };
+                let by = if first > 0.0 { 1e-2 * first * c.shape[k] } else { -1e-2 * first };
+                if let Some(column) =
+                    Some(by).filter(|by| *by != 0.0).and_then(|by| derivative(self, fitted, index, c, k, by))
+                {
+                    numbers.push((index, k));
+                    columns.push(column);
+                }
+            }
+        }
+        if numbers.is_empty() {
+            return None;
+        }
+        let columns: Vec<&Column> = columns.iter().collect();
+        let solution = fitted.moments.with(&columns).solve(Some(&fitted.solution.weights));
+        let behind = fitted.solution.x.len();
+        let step: Vec<(Number, f64)> = numbers.into_iter().zip(solution.x.iter().skip(behind).copied()).collect();
+        step.iter().all(|(_, by)| by.is_finite()).then_some(step)
+    }
+}
+
+/// Whether the numbers of a cause are estimates that may move.
+fn moves(chosen: &Chosen) -> bool {
+    let cause = chosen.cause;
+    !cause.unit() && !cause.moves_time() && !cause.local() && !chosen.x.is_empty()
+}
+
+/// Twice the negative logarithm of the likelihood, but for a constant.
+fn misfit(fitted: &Fitted) -> f64 {
+    let Solution { rss, counts, .. } = &fitted.solution;
+    rss.iter().zip(counts).map(|(r, n)| n * r.max(1e-290).ln()).sum()
+}
