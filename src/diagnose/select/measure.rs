@@ -403,7 +403,7 @@ impl Measured {
             coulomb: vec![1.0; error.len()],
             error,
             time: (0..samples).map(|k| 0.01 * k as f64).collect(),
-            runs: vec![0..samples],
+            runs: std::iter::once(0..samples).collect(),
             model: Vec::new(),
             delays: Vec::new(),
             shown: Vec::new(),
