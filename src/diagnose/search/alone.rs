@@ -59,7 +59,8 @@ fn motion(scene: &WindowedData<'_>) -> Vec<f64> {
 
 /// Whether a cause gains far more in its part of a log than it would anywhere else: a slow error
 /// looks like a constant wrench in any short piece, and one of the motion in any piece with as much of
-/// it. So stretches in which the arm moves far less are not compared. `before` is the model without it.
+/// it. So it stands out from all stretches, and from those in which the arm moves as much. `before` is the
+/// model without it.
 /// Where there is nothing to compare with, that is unknown, and it is not taken for alone.
 pub(in crate::diagnose) fn is_alone(tested: &ModelUnderTest<'_>, before: &Fitted, chosen: &Chosen) -> bool {
     let Chosen { cause, place, shape, .. } = chosen;
@@ -84,10 +85,15 @@ pub(in crate::diagnose) fn is_alone(tested: &ModelUnderTest<'_>, before: &Fitted
     let [room_before, room_after] = [start, all - end].map(|room| room - length + 1e-9);
     let steps = |room: f64| (0..MOST).map(move |k| k as f64 * step).take_while(move |by| *by <= room);
     let begins = steps(room_before).map(|by| start - length - by).chain(steps(room_after).map(|by| end + by));
-    let begins = begins.map(|begin| begin.max(0.0)).filter(|begin| moved(*begin) >= least);
-    let mut others: Vec<f64> = begins.filter_map(at).collect();
-    others.sort_by(f64::total_cmp);
-    let last = others.len().saturating_sub(1);
-    let rank = if brief { last.saturating_sub(1) } else { (0.75 * last as f64).round() as usize };
-    others.get(rank).is_some_and(|usual| here > ALONE * usual)
+    let begins = begins.map(|begin| begin.max(0.0));
+    let others: Vec<(f64, bool)> = begins.filter_map(|begin| Some((at(begin)?, moved(begin) >= least))).collect();
+    let usual = |mut gains: Vec<f64>| {
+        gains.sort_by(f64::total_cmp);
+        let last = gains.len().saturating_sub(1);
+        let rank = if brief { last.saturating_sub(1) } else { (0.75 * last as f64).round() as usize };
+        gains.get(rank).copied()
+    };
+    let of_all = usual(others.iter().map(|(gain, _)| *gain).collect());
+    let of_moving = usual(others.iter().filter(|(_, moving)| *moving).map(|(gain, _)| *gain).collect());
+    of_all.is_some_and(|usual| here > ALONE * of_moving.map_or(usual, |moving| usual.max(moving)))
 }

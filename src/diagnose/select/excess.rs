@@ -171,7 +171,7 @@ mod tests {
             Measured::made(vec![(0..3000).map(error).collect()], vec![vec![moves; 3000]])
         };
         let found = here_and_there(&of(50, true), &[0.1]);
-        assert!(found.len() == 1 && found[0].description.contains("0.50 s between 10.0 and 10.5"), "{found:?}");
+        assert!(found.len() == 1 && found[0].description.contains("in 0.500 s between 10.00 and 10.49 s"), "{found:?}");
         assert!(here_and_there(&of(25, true), &[0.1]).is_empty() && here_and_there(&of(50, false), &[0.1]).is_empty());
     }
 
