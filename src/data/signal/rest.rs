@@ -68,7 +68,8 @@ pub(super) fn rests(dq: &[f64], noise: Noise, period: f64, zone: DeadZone) -> Ve
 
 /// Standard deviation of the white noise of series, without a model: from fourth differences, in
 /// which motion below a tenth of the sampling rate leaves nothing. Noise that was low-passed before
-/// it was recorded is not seen; see [`super::noise_between_reversals`]. 0 for series of fewer than five samples.
+/// it was recorded is not seen; see [`super::noise_between_reversals`]. 0 for series of fewer than five
+/// samples.
 pub fn white_noise<'a>(series: impl Iterator<Item = &'a [f64]>) -> f64 {
     // The variance of a fourth difference of white noise is 70 times its own (1 + 16 + 36 + 16 +
     // 1).

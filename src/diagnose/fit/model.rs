@@ -12,6 +12,7 @@ use crate::model::{DriveTerm, PerturbableArm, StandardParameter};
 use super::body_limits::{independent_share, possible_values};
 use super::moments::{Moments, Solution};
 use super::regulariser::{Regulariser, STRENGTHS, prior};
+use super::shapes::misfit;
 use super::uncertainty::derivative;
 use crate::diagnose::hypotheses::{COULOMB, Hypothesis, OFFSET, Term, UNIT, VISCOUS};
 use crate::diagnose::select::model_choice::LeftOut;
@@ -427,10 +428,7 @@ impl<'a> ModelUnderTest<'a> {
         let mut fitted = self.fit(chosen);
         for index in (0..chosen.len()).filter(|&i| chosen[i].cause.unit()).collect::<Vec<usize>>() {
             let off = |c: &Chosen| ((c.x.first().copied().unwrap_or(0.0) - 1.0) / UNIT).powi(2);
-            let misfit = |fitted: &Fitted, c: &Chosen| {
-                let Solution { rss, counts, .. } = &fitted.solution;
-                rss.iter().zip(counts).map(|(r, n)| n * r.max(1e-290).ln()).sum::<f64>() + off(c)
-            };
+            let misfit = |fitted: &Fitted, c: &Chosen| misfit(fitted) + off(c);
             for _ in 0..4 {
                 let Some(step) = self.newton(&fitted, chosen, index) else { break };
                 let known = misfit(&fitted, &chosen[index]);

@@ -105,7 +105,7 @@ fn moves(chosen: &Chosen) -> bool {
 }
 
 /// Twice the negative logarithm of the likelihood, but for a constant.
-fn misfit(fitted: &Fitted) -> f64 {
+pub(super) fn misfit(fitted: &Fitted) -> f64 {
     let Solution { rss, counts, .. } = &fitted.solution;
     rss.iter().zip(counts).map(|(r, n)| n * r.max(1e-290).ln()).sum()
 }

@@ -243,7 +243,7 @@ fn a_first_link_is_a_rotor_where_gravity_is_along_its_axis() {
     assert_eq!(link.indistinguishable(&scene, &[0]), ["rotor_inertia"]);
     // No motion decides it.
     assert_eq!([0, 1].map(|j| rotor.decided_by(&scene, &[j]).is_some()), [true, false]);
-    // As it is where an angle of the file is a right one but for its last digits.
+    // So too where an angle of the file is a right one but for its last digits.
     let plant = PerturbableRobot::new(&Robot { gravity: [0.0, 1e-7, -9.81], ..planar() });
     let scene = windows(&plant, &recordings, 0.0);
     assert_eq!(rotor.indistinguishable(&scene, &[0]), ["link_inertia_error"]);
