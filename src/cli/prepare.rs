@@ -1,10 +1,9 @@
 //! Shared by the verbs that read logs: how samples become motion, and the pass over a file.
 
-use std::cell::RefCell;
 use std::fs::File;
 use std::io::{BufReader, Read, Seek};
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use clap::Args;
 use dh_codegen::robot::Robot;
@@ -205,19 +204,24 @@ pub(super) fn hashed_pass<T>(
     reading: &Reading,
     read: impl FnOnce(&mut dyn Source) -> T,
 ) -> Result<(T, String), Failure> {
-    let digest = Rc::new(RefCell::new(Sha256::new()));
+    let digest = Arc::new(Mutex::new(Sha256::new()));
     let (bar, mut source) = open(path, reading, Some(&digest))?;
     let found = read(&mut *source);
     bar.finish_and_clear();
-    let sha256 = hexadecimal(&digest.borrow().clone().finalize());
+    let sha256 = hexadecimal(&locked(&digest).clone().finalize());
     Ok((found, sha256))
+}
+
+/// The digest; what a thread left that panicked does not matter, as its panic goes on.
+fn locked(digest: &Mutex<Sha256>) -> MutexGuard<'_, Sha256> {
+    digest.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// The rows of a log, and its bar.
 fn open(
     path: &Path,
     reading: &Reading,
-    digest: Option<&Rc<RefCell<Sha256>>>,
+    digest: Option<&Arc<Mutex<Sha256>>>,
 ) -> Result<(ProgressBar, Box<dyn Source>), Failure> {
     let (bar, name, table) = opened(path, reading, digest)?;
     Ok((bar, source(&name, table, reading).map_err(Failure::input)?))
@@ -234,7 +238,7 @@ pub(super) fn table(path: &Path, reading: &Reading) -> Result<(String, Box<dyn T
 fn opened(
     path: &Path,
     reading: &Reading,
-    digest: Option<&Rc<RefCell<Sha256>>>,
+    digest: Option<&Arc<Mutex<Sha256>>>,
 ) -> Result<(ProgressBar, String, Box<dyn Table>), Failure> {
     let name = if files::is_stdin(path) { "standard input".into() } else { path.display().to_string() };
     let inside = recorded_in(path)?;
@@ -246,7 +250,7 @@ fn opened(
     let format = format_of(&mut file).map_err(failed)?.filter(seeks);
     if let (Some(_), Some(digest)) = (format, digest) {
         let mut whole = BufReader::with_capacity(1 << 18, bar.wrap_read(&file));
-        std::io::copy(&mut whole, &mut *digest.borrow_mut()).map_err(failed)?;
+        std::io::copy(&mut whole, &mut *locked(digest)).map_err(failed)?;
         file.rewind().map_err(failed)?;
     }
     let table = match format {
@@ -319,14 +323,14 @@ fn format_of(file: &mut File) -> std::io::Result<Option<Format>> {
 /// Bytes that are hashed while they are read.
 struct Hashed<R> {
     inner: R,
-    digest: Option<Rc<RefCell<Sha256>>>,
+    digest: Option<Arc<Mutex<Sha256>>>,
 }
 
 impl<R: Read> Read for Hashed<R> {
     fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
         let n = self.inner.read(buffer)?;
         if let Some(digest) = &self.digest {
-            digest.borrow_mut().update(&buffer[..n]);
+            locked(digest).update(&buffer[..n]);
         }
         Ok(n)
     }

@@ -46,8 +46,8 @@ impl Block {
     }
 }
 
-/// A log that is read from front to back.
-pub trait Source {
+/// A log that is read from front to back; on a thread of its own where there are several.
+pub trait Source: Send {
     /// Its columns.
     fn layout(&self) -> &Layout;
 

@@ -1,8 +1,8 @@
 //! CSV with a header, plain or gzipped, in the dialect that its first lines show; and the way back.
 
-use std::cell::Cell;
 use std::io::{Cursor, Read, Write};
-use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
 use super::BadCell;
 use super::Block;
@@ -131,18 +131,18 @@ impl<R: Read> Read for Blanks<R> {
 /// not fill the memory.
 struct Limited<R> {
     inner: R,
-    left: Rc<Cell<usize>>,
+    left: Arc<AtomicUsize>,
 }
 
 impl<R: Read> Read for Limited<R> {
     fn read(&mut self, out: &mut [u8]) -> std::io::Result<usize> {
-        let most = out.len().min(self.left.get());
+        let most = out.len().min(self.left.load(Relaxed));
         if most == 0 && !out.is_empty() {
             let what = format!("a line is longer than {} MiB, so this is no table of samples", LONGEST_LINE >> 20);
             return Err(std::io::Error::other(what));
         }
         let n = self.inner.read(&mut out[..most])?;
-        self.left.set(self.left.get() - n);
+        self.left.fetch_sub(n, Relaxed);
         Ok(n)
     }
 }
@@ -152,11 +152,11 @@ pub struct CsvTable<'a> {
     file: String,
     names: Vec<String>,
     positions: Vec<usize>,
-    reader: ::csv::Reader<Box<dyn Read + 'a>>,
+    reader: ::csv::Reader<Box<dyn Read + Send + 'a>>,
     record: ::csv::ByteRecord,
     decimal_comma: bool,
     /// Bytes that may be read for the current line.
-    left: Rc<Cell<usize>>,
+    left: Arc<AtomicUsize>,
 }
 
 impl<'a> CsvTable<'a> {
@@ -165,16 +165,16 @@ impl<'a> CsvTable<'a> {
     ///
     /// # Errors
     /// Where there is no header, or the bytes can't be read.
-    pub fn new<R: Read + 'a>(file: &str, mut input: R) -> Result<Self, LogError> {
+    pub fn new<R: Read + Send + 'a>(file: &str, mut input: R) -> Result<Self, LogError> {
         let mut start = Vec::new();
         let failed = |source| LogError::Read { file: file.into(), line: 1, source };
         input.by_ref().take(PREVIEW).read_to_end(&mut start).map_err(failed)?;
         let dialect = Dialect::of(&String::from_utf8_lossy(&start));
         let whole = Cursor::new(start).chain(input);
         let blanks = dialect.separator == b' ';
-        let left = Rc::new(Cell::new(LONGEST_LINE + BUFFER));
-        let whole = Limited { inner: whole, left: Rc::clone(&left) };
-        let whole: Box<dyn Read + 'a> =
+        let left = Arc::new(AtomicUsize::new(LONGEST_LINE + BUFFER));
+        let whole = Limited { inner: whole, left: Arc::clone(&left) };
+        let whole: Box<dyn Read + Send + 'a> =
             if blanks { Box::new(Blanks { inner: whole, line_start: true, pending: false }) } else { Box::new(whole) };
         let mut reader = ::csv::ReaderBuilder::new()
             .flexible(true)
@@ -218,7 +218,7 @@ impl Table for CsvTable<'_> {
         let rows = rows.min(CELLS / self.positions.len().max(1)).max(1);
         while block.len() < rows {
             let line = self.reader.position().line();
-            self.left.set(LONGEST_LINE + BUFFER);
+            self.left.store(LONGEST_LINE + BUFFER, Relaxed);
             match self.reader.read_byte_record(&mut self.record) {
                 Ok(true) => {}
                 Ok(false) => break,

@@ -108,7 +108,7 @@ const MOST_BYTES: u64 = 64 << 20;
 ///
 /// # Errors
 /// Where the bytes can't be read, or are of a format that is not read.
-pub fn open_table<'a, R: Read + 'a>(
+pub fn open_table<'a, R: Read + Send + 'a>(
     file: &str,
     mut input: R,
     reading: &Reading,
@@ -184,7 +184,7 @@ pub fn source<'a>(file: &str, table: Box<dyn Table + 'a>, reading: &Reading) -> 
 ///
 /// # Errors
 /// As [`open_with`].
-pub fn open<'a, R: Read + 'a>(file: &str, input: R) -> Result<Box<dyn Source + 'a>, LogError> {
+pub fn open<'a, R: Read + Send + 'a>(file: &str, input: R) -> Result<Box<dyn Source + 'a>, LogError> {
     open_with(file, input, &Reading::default())
 }
 
@@ -192,6 +192,10 @@ pub fn open<'a, R: Read + 'a>(file: &str, input: R) -> Result<Box<dyn Source + '
 ///
 /// # Errors
 /// Where the bytes can't be read, or a column that must be there is not.
-pub fn open_with<'a, R: Read + 'a>(file: &str, input: R, reading: &Reading) -> Result<Box<dyn Source + 'a>, LogError> {
+pub fn open_with<'a, R: Read + Send + 'a>(
+    file: &str,
+    input: R,
+    reading: &Reading,
+) -> Result<Box<dyn Source + 'a>, LogError> {
     source(file, open_table(file, input, reading)?, reading)
 }

@@ -11,7 +11,7 @@ use super::Source;
 use super::inspect::summarise_rows;
 
 /// Named columns of numbers that are read from front to back.
-pub trait Table {
+pub trait Table: Send {
     /// Names of the columns, as the file has them.
     fn names(&self) -> &[String];
 

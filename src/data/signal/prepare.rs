@@ -310,12 +310,15 @@ pub struct Prepared {
     pub reached: Vec<Reached>,
 }
 
+/// Rows that are read at once.
+pub(super) const ROWS: usize = 8192;
+
 /// Reads a log to its end and hands each [`Motion`] to `sink`.
-pub fn each_motion(
+pub(super) fn motions(
     source: &mut dyn Source,
     dof: usize,
     prepare: &Prepare,
-    mut sink: impl FnMut(&Motion),
+    mut sink: impl FnMut(Motion),
 ) -> Result<Prepared, PrepareError> {
     let layout = source.layout().clone();
     if layout.dof != dof {
@@ -329,7 +332,7 @@ pub fn each_motion(
     let mut hand_on = |motions: Vec<Motion>| {
         for motion in motions {
             samples += motion.picks().len();
-            sink(&motion);
+            sink(motion);
         }
     };
     // Time that runs back or stands still makes a rate that no filter fits: the quality check's
@@ -345,7 +348,7 @@ pub fn each_motion(
         }
     };
     loop {
-        source.next_block(8192, &mut block)?;
+        source.next_block(ROWS, &mut block)?;
         if block.is_empty() {
             break;
         }

@@ -98,6 +98,15 @@ fn by_formula(found: &Diagnosis) -> String {
 /// rest or about reversals, the same where the joint moves.
 fn headline(found: &Diagnosis, data: &str) -> String {
     let Some(j) = most_improved_joint(found) else { return String::new() };
+    let beyond_noise = |k: usize| found.baseline.moving[k] > WITHIN_NOISE * found.noise_floor[k];
+    if !(0..found.noise_floor.len()).any(beyond_noise) {
+        return format!(
+            "On {data} the file misses no joint by more than noise explains (joint {}: {} N m, noise {} N m).",
+            j + 1,
+            digits(found.baseline.moving[j], 3),
+            digits(found.noise_floor[j], 3)
+        );
+    }
     let of =
         |rms: &dyn Fn(&Errors) -> f64| [&found.baseline, &found.refitted, &found.extended].map(|e| digits(rms(e), 3));
     let [file, refitted, extended] = of(&|e| e.validate[j]);
@@ -114,6 +123,9 @@ fn headline(found: &Diagnosis, data: &str) -> String {
         "{all} Where it moves they miss {file}, {refitted} and {extended} N m; at rest and about reversals dry friction is not a function of the motion."
     )
 }
+
+/// An error by its noise up to which there is nothing to tell of it: both are estimates.
+const WITHIN_NOISE: f64 = 1.1;
 
 /// An error of all samples by that where the joint moves, from which on both are said.
 const AT_REST: f64 = 1.3;

@@ -190,6 +190,6 @@ fn cause(c: &Cause, right: Option<bool>) -> Value {
     json!({
         "cause": c.cause, "joints": c.joints, "probability": c.probability, "right": right, "support": c.support,
         "margin": c.margin, "share": c.share, "recurrence": c.recurrence, "parameters": parameters, "not_distinguished_from": c.not_distinguished_from,
-        "rms_before": c.rms_before, "rms_after": c.rms_after,
+        "rms_before": c.rms_before, "rms_after": c.rms_after, "in_extended": c.in_extended,
     })
 }

@@ -289,7 +289,7 @@ impl<R: Read> McapMessages<R> {
     }
 }
 
-impl<R: Read> Messages for McapMessages<R> {
+impl<R: Read + Send> Messages for McapMessages<R> {
     fn next(&mut self) -> Result<Option<Message>, Malformed> {
         loop {
             if let Some(message) = self.queue.pop_front() {

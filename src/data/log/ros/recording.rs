@@ -26,7 +26,7 @@ pub(crate) struct Message {
 }
 
 /// Messages in the order in which they were recorded.
-pub(crate) trait Messages {
+pub(crate) trait Messages: Send {
     /// The next one on a topic that can be decoded; `None` at the end.
     ///
     /// # Errors
