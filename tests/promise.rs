@@ -63,7 +63,18 @@ fn play(simulator: &Simulator, name: &str, motion: &Trajectory, seed: u64) -> Re
 }
 
 fn played(simulator: &Simulator, name: &str, motion: &Trajectory, seed: u64, mode: Mode) -> Recording {
-    let sensors = Sensors { rate: 500.0, torque_noise: vec![0.03], ..Sensors::default() };
+    sensed(simulator, name, motion, seed, mode, Sensors::default())
+}
+
+fn sensed(
+    simulator: &Simulator,
+    name: &str,
+    motion: &Trajectory,
+    seed: u64,
+    mode: Mode,
+    sensors: Sensors,
+) -> Recording {
+    let sensors = Sensors { rate: 500.0, torque_noise: vec![0.03], ..sensors };
     let control = Control { mode, ..Control::default() };
     let dof = simulator.dof();
     let request = Request { control, sensors, seed, ..Request::default() };
@@ -151,6 +162,24 @@ fn nothing_more(hidden: &Effects, extended: &Robot) {
     let said: Vec<(&str, &str)> = found.causes.iter().map(|c| (c.cause, c.evidence.as_str())).collect();
     println!("again: {:?}\n {:.4?}\n {:.4?}", found.baseline.validate, found.extended.validate, found.offer.why);
     assert_eq!(found.verdict, Verdict::NothingWrong, "{said:?}");
+}
+
+/// Sensors whose noise is forgotten in 27 ms: nothing is wrong, and the floor is that noise, as large as it is.
+#[test]
+fn noise_with_a_memory_is_nothing_wrong() {
+    let robot = robot();
+    let simulator = Simulator::new(&robot, &Effects::default()).unwrap();
+    let log = |name: &str, seconds: f64, seed: u64| {
+        let sensors = Sensors { torque_colour: vec![0.2], colour_corner: 6.0, ..Sensors::default() };
+        let motion = trajectory(simulator.dof(), seconds, seed as f64);
+        sensed(&simulator, name, &motion, seed, Mode::Exact, sensors)
+    };
+    let (fit, validate) = ([log("fit", 15.0, 1)], [log("validate", 12.0, 2)]);
+    let found = diagnose(&PerturbableRobot::new(&robot), &fit, &validate, &Settings::default(), &|_| {}).unwrap();
+    let said: Vec<(&str, &str)> = found.causes.iter().map(|c| (c.cause, c.evidence.as_str())).collect();
+    assert_eq!(found.verdict, Verdict::NothingWrong, "{said:?}");
+    let truth = 0.2_f64.hypot(0.03);
+    assert!(found.noise_floor.iter().all(|n| (n / truth - 1.0).abs() < 0.2), "{:?}", found.noise_floor);
 }
 
 /// A robot file of which only the table is known.

@@ -32,7 +32,7 @@ pub use prepare::{Derivatives, Filter, Prepare, PrepareError, Prepared, Preparer
 pub use repeat::repeatability;
 pub use resample::resample;
 pub use rest::{DeadZone, white_noise};
-pub use torque_noise::noise_between_reversals;
+pub use torque_noise::{noise_between_reversals, noise_with_memory};
 
 #[cfg(test)]
 mod tests;

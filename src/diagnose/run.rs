@@ -184,7 +184,7 @@ fn without_columns(model: &Selected<'_>, left: Vec<Structure>, noise: &[f64]) ->
     causes.extend(impacts.map(|i| i.cause(&model.after_fit, noise)));
     // A cause that the model has already is not named twice.
     let known = |c: &Cause| model.causes.iter().any(|k| k.is(c));
-    causes.retain(|c| !known(c) && c.probability >= calibration::NAMED);
+    causes.retain(|c| !known(c) && c.probability >= calibration::NAMED_BY_SIZE);
     (left, causes)
 }
 
@@ -286,6 +286,7 @@ fn once(
     let before = before.error;
 
     let (refit, refitted) = Refit::new(plant, fit, validate, own_validation, settings)?;
+    let noise: Vec<f64> = noise.iter().zip(&refit.noise).map(|(n, seen)| seen.map_or(*n, |s| s.max(*n))).collect();
     let has_links = has_links(plant);
     // The contribution of sensors, motion and clock to the error is no evidence.
     let scene = if has_links { &start.scene } else { &refitted.scene };

@@ -71,15 +71,26 @@ pub(super) fn rests(dq: &[f64], noise: Noise, period: f64, zone: DeadZone) -> Ve
 /// it was recorded is not seen; see [`super::noise_between_reversals`]. 0 for series of fewer than five
 /// samples.
 pub fn white_noise<'a>(series: impl Iterator<Item = &'a [f64]>) -> f64 {
+    // Steps (of friction, of a contact) are rare and large: the largest hundredth is left out, and
+    // what Gauss would have there is put back.
+    noise_of_least(series, 100, 0.9245)
+}
+
+/// The same of four fifths of the differences, the least ones: bursts, as of impacts in a gear, are in few of
+/// them.
+pub(super) fn usual_noise<'a>(series: impl Iterator<Item = &'a [f64]>) -> f64 {
+    noise_of_least(series, 5, 0.4377)
+}
+
+/// Standard deviation of white noise from its fourth differences but for the largest, one of so many; `mean`: mean
+/// square of the others where all have a mean square of 1 and Gauss's distribution.
+fn noise_of_least<'a>(series: impl Iterator<Item = &'a [f64]>, one_of: usize, mean: f64) -> f64 {
     // The variance of a fourth difference of white noise is 70 times its own (1 + 16 + 36 + 16 +
     // 1).
     let square = |w: &[f64]| (w[0] - 4.0 * w[1] + 6.0 * w[2] - 4.0 * w[3] + w[4]).powi(2);
     let squares: Vec<f64> = series.flat_map(|x| x.windows(5).map(square)).collect();
-    // Steps (of friction, of a contact) are rare and large: the largest hundredth is left out, and
-    // what Gauss would have there is put back.
-    let kept = squares.len() - squares.len() / 100;
-    let mean = sum_of_least(squares, kept) / (70 * kept.max(1)) as f64;
-    (mean / 0.9245).sqrt()
+    let kept = squares.len() - squares.len() / one_of;
+    (sum_of_least(squares, kept) / (70 * kept.max(1)) as f64 / mean).sqrt()
 }
 
 /// Every how many values one is looked at to guess which are large, and the share of these that

@@ -8,7 +8,7 @@ use super::maps::View;
 use super::reported_cause::{Item, friction_values, place_of};
 use super::result::{Cause, Curve, measured_on};
 use crate::diagnose::fit::body_limits::Body;
-use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
+use crate::diagnose::fit::model::{Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
 use crate::diagnose::hypotheses::{COULOMB, Hypothesis as _, Named, OFFSET, Quantity, VISCOUS};
@@ -18,7 +18,7 @@ use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::Accepted;
 use crate::diagnose::select::beside::Shares;
 use crate::diagnose::select::measure::{Figures, Measured, share, taken_of};
-use dh_codegen::robot::EffectKind;
+use dh_codegen::robot::{EffectKind, effects};
 
 /// A model whose causes get probabilities.
 pub(in crate::diagnose) struct Attribution<'a> {
@@ -86,6 +86,7 @@ impl Attribution<'_> {
                 confirmed: accepted.map(|a| a.confirmed),
                 repeats: shares.repeats,
             }) + &elsewhere.collect::<String>()
+                + &self.in_the_file(item)
                 + &self.assumed(item),
             in_extended: true,
             curve: item.accepted.and_then(|index| evidence::curve(tested, fitted, index, &all[index].chosen)),
@@ -109,6 +110,21 @@ impl Attribution<'_> {
     fn decided_by(&self, item: &Item, rivals: &[&'static str]) -> Option<&'static str> {
         let [_] = rivals else { return None };
         item.hypothesis.decided_by(&self.tested.scene, &item.place)
+    }
+
+    /// Levels of plain friction in the file, in whose place an item has others.
+    fn in_the_file(&self, item: &Item) -> String {
+        let given = given_friction(self.tested.plant);
+        let level = |k: &usize| {
+            let (joint, which) = (k / 3, k % 3);
+            let symbol = [effects::ViscousFriction::FV, effects::CoulombFriction::FC].get(which)?.name();
+            Some(format!("{symbol}{} = {}", joint + 1, evidence::short(given[joint][which]?)))
+        };
+        let levels: Vec<String> = match item.accepted {
+            Some(_) => Vec::new(),
+            None => item.friction.iter().filter_map(level).collect(),
+        };
+        if levels.is_empty() { String::new() } else { format!("; the file has {}", levels.join(", ")) }
     }
 
     /// What is said of a link whose mass the motion does not show, and the file's can't be.

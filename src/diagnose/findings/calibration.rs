@@ -6,17 +6,19 @@
 //! error, the same size in more stretches never make a cause less likely.
 
 /// `[a, b, c, d, e]` of causes that add columns.
-const CAUSE: [f64; 5] = [-3.4, 1.5, 1.65, 3.4, 6.6];
+const CAUSE: [f64; 5] = [-5.2, 2.1, 2.3, 4.8, 9.2];
 /// Of plain friction and offsets.
-const PLAIN: [f64; 5] = [-4.2, 2.0, 0.0, 3.3, 4.2];
+const PLAIN: [f64; 5] = [-6.3, 2.8, 0.0, 4.6, 5.9];
 
 /// Factor of what the fitted logs alone show, since the validating ones are missed on its joints
 /// with it and without it, or can't show it.
 const UNCONFIRMED: f64 = 0.5;
 
-/// Probability below which a cause is not named, nor in the model: of those from 0.2 to it two of 24
-/// were right on real recordings.
-pub const NAMED: f64 = 0.3;
+/// Probability below which a cause is not named, nor in the model.
+pub const NAMED: f64 = 0.2;
+
+/// The same of what is likely by its size ([`structure`], [`links`]).
+pub const NAMED_BY_SIZE: f64 = 0.3;
 
 /// A margin beyond which more of it says nothing.
 const FAR: f64 = 100.0;
@@ -51,7 +53,7 @@ pub struct Change {
 
 /// A constant, weights of `share`, `left_out` and `validated`, and what is taken off where the
 /// validating data can't confirm a cause. Fitted to causes added to recordings of five arms.
-const CHANGE: [f64; 5] = [-4.05, 4.2, 2.9, 0.76, 1.65];
+const CHANGE: [f64; 5] = [-6.1, 5.9, 4.1, 1.1, 2.3];
 
 /// Of a cause that changed the file.
 pub fn change(found: &Change) -> f64 {

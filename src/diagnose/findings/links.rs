@@ -43,7 +43,7 @@ impl Session<'_> {
         if let Some(rival) = rival {
             causes.iter_mut().for_each(|cause| no_surer(cause, rival));
         }
-        causes.retain(|cause| cause.probability >= calibration::NAMED);
+        causes.retain(|cause| cause.probability >= calibration::NAMED_BY_SIZE);
         causes
     }
 

@@ -2,6 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::evidence::short;
 use crate::diagnose::fit::moments::pseudo_inverse;
 use crate::diagnose::windows::windowed_data::{BLOCKS, JointSeries, WindowedData};
 
@@ -46,8 +47,9 @@ pub fn structure(scene: &WindowedData<'_>, residual: &[Vec<f64>], noise: &[f64],
             if slow > (0.7 * noise[j]).max(0.006 * torque[j]) {
                 let frequency = loudest(scene, j, e);
                 let description = format!(
-                    "joint {} keeps {slow:.2} N m of slow error, strongest near {frequency:.2} Hz, that goes with nothing measured",
-                    j + 1
+                    "joint {} keeps {} N m of slow error, strongest near {frequency:.2} Hz, that goes with nothing measured",
+                    j + 1,
+                    short(slow)
                 );
                 return Some(Structure { joint: j, rms: slow, description });
             }
@@ -56,31 +58,20 @@ pub fn structure(scene: &WindowedData<'_>, residual: &[Vec<f64>], noise: &[f64],
         .collect()
 }
 
-/// Root mean square of the part that averaging over a tenth of a second leaves, beyond what it
-/// leaves of white noise.
+/// Root mean square of what lasts from one tenth of a second to the next: of the covariance of their means.
+/// Noise that is forgotten within some hundredths has none, however much of it is left in each mean.
 fn slow_part(scene: &WindowedData<'_>, j: usize, e: &[f64]) -> f64 {
     let m = ((0.1 / scene.step).round() as usize).max(3);
-    let (mut squares, mut groups, mut rough, mut pairs) = (0.0, 0.0, 0.0, 0.0);
-    for run in &scene.runs {
-        let mut w = run.start;
-        while w + m <= run.end {
-            let span = w..w + m;
-            if scene.live[j][span.clone()].iter().all(|l| *l) {
-                let mean = e[span.clone()].iter().sum::<f64>() / m as f64;
-                squares += mean * mean;
-                groups += 1.0;
-                for k in w..w + m - 1 {
-                    rough += 0.5 * (e[k + 1] - e[k]).powi(2);
-                    pairs += 1.0;
-                }
-            }
-            w += m;
-        }
-    }
-    if groups < 10.0 {
+    let mean = |w: usize| {
+        let span = w..w + m;
+        scene.live[j][span.clone()].iter().all(|l| *l).then(|| e[span].iter().sum::<f64>() / m as f64)
+    };
+    let pairs = scene.runs.iter().flat_map(|run| (run.start..(run.end + 1).saturating_sub(2 * m)).step_by(m));
+    let products: Vec<f64> = pairs.filter_map(|w| Some(mean(w)? * mean(w + m)?)).collect();
+    if products.len() < 10 {
         return 0.0;
     }
-    (squares / groups - rough / pairs / m as f64).max(0.0).sqrt()
+    (products.iter().sum::<f64>() / products.len() as f64).max(0.0).sqrt()
 }
 
 /// Frequency of the largest line of the residual below 5 Hz, in the longest run.

@@ -53,6 +53,11 @@ impl Chosen {
         let at = |t: f64| (t / step).round() as usize;
         Some(at(start)..at(end))
     }
+
+    /// Whether a number of the shape is an integer that stays one.
+    pub(super) fn integer(&self, number: usize) -> bool {
+        self.cause.integer_shape() == Some(number) && self.shape[number].fract() == 0.0
+    }
 }
 
 /// Place among `[FV, FC, FO]`, and row, of the friction parameters that are handled beside the base
@@ -464,7 +469,7 @@ impl<'a> ModelUnderTest<'a> {
         let columns: Option<Vec<Column>> = (0..c.shape.len())
             .map(|k| {
                 let first = c.cause.shape()[k].step?;
-                derivative(self, fitted, index, c, k, 1e-2 * first.abs() * c.shape[k])
+                derivative(self, fitted, index, c, k, first)
             })
             .collect();
         let columns = columns.filter(|columns| !columns.is_empty() && !c.x.is_empty())?;

@@ -76,12 +76,8 @@ impl ModelUnderTest<'_> {
         for (index, c) in chosen.iter().enumerate().filter(|(_, c)| moves(c)) {
             for (k, number) in c.cause.shape().iter().enumerate() {
                 // An order that is an integer stays one.
-                let integer = c.cause.integer_shape() == Some(k) && c.shape[k].fract() == 0.0;
-                let Some(first) = number.step.filter(|_| !integer) else { continue };
-                let by = if first > 0.0 { 1e-2 * first * c.shape[k] } else { -1e-2 * first };
-                if let Some(column) =
-                    Some(by).filter(|by| *by != 0.0).and_then(|by| derivative(self, fitted, index, c, k, by))
-                {
+                let Some(first) = number.step.filter(|_| !c.integer(k)) else { continue };
+                if let Some(column) = derivative(self, fitted, index, c, k, first) {
                     numbers.push((index, k));
                     columns.push(column);
                 }

@@ -24,11 +24,9 @@ impl Uncertainty {
         let (mut shapes, mut more, mut integer_priors) = (Vec::new(), Vec::new(), Vec::new());
         for (index, c) in chosen.iter().enumerate() {
             let places = c.cause.shape().iter().enumerate().map(|(k, number)| {
-                let integer = c.cause.integer_shape() == Some(k) && c.shape[k].fract() == 0.0;
+                let integer = c.integer(k);
                 let first = number.step.filter(|_| !(integer && c.cause.integer_prior_std().is_none()))?;
-                let step = if first > 0.0 { 1e-2 * first * c.shape[k] } else { -1e-2 * first };
-                let step = Some(step).filter(|s| *s != 0.0)?;
-                let column = derivative(tested, fitted, index, c, k, step)?;
+                let column = derivative(tested, fitted, index, c, k, first)?;
                 more.push(column);
                 let at = fitted.solution.x.len() + more.len() - 1;
                 integer_priors.extend(c.cause.integer_prior_std().filter(|_| integer).map(|std| (at, std)));
@@ -90,15 +88,23 @@ fn measure(covariance: &mut DMatrix<f64>, at: usize, std: f64) {
     }
 }
 
-/// Difference quotient of what a cause adds, by a number of its shape.
+/// Share of a number's first step in a search by which a difference quotient changes it.
+const OF_FIRST_STEP: f64 = 1e-2;
+
+/// Difference quotient of what a cause adds, by a number of its shape whose first step in a search is
+/// `first`: a share of the number where positive, else so much.
 pub(in crate::diagnose) fn derivative(
     tested: &ModelUnderTest<'_>,
     fitted: &Fitted,
     index: usize,
     chosen: &Chosen,
     k: usize,
-    step: f64,
+    first: f64,
 ) -> Option<Column> {
+    let step = OF_FIRST_STEP * if first > 0.0 { first * chosen.shape[k] } else { -first };
+    if step == 0.0 {
+        return None;
+    }
     let sides = [step, -step].map(|by| {
         let mut shape = chosen.shape.clone();
         shape[k] += by;

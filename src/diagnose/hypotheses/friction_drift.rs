@@ -25,6 +25,9 @@ pub struct FrictionDrift;
 /// `T0`.
 const REFERENCE: f64 = 25.0;
 
+/// Time in which friction fades by the length of the logs, above which it is a level, and not one that fades.
+const SLOWEST: f64 = 1.5;
+
 /// Least length of a log that shows a drift, s.
 const SHORTEST: f64 = 10.0;
 
@@ -42,6 +45,11 @@ impl FrictionDrift {
     }
 }
 
+/// Length of the longest log, s.
+fn length(scene: &WindowedData<'_>) -> f64 {
+    scene.time.iter().fold(0.0, |most: f64, t| most.max(*t))
+}
+
 impl Hypothesis for FrictionDrift {
     fn effect(&self) -> EffectKind {
         EffectKind::FrictionDrift
@@ -56,8 +64,8 @@ impl Hypothesis for FrictionDrift {
     }
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        let long = scene.time.iter().fold(0.0_f64, |m, t| m.max(*t)).max(1.0);
-        let mut grid: Vec<Vec<f64>> = geometric(0.08 * long, 2.0 * long, 6).into_iter().map(|t| vec![t]).collect();
+        let long = length(scene).max(1.0);
+        let mut grid: Vec<Vec<f64>> = geometric(0.08 * long, SLOWEST * long, 6).into_iter().map(|t| vec![t]).collect();
         if Self::warms(scene, place[0]) {
             grid.push(vec![0.0]);
         }
@@ -66,8 +74,11 @@ impl Hypothesis for FrictionDrift {
 
     /// Grease takes minutes to warm up: of a few seconds only a recorded temperature tells.
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
-        let long = scene.time.iter().fold(0.0_f64, |m, t| m.max(*t));
-        moves(scene, place[0]) && (long > SHORTEST || shape[0] == 0.0)
+        moves(scene, place[0]) && (length(scene) > SHORTEST || shape[0] == 0.0)
+    }
+
+    fn plausible(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64], _: &[f64]) -> bool {
+        shape[0] <= SLOWEST * length(scene)
     }
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {

@@ -7,6 +7,7 @@ use super::model_choice::LeftOut;
 use super::prune::Pruned;
 use super::refine_and_select::{Selected, Session};
 use super::suspects::remember;
+use crate::diagnose::findings::calibration;
 use crate::diagnose::findings::result::{Cause, Errors};
 use crate::diagnose::findings::structure::{Structure, structure};
 use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
@@ -24,6 +25,9 @@ pub(in crate::diagnose) struct Refit {
     pub(in crate::diagnose) errors: Errors,
     /// Errors on each validating log, where joints move, N m; empty without such logs.
     by_log: Vec<Vec<f64>>,
+    /// Noise of each joint's torque where the residuals of fitted and validating logs are nothing else, N m:
+    /// the smaller of both.
+    pub(in crate::diagnose) noise: Vec<Option<f64>>,
 }
 
 impl Refit {
@@ -38,10 +42,12 @@ impl Refit {
         let mut tested = ModelUnderTest::new(plant, fit, settings.rate, Mode::Refitted, &plant.delays(), false);
         let (plain, left_out) = plainly(&mut tested)?;
         let after = Meter::new(plant, validate, &tested).of(&tested, &plain, &[], true);
-        let fitted = Meter::new(plant, fit, &tested).of(&tested, &plain, &[], false).rms;
+        let fitted = Meter::new(plant, fit, &tested).of(&tested, &plain, &[], false);
+        let noise = (0..plant.dof()).map(|j| Measured::noise_of_both([&fitted, &after], j)).collect();
+        let fitted = fitted.rms;
         let by_log = if own_validation { by_log(plant, validate, &tested, &plain, &[]) } else { Vec::new() };
         let errors = Errors { fit: fitted, validate: after.rms, moving: after.steady };
-        Ok((Self { left_out, errors, by_log }, tested))
+        Ok((Self { left_out, errors, by_log, noise }, tested))
     }
 }
 
@@ -87,7 +93,17 @@ impl<'a> Session<'a> {
         errors: [&Measured; 2],
         torque: &[f64],
     ) -> Vec<Structure> {
-        with_excess(structure(scene, residual, self.noise, torque), excess(errors, self.noise))
+        let of = |noise: &[f64]| with_excess(structure(scene, residual, noise, torque), excess(errors, noise));
+        let found = of(self.noise);
+        // A refit misses what the model has, which hides how large noise with a memory is.
+        let mut noise = self.noise.to_vec();
+        for j in found.iter().map(|s| s.joint) {
+            let seen = errors.iter().filter_map(|errors| errors.noise(j)).reduce(f64::min);
+            noise[j] = seen.map_or(noise[j], |seen| seen.max(noise[j]));
+        }
+        let mut found = if noise == self.noise { found } else { of(&noise) };
+        found.retain(|s| calibration::structure(s.rms, noise[s.joint]) >= calibration::NAMED_BY_SIZE);
+        found
     }
 
     /// The models that were searched.

@@ -115,7 +115,7 @@ mod tests {
             diluting(&evidence, &probability).iter().map(|e| e.0).collect()
         };
         assert_eq!(excluded([0.0; 5]), [EffectKind::TimeDelay, EffectKind::GearCoupling]);
-        assert_eq!(excluded([0.05, 0.05, 0.0, 0.5, 0.0]), [EffectKind::TimeDelay]);
+        assert_eq!(excluded([0.04, 0.04, 0.0, 0.5, 0.0]), [EffectKind::TimeDelay]);
         // What is still likely was not diluted.
         assert!(excluded([0.7, 0.0, 0.0, 0.0, 0.0]).is_empty());
     }

@@ -3,12 +3,13 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use crate::data::signal::noise_with_memory;
 use crate::diagnose::findings::maps::View;
 use crate::diagnose::findings::reported_cause::Item;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::windows::recording::Recording;
 use crate::diagnose::windows::windowed_data::WindowedData;
-use crate::model::PerturbableArm;
+use crate::model::{PerturbableArm, States};
 
 /// Errors per joint and sample at the logs' own rate.
 pub(in crate::diagnose) struct Measured {
@@ -33,6 +34,9 @@ pub(in crate::diagnose) struct Measured {
     moves: Vec<Vec<bool>>,
     /// Coulomb level of the file, per joint, N m.
     coulomb: Vec<f64>,
+    /// Motion of all joints, once for each delay, and which of these goes with a joint's torque.
+    states: Vec<Arc<States>>,
+    state_of_joint: Vec<usize>,
 }
 
 /// [`Measured::rms`] and [`Measured::steady`]: what is kept of a model that was only tried.
@@ -49,8 +53,25 @@ impl Measured {
 
     /// How many samples so many seconds have.
     fn samples_of(&self, seconds: f64) -> usize {
-        let step = self.time.windows(2).map(|w| w[1] - w[0]).find(|d| *d > 0.0).unwrap_or(0.01);
-        (seconds / step) as usize
+        (seconds / self.step()) as usize
+    }
+
+    /// Time from one sample to the next, s.
+    fn step(&self) -> f64 {
+        self.time.windows(2).map(|w| w[1] - w[0]).find(|d| *d > 0.0).unwrap_or(0.01)
+    }
+
+    /// Noise of a joint's torque, N m, where its error is nothing else ([`noise_with_memory`]).
+    pub(in crate::diagnose) fn noise(&self, joint: usize) -> Option<f64> {
+        let [_, velocity, _] = self.states.get(*self.state_of_joint.get(joint)?)?.by_joint()[joint];
+        let parts = self.runs.iter().map(|run| (&self.error[joint][run.clone()], &velocity[run.clone()]));
+        noise_with_memory(parts, self.step().recip())
+    }
+
+    /// The same of two recordings: where the errors on both are noise, the smaller one.
+    pub(in crate::diagnose) fn noise_of_both(measured: [&Self; 2], joint: usize) -> Option<f64> {
+        let [one, other] = measured.map(|m| m.noise(joint));
+        Some(one?.min(other?))
     }
 
     /// Begin and end, s, and error, root mean square, N m, of stretches of so many seconds in which a
@@ -232,6 +253,8 @@ impl<'a> Meter<'a> {
             delays: scene.delays.clone(),
             moves,
             coulomb,
+            states: scene.states.clone(),
+            state_of_joint: scene.state_of_joint.clone(),
             shown: Vec::new(),
         }
     }
@@ -408,6 +431,8 @@ impl Measured {
             delays: Vec::new(),
             shown: Vec::new(),
             moves,
+            states: Vec::new(),
+            state_of_joint: Vec::new(),
         }
     }
 }

@@ -45,7 +45,7 @@ pub(in crate::diagnose) struct Session<'a> {
 const LOCAL_SHARE: f64 = 0.4;
 
 /// Probability far below that at which a cause is named.
-pub(super) const FAR_BELOW: f64 = 0.1;
+pub(super) const FAR_BELOW: f64 = 0.05;
 
 /// Rounds in which causes that do not hold are taken out.
 const MOST_ROUNDS: usize = 8;

@@ -50,9 +50,15 @@ pub(in crate::diagnose) fn not_explained(suspects: Vec<Cause>, after_fit: &Measu
     suspects.into_iter().filter(|s| s.window().is_none_or(|window| after_fit.stands_out(window))).collect()
 }
 
+/// Probability of one of two explanations of one error, of which at most one is true: each had the
+/// probability `own` and `other` where the other was not thought of.
+fn instead_of(own: f64, other: f64) -> f64 {
+    own * (1.0 - other) / (1.0 - own * other).max(f64::MIN_POSITIVE)
+}
+
 /// Adds the suspects that are likely enough to be named and not in the offered model. Where one
 /// acts on the joints of a cause of that model, neither model has both, and the data do not
-/// separate them. Pushes are not named beside a wall: they are its meetings, by a model without it.
+/// separate them: it is named beside a likelier one only if it is likely [`instead_of`] that. Pushes are not named beside a wall: they are its meetings, by a model without it.
 pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
     raise(causes, &suspects);
     let offered = causes.len();
@@ -63,7 +69,11 @@ pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
             continue;
         }
         let joints = suspect.joints.clone();
+        let mut alone = suspect.probability;
         for rival in causes[..offered].iter_mut().filter(|c| !joints.is_empty() && c.joints == joints) {
+            if rival.probability > suspect.probability {
+                alone = instead_of(alone, rival.probability);
+            }
             let names = [rival.cause, suspect.cause];
             for (one, other) in [(&mut suspect, names[0]), (rival, names[1])] {
                 if !one.not_distinguished_from.contains(&other) {
@@ -71,7 +81,9 @@ pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
                 }
             }
         }
-        causes.push(Cause { in_extended: false, ..suspect });
+        if alone >= calibration::NAMED {
+            causes.push(Cause { in_extended: false, probability: alone, ..suspect });
+        }
     }
 }
 
@@ -155,10 +167,14 @@ mod tests {
         let named: Vec<(&str, bool, f64)> = causes.iter().map(|c| (c.cause, c.in_extended, c.probability)).collect();
         assert_eq!(
             named,
-            [("presliding_hysteresis", true, 0.5), ("joint_spring", true, 0.7), ("viscous_friction", false, 0.4)]
+            [("presliding_hysteresis", true, 0.5), ("joint_spring", true, 0.7), ("viscous_friction", false, 0.25)]
         );
         assert_eq!(causes[0].not_distinguished_from, ["viscous_friction"]);
         assert_eq!(causes[2].not_distinguished_from, ["presliding_hysteresis"]);
         assert!(causes[1].not_distinguished_from.is_empty());
+        // Beside one that is nearly certain it is no cause of its own, but still what the data don't exclude.
+        let mut sure = vec![cause("presliding_hysteresis", &[6], 0.95)];
+        name(&mut sure, vec![cause("viscous_friction", &[6], 0.8)]);
+        assert!(sure.len() == 1 && sure[0].not_distinguished_from == ["viscous_friction"]);
     }
 }

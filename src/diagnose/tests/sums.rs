@@ -174,7 +174,7 @@ fn a_column_of_a_number_is_the_derivative_by_it() {
     let fitted = tested.fit(&mut all);
     let [mut chosen] = all;
     chosen.x = vec![1.7];
-    let column = derivative(&tested, &fitted, 0, &chosen, 0, 1e-4).unwrap();
+    let column = derivative(&tested, &fitted, 0, &chosen, 0, -1e-2).unwrap();
     let (_, series) = column.rows.iter().find(|(j, _)| *j == 0).unwrap();
     let mut checked = 0;
     for (w, v) in tested.scene.own[0][0].v.iter().enumerate().filter(|(w, _)| tested.scene.live[0][*w]) {
