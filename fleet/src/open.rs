@@ -1,11 +1,10 @@
 //! A recording's file, from a folder or an object store, and its digest.
 
-use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{BufReader, Read, Seek};
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use denavit::data::log::{Format, LogError, Reading, Source, open_parquet, open_table, source};
 use denavit::identify::RecordingReader;
@@ -94,20 +93,25 @@ pub fn with_source<T>(
     let mut magic = Vec::new();
     file.by_ref().take(16).read_to_end(&mut magic).map_err(failed)?;
     file.rewind().map_err(failed)?;
-    let hash = Rc::new(RefCell::new(Sha256::new()));
+    let hash = Arc::new(Mutex::new(Sha256::new()));
     // Parquet is read from its end, all else as a stream.
     let table = if Format::of(&magic) == Format::Parquet {
-        std::io::copy(&mut file, &mut *hash.borrow_mut()).map_err(failed)?;
+        std::io::copy(&mut file, &mut *locked(&hash)).map_err(failed)?;
         file.rewind().map_err(failed)?;
         open_parquet(name, file)?
     } else {
-        open_table(name, Hashed { inner: BufReader::new(file), hash: Rc::clone(&hash) }, reading)?
+        open_table(name, Hashed { inner: BufReader::new(file), hash: Arc::clone(&hash) }, reading)?
     };
     let mut rows = source(name, table, reading)?;
     let found = read(&mut *rows);
     drop(rows);
-    let sha256 = hexadecimal(&hash.borrow().clone().finalize());
+    let sha256 = hexadecimal(&locked(&hash).clone().finalize());
     Ok((found, sha256))
+}
+
+/// The digest; what a thread left that panicked does not matter, as its panic goes on.
+fn locked(hash: &Mutex<Sha256>) -> MutexGuard<'_, Sha256> {
+    hash.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// SHA-256 of a file that can be read.
@@ -121,13 +125,13 @@ pub fn digest(path: &Path) -> Option<String> {
 /// Bytes that are hashed while they are read.
 struct Hashed<R> {
     inner: R,
-    hash: Rc<RefCell<Sha256>>,
+    hash: Arc<Mutex<Sha256>>,
 }
 
 impl<R: Read> Read for Hashed<R> {
     fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
         let n = self.inner.read(buffer)?;
-        self.hash.borrow_mut().update(&buffer[..n]);
+        locked(&self.hash).update(&buffer[..n]);
         Ok(n)
     }
 }

@@ -27,7 +27,7 @@ pub use band::Band;
 pub use difference::{central, central_second};
 pub use lowered::lower_cutoff;
 pub use motion::{Motion, MotionBlock};
-pub use overlapped::each_motion;
+pub use overlapped::{each_motion, each_motion_in_turn};
 pub use prepare::{Derivatives, Filter, Prepare, PrepareError, Prepared, Preparer};
 pub use repeat::repeatability;
 pub use resample::resample;

@@ -270,7 +270,6 @@ fn once(
     let [first, rest] = if own_validation { [Vec::new(), Vec::new()] } else { halves(&whole) };
     let (fit, validate) = if own_validation { (&whole[..], &other[..]) } else { (&first[..], &rest[..]) };
     let seconds: f64 = fit.iter().map(Recording::seconds).sum();
-    let noise = torque_noise(recorded.clone(), dof);
     let start = ModelUnderTest::new(plant, fit, settings.rate, Mode::Trusted, &plant.delays(), false);
     if seconds < 2.0 || start.scene.len < 100 {
         return Err(DiagnoseError::TooShort { seconds });
@@ -286,7 +285,7 @@ fn once(
     let before = before.error;
 
     let (refit, refitted) = Refit::new(plant, fit, validate, own_validation, settings)?;
-    let noise: Vec<f64> = noise.iter().zip(&refit.noise).map(|(n, seen)| seen.map_or(*n, |s| s.max(*n))).collect();
+    let noise = refit.with_noise_seen(torque_noise(recorded.clone(), dof));
     let has_links = has_links(plant);
     // The contribution of sensors, motion and clock to the error is no evidence.
     let scene = if has_links { &start.scene } else { &refitted.scene };

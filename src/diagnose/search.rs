@@ -13,6 +13,7 @@ pub(super) mod candidate;
 pub(super) mod driving_friction;
 pub(super) mod forward;
 pub(super) mod judge;
+pub(super) mod levels_instead;
 pub(super) mod merge_bodies;
 mod merge_common_delay;
 mod merge_levels;

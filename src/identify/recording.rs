@@ -11,7 +11,7 @@ use super::{AccumulatorSettings, KnownEffects, QrAccumulator, RecordingFactor};
 use crate::data::log::{
     Acceptance, Finding, Limits, LogError, Reading, Source, SourceJoint, beyond_limits, torque_unit,
 };
-use crate::data::signal::{Motion, Prepare, PrepareError, Prepared, each_motion};
+use crate::data::signal::{Motion, Prepare, PrepareError, Prepared, each_motion_in_turn};
 use crate::model::Arm;
 use crate::model::coupled::Coupled;
 use crate::model::file_torque_model::FileTorqueModel;
@@ -70,7 +70,7 @@ impl RecordingReader<'_> {
         &self.prepare
     }
 
-    /// One recording. Memory does not grow with it.
+    /// One recording, on one thread. Memory does not grow with it.
     ///
     /// # Errors
     /// Where it can't be used.
@@ -89,7 +89,7 @@ impl RecordingReader<'_> {
                 None => stack.absorb(motion),
             }
         };
-        let mut prepared = each_motion(source, self.arm.dof(), &self.prepare, sink)?;
+        let mut prepared = each_motion_in_turn(source, self.arm.dof(), &self.prepare, sink)?;
         against_limits(&mut prepared, self.robot, self.prepare.keep)?;
         Ok(FactoredRecording {
             day: start.and_then(day),

@@ -25,10 +25,18 @@ pub fn each_motion(
     prepare: &Prepare,
     sink: impl FnMut(&Motion),
 ) -> Result<Prepared, PrepareError> {
-    if threads() == 1 { in_turn(source, dof, prepare, sink) } else { overlapped(source, dof, prepare, sink) }
+    if threads() == 1 {
+        each_motion_in_turn(source, dof, prepare, sink)
+    } else {
+        overlapped(source, dof, prepare, sink)
+    }
 }
 
-fn in_turn(
+/// The same on the caller's thread alone: where many logs are read at once.
+///
+/// # Errors
+/// Like [`each_motion`].
+pub fn each_motion_in_turn(
     source: &mut dyn Source,
     dof: usize,
     prepare: &Prepare,
@@ -112,7 +120,7 @@ mod tests {
     fn both(text: &str) -> [(Result<Prepared, PrepareError>, Vec<Motion>); 2] {
         let mut source = open("log.csv", text.as_bytes()).unwrap();
         let mut alone = Vec::new();
-        let first = in_turn(&mut *source, 1, &Prepare::default(), |motion| alone.push(motion.clone()));
+        let first = each_motion_in_turn(&mut *source, 1, &Prepare::default(), |motion| alone.push(motion.clone()));
         let mut source = open("log.csv", text.as_bytes()).unwrap();
         let mut beside = Vec::new();
         let second = overlapped(&mut *source, 1, &Prepare::default(), |motion| beside.push(motion.clone()));

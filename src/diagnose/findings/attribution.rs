@@ -86,8 +86,7 @@ impl Attribution<'_> {
                 confirmed: accepted.map(|a| a.confirmed),
                 repeats: shares.repeats,
             }) + &elsewhere.collect::<String>()
-                + &self.in_the_file(item)
-                + &self.assumed(item),
+                + &[self.in_the_file(item), self.assumed(item)].concat(),
             in_extended: true,
             curve: item.accepted.and_then(|index| evidence::curve(tested, fitted, index, &all[index].chosen)),
             parameters,

@@ -11,6 +11,7 @@ use super::baseline_friction::BaselineFriction;
 use super::candidate::{Candidate, candidates, evaluate, logs, price, refine, rivals, unknowns};
 use super::driving_friction::level_drives;
 use super::judge::{Accepted, Judge, THROUGHOUT, adopt, chosen_of};
+use super::levels_instead::levels_instead;
 use super::merge_levels::merge_levels;
 use super::{SearchSettings, equivalent_robot_cause, simplify};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
@@ -128,6 +129,7 @@ pub(in crate::diagnose) fn forward(
     let mut chosen = chosen_of(&accepted);
     let fitted = tested.fit_regularised_beside(&mut chosen);
     adopt(&mut accepted, &chosen);
+    let fitted = levels_instead(tested, &mut accepted, fitted, &mut evidence);
     merge_levels(tested, &accepted, &fitted, &mut evidence);
     Found { accepted, evidence, friction }
 }

@@ -27,7 +27,7 @@ pub(in crate::diagnose) struct Refit {
     by_log: Vec<Vec<f64>>,
     /// Noise of each joint's torque where the residuals of fitted and validating logs are nothing else, N m:
     /// the smaller of both.
-    pub(in crate::diagnose) noise: Vec<Option<f64>>,
+    noise: Vec<Option<f64>>,
 }
 
 impl Refit {
@@ -48,6 +48,13 @@ impl Refit {
         let by_log = if own_validation { by_log(plant, validate, &tested, &plain, &[]) } else { Vec::new() };
         let errors = Errors { fit: fitted, validate: after.rms, moving: after.steady };
         Ok((Self { left_out, errors, by_log, noise }, tested))
+    }
+}
+
+impl Refit {
+    /// Noise of each joint's torque, N m, where the residuals show more than was known.
+    pub(in crate::diagnose) fn with_noise_seen(&self, known: Vec<f64>) -> Vec<f64> {
+        known.into_iter().zip(&self.noise).map(|(known, seen)| seen.unwrap_or(0.0).max(known)).collect()
     }
 }
 

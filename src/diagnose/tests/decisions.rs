@@ -8,6 +8,7 @@ use super::mechanisms::{Bodies, bare, planar};
 use crate::diagnose::Recording;
 use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};
 use crate::diagnose::fit::moments::Gain;
+use crate::diagnose::fit::regulariser::Regulariser;
 use crate::diagnose::fit::uncertainty::Uncertainty;
 use crate::diagnose::hypotheses::{Estimate, Hypothesis, causes, hypothesis};
 use crate::diagnose::search::SearchSettings;
@@ -15,7 +16,9 @@ use crate::diagnose::search::alone::is_alone;
 use crate::diagnose::search::baseline_friction::is_better;
 use crate::diagnose::search::candidate::{Candidate, evaluate};
 use crate::diagnose::search::driving_friction::friction_drives;
-use crate::diagnose::search::judge::{Judge, bearable, confirmation};
+use crate::diagnose::search::forward::Evidence;
+use crate::diagnose::search::judge::{Accepted, Judge, bearable, confirmation};
+use crate::diagnose::search::levels_instead::levels_instead;
 use crate::diagnose::select::beside::share_within;
 use crate::diagnose::select::measure::Meter;
 use crate::diagnose::windows::windowed_data::WindowedData;
@@ -314,6 +317,37 @@ fn numbers_of_two_laws_are_refined_together() {
     tested.polish(&mut all);
     let found = all.map(|c| c.shape[0]);
     assert!((found[0] - 6.0).abs() < 0.05 && (found[1] - 12.0).abs() < 0.05, "{found:?}");
+}
+
+/// A power of the speed comes near to both levels; more friction in one direction is the levels.
+#[test]
+fn levels_are_the_friction_beside_a_difference_by_direction() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let v = recording().stretches[0].states.dq.clone();
+    let of = |power: bool| {
+        let more = |j: usize, k: usize| match (j, power) {
+            (0, false) if v[k] > 0.0 => 1.0 + 0.8 * v[k],
+            (0, true) => 0.9 * v[k].signum() * v[k].abs().sqrt() + 0.5 * v[k].abs() + 0.5,
+            _ => 0.0,
+        };
+        let recordings = made([0.02; 2], 5, &more);
+        let mut tested = tested(&plant, &recordings);
+        tested.frozen.fill(true);
+        tested.regulariser = Some(Regulariser::none());
+        let difference = chosen(EffectKind::AsymmetricFriction, &[0], &[]);
+        let mut all = [difference, chosen(EffectKind::NonlinearViscousFriction, &[0], &[0.5])];
+        let fitted = tested.fit(&mut all);
+        let accepted =
+            |chosen: Chosen| Accepted { chosen, support: 1.0, confirmed: 1.0, rivals: Vec::new(), variance: 1.0 };
+        let mut accepted: Vec<Accepted> = all.into_iter().map(accepted).collect();
+        let evidence = |effect| Evidence { effect, place: vec![0], local: false, share: 0.5, left_out: 0.5 };
+        let mut known = [EffectKind::AsymmetricFriction, EffectKind::NonlinearViscousFriction].map(evidence).to_vec();
+        levels_instead(&mut tested, &mut accepted, fitted, &mut known);
+        (accepted.len(), tested.frozen[..2].to_vec(), known.iter().map(|e| e.share).collect::<Vec<f64>>())
+    };
+    assert_eq!(of(false), (1, vec![false; 2], vec![0.75]));
+    assert_eq!(of(true), (2, vec![true; 2], vec![0.5; 2]));
 }
 
 /// What is found beside the file's numbers, under the names that the file has for the whole.

@@ -1,0 +1,82 @@
+//! Plain levels of friction in place of a law beside a difference by direction.
+//!
+//! More friction in one direction is a difference and other plain levels. The search takes one cause after the
+//! other, and a law with two unknowns (a power of the speed, a level that hardly fades) comes near to both levels at
+//! once. Where the levels themselves fit as well, with no more unknowns, they are the friction that changed.
+
+use super::candidate::{logs, unknowns};
+use super::forward::Evidence;
+use super::judge::{Accepted, adopt, chosen_of};
+use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
+use dh_codegen::robot::EffectKind;
+
+/// Laws that come near to two levels.
+const NEAR: [EffectKind; 2] = [EffectKind::NonlinearViscousFriction, EffectKind::FrictionDrift];
+
+/// Puts the levels of a joint in the place of such a law beside its asymmetric friction, whose part they
+/// become. What both take together is its evidence.
+pub(in crate::diagnose) fn levels_instead(
+    tested: &mut ModelUnderTest<'_>,
+    accepted: &mut Vec<Accepted>,
+    mut fitted: Fitted,
+    evidence: &mut Vec<Evidence>,
+) -> Fitted {
+    let given = given_friction(tested.plant);
+    while let Some((index, joint)) =
+        beside_a_difference(accepted, |joint| given[joint][0].is_some() && given[joint][1].is_some())
+    {
+        let frozen = tested.frozen.clone();
+        let levels = 3 * joint..3 * joint + 2;
+        let freed = frozen[levels.clone()].iter().filter(|f| **f).count() as f64;
+        tested.frozen[levels.clone()].fill(false);
+        let mut trial = chosen_of(accepted);
+        let law = trial.remove(index);
+        let next = tested.fit_regularised_beside(&mut trial);
+        if !suffice(&next, &fitted, unknowns(law.cause, &law.shape, law.x.len()) - freed) {
+            tested.frozen = frozen;
+            break;
+        }
+        tested.separate[levels].fill(false);
+        accepted.remove(index);
+        adopt(accepted, &trial);
+        take_over(evidence, &law, joint);
+        fitted = next;
+    }
+    fitted
+}
+
+/// A law that comes near to levels on a joint with asymmetric friction, by its place among the accepted.
+fn beside_a_difference(accepted: &[Accepted], has_levels: impl Fn(usize) -> bool) -> Option<(usize, usize)> {
+    let differs = |place: &[usize]| {
+        accepted.iter().any(|a| a.chosen.cause.effect() == EffectKind::AsymmetricFriction && a.chosen.place == place)
+    };
+    accepted.iter().enumerate().find_map(|(index, a)| match a.chosen.place[..] {
+        [joint] if NEAR.contains(&a.chosen.cause.effect()) && differs(&[joint]) && has_levels(joint) => {
+            Some((index, joint))
+        }
+        _ => None,
+    })
+}
+
+/// Whether levels fit as well as a law with so many further unknowns: by Schwarz's criterion, windows counted by
+/// the memory of the law's residual.
+fn suffice(levels: &Fitted, law: &Fitted, further: f64) -> bool {
+    let windows = || law.solution.counts.iter().zip(&law.memory).map(|(n, m)| n / m);
+    let lost: f64 = logs(&levels.solution.rss, &law.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();
+    lost <= further.max(0.0) * windows().sum::<f64>().max(2.0).ln()
+}
+
+/// What a law took is evidence of the asymmetric friction of its joint.
+fn take_over(evidence: &mut Vec<Evidence>, law: &Chosen, joint: usize) {
+    let at = |evidence: &[Evidence], effect: EffectKind| {
+        evidence.iter().position(|e| e.effect == effect && e.place == [joint])
+    };
+    let (Some(gone), Some(own)) = (at(evidence, law.cause.effect()), at(evidence, EffectKind::AsymmetricFriction))
+    else {
+        return;
+    };
+    let both = |a: f64, b: f64| 1.0 - (1.0 - a) * (1.0 - b);
+    evidence[own].share = both(evidence[gone].share, evidence[own].share);
+    evidence[own].left_out = both(evidence[gone].left_out, evidence[own].left_out);
+    evidence.remove(gone);
+}
