@@ -336,7 +336,7 @@ fn levels_are_the_friction_beside_a_difference_by_direction() {
         tested.frozen.fill(true);
         tested.regulariser = Some(Regulariser::none());
         let difference = chosen(EffectKind::AsymmetricFriction, &[0], &[]);
-        let mut all = [difference, chosen(EffectKind::NonlinearViscousFriction, &[0], &[0.5])];
+        let mut all = [difference, chosen(EffectKind::NonlinearViscousFriction, &[0], &[0.5, 0.0])];
         let fitted = tested.fit(&mut all);
         let accepted =
             |chosen: Chosen| Accepted { chosen, support: 1.0, confirmed: 1.0, rivals: Vec::new(), variance: 1.0 };
