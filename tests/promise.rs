@@ -164,7 +164,7 @@ fn nothing_more(hidden: &Effects, extended: &Robot) {
     assert_eq!(found.verdict, Verdict::NothingWrong, "{said:?}");
 }
 
-/// Sensors whose noise is forgotten in 27 ms: nothing is wrong, and the floor is that noise, as large as it is.
+/// Sensors whose noise is forgotten in 27 ms: nothing is wrong, and the floor has its size.
 #[test]
 fn noise_with_a_memory_is_nothing_wrong() {
     let robot = robot();

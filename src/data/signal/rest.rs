@@ -76,14 +76,15 @@ pub fn white_noise<'a>(series: impl Iterator<Item = &'a [f64]>) -> f64 {
     noise_of_least(series, 100, 0.9245)
 }
 
-/// The same of four fifths of the differences, the least ones: bursts, as of impacts in a gear, are in few of
-/// them.
+/// The same of four fifths of the differences, the least ones: bursts, as of impacts in a gear, are
+/// in few of them.
 pub(super) fn usual_noise<'a>(series: impl Iterator<Item = &'a [f64]>) -> f64 {
     noise_of_least(series, 5, 0.4377)
 }
 
-/// Standard deviation of white noise from its fourth differences but for the largest, one of so many; `mean`: mean
-/// square of the others where all have a mean square of 1 and Gauss's distribution.
+/// Standard deviation of white noise from its fourth differences but for the largest, one of so
+/// many; `mean`: mean square of the others where all have a mean square of 1 and Gauss's
+/// distribution.
 fn noise_of_least<'a>(series: impl Iterator<Item = &'a [f64]>, one_of: usize, mean: f64) -> f64 {
     // The variance of a fourth difference of white noise is 70 times its own (1 + 16 + 36 + 16 +
     // 1).

@@ -70,8 +70,8 @@ const STRIDES: usize = 4;
 const RANDOM_WALK: f64 = 1.5;
 const LAST_GROWTH: f64 = 1.35;
 
-/// Relative misfit of one stride that is allowed: of the form of the noise, and so many times the root of one by
-/// the number of independent differences, their standard deviation.
+/// Relative misfit of one stride that is allowed: of the form of the noise, and so many times the
+/// root of one by the number of independent differences, their standard deviation.
 const OF_FORM: f64 = 0.04;
 const BY_CHANCE: f64 = 2.5;
 
@@ -118,8 +118,8 @@ pub fn noise_with_memory<'a>(
     (misfit < 1.0).then_some(noise)
 }
 
-/// Largest misfit, by its tolerance, of an autoregression of this memory, s, beside white noise; and the standard
-/// deviation of both together.
+/// Largest misfit, by its tolerance, of an autoregression of this memory, s, beside white noise; and
+/// the standard deviation of both together.
 fn autoregression(strides: &[Thinned], memory: f64) -> (f64, f64) {
     // Variance of the fourth difference, 1 -4 6 -4 1, of noise of variance 1, by that of white noise.
     let share = |step: f64| {
@@ -224,8 +224,9 @@ mod tests {
         assert!((line - 1.0).abs() < 0.1, "{line}");
     }
 
-    /// Residuals at three rates: an autoregression of 0.2 N m that is forgotten in `memory` s beside white noise of
-    /// 0.1, and a slow error as large. With a line at 6 Hz, or a random walk, they are something else.
+    /// Residuals at three rates: an autoregression of 0.2 N m that is forgotten in `memory` s beside
+    /// white noise of 0.1, and a slow error as large. With a line at 6 Hz, or a random walk that is
+    /// larger than both within 10 ms, they are something else.
     #[test]
     fn what_is_forgotten_in_some_hundredths_is_noise() {
         let mut random = Random::new(9);
@@ -251,6 +252,16 @@ mod tests {
         assert_eq!([of(500.0, 0.02, 0.5, 0.0), of(500.0, 0.001, 0.0, 20.0)], [None, None]);
         // Too few rates to tell.
         assert_eq!(of(30.0, 0.02, 0.0, 0.0), None);
+    }
+
+    /// Bursts of 25 times the noise in a tenth of the samples, as of impacts.
+    #[test]
+    fn bursts_are_in_few_of_the_differences() {
+        let mut random = Random::new(4);
+        let mut sample = |k: usize| if k % 500 < 50 { 5.0 } else { 0.2 } * random.even(3.0_f64.sqrt());
+        let series: Vec<f64> = (0..20_000).map(&mut sample).collect();
+        let [all, usual] = [white_noise([&series[..]].into_iter()), usual_noise([&series[..]].into_iter())];
+        assert!(all > 1.0 && (0.16..0.26).contains(&usual), "{all} {usual}");
     }
 
     #[test]

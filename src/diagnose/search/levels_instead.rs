@@ -1,20 +1,23 @@
 //! Plain levels of friction in place of a law beside a difference by direction.
 //!
-//! More friction in one direction is a difference and other plain levels. The search takes one cause after the
-//! other, and a law with two unknowns (a power of the speed, a level that hardly fades) comes near to both levels at
-//! once. Where the levels themselves fit as well, with no more unknowns, they are the friction that changed.
+//! More friction in one direction is a difference and other plain levels. The search takes one
+//! cause after the other, and a law with two unknowns (a power of the speed, a level that hardly
+//! fades) comes near to both levels at once. Where the levels themselves fit as well by Schwarz's
+//! criterion, they are the friction that changed.
 
-use super::candidate::{logs, unknowns};
+use super::candidate::unknowns;
 use super::forward::Evidence;
 use super::judge::{Accepted, adopt, chosen_of};
-use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
+use super::merge_levels::hand_over;
+use super::simplest_laws::costs_less;
+use crate::diagnose::fit::model::{Fitted, ModelUnderTest, given_friction};
 use dh_codegen::robot::EffectKind;
 
 /// Laws that come near to two levels.
 const NEAR: [EffectKind; 2] = [EffectKind::NonlinearViscousFriction, EffectKind::FrictionDrift];
 
-/// Puts the levels of a joint in the place of such a law beside its asymmetric friction, whose part they
-/// become. What both take together is its evidence.
+/// Puts the levels of a joint in the place of such a law beside its asymmetric friction, whose part
+/// they become. What both take together is its evidence.
 pub(in crate::diagnose) fn levels_instead(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
@@ -32,14 +35,14 @@ pub(in crate::diagnose) fn levels_instead(
         let mut trial = chosen_of(accepted);
         let law = trial.remove(index);
         let next = tested.fit_regularised_beside(&mut trial);
-        if !suffice(&next, &fitted, unknowns(law.cause, &law.shape, law.x.len()) - freed) {
+        if !costs_less(&next, &fitted, unknowns(law.cause, &law.shape, law.x.len()) - freed) {
             tested.frozen = frozen;
             break;
         }
         tested.separate[levels].fill(false);
         accepted.remove(index);
         adopt(accepted, &trial);
-        take_over(evidence, &law, joint);
+        hand_over(evidence, joint, law.cause.effect());
         fitted = next;
     }
     fitted
@@ -56,27 +59,4 @@ fn beside_a_difference(accepted: &[Accepted], has_levels: impl Fn(usize) -> bool
         }
         _ => None,
     })
-}
-
-/// Whether levels fit as well as a law with so many further unknowns: by Schwarz's criterion, windows counted by
-/// the memory of the law's residual.
-fn suffice(levels: &Fitted, law: &Fitted, further: f64) -> bool {
-    let windows = || law.solution.counts.iter().zip(&law.memory).map(|(n, m)| n / m);
-    let lost: f64 = logs(&levels.solution.rss, &law.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();
-    lost <= further.max(0.0) * windows().sum::<f64>().max(2.0).ln()
-}
-
-/// What a law took is evidence of the asymmetric friction of its joint.
-fn take_over(evidence: &mut Vec<Evidence>, law: &Chosen, joint: usize) {
-    let at = |evidence: &[Evidence], effect: EffectKind| {
-        evidence.iter().position(|e| e.effect == effect && e.place == [joint])
-    };
-    let (Some(gone), Some(own)) = (at(evidence, law.cause.effect()), at(evidence, EffectKind::AsymmetricFriction))
-    else {
-        return;
-    };
-    let both = |a: f64, b: f64| 1.0 - (1.0 - a) * (1.0 - b);
-    evidence[own].share = both(evidence[gone].share, evidence[own].share);
-    evidence[own].left_out = both(evidence[gone].left_out, evidence[own].left_out);
-    evidence.remove(gone);
 }

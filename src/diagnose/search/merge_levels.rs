@@ -26,17 +26,20 @@ pub(in crate::diagnose) fn merge_levels(
         }
         let sizes = [fitted.solution.x[fitted.friction + viscous], chosen.x.first().copied().unwrap_or(0.0)];
         let [small, large] = [f64::min, f64::max].map(|of| of(sizes[0].abs(), sizes[1].abs()));
-        let at = |effect: EffectKind| evidence.iter().position(|e| e.effect == effect && e.place == [joint]);
-        let (Some(level), Some(own)) = (at(EffectKind::ViscousFriction), at(EffectKind::AsymmetricFriction)) else {
-            continue;
-        };
-        if small < ALIKE * large {
-            continue;
+        if small >= ALIKE * large && hand_over(evidence, joint, EffectKind::ViscousFriction) {
+            tested.separate[viscous] = false;
         }
-        tested.separate[viscous] = false;
-        let both = |a: f64, b: f64| 1.0 - (1.0 - a) * (1.0 - b);
-        evidence[own].share = both(evidence[level].share, evidence[own].share);
-        evidence[own].left_out = both(evidence[level].left_out, evidence[own].left_out);
-        evidence.remove(level);
     }
+}
+
+/// Makes the evidence for an effect a part of that for asymmetric friction on the same joint; whether
+/// there is both.
+pub(super) fn hand_over(evidence: &mut Vec<Evidence>, joint: usize, from: EffectKind) -> bool {
+    let at = |effect: EffectKind| evidence.iter().position(|e| e.effect == effect && e.place == [joint]);
+    let (Some(gone), Some(own)) = (at(from), at(EffectKind::AsymmetricFriction)) else { return false };
+    let both = |a: f64, b: f64| 1.0 - (1.0 - a) * (1.0 - b);
+    evidence[own].share = both(evidence[gone].share, evidence[own].share);
+    evidence[own].left_out = both(evidence[gone].left_out, evidence[own].left_out);
+    evidence.remove(gone);
+    true
 }

@@ -51,9 +51,14 @@ pub(in crate::diagnose) fn simplest_laws(
 
 /// Whether what the richer law `own` fits better than `simpler` does not pay for its unknowns.
 fn suffices(simpler: &Candidate, next: &Fitted, own: &Chosen, fitted: &Fitted) -> bool {
-    let windows = || fitted.solution.counts.iter().zip(&fitted.memory).map(|(n, m)| n / m);
-    let lost: f64 = logs(&next.solution.rss, &fitted.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();
     let further =
         unknowns(own.cause, &own.shape, own.x.len()) - unknowns(simpler.cause, &simpler.shape, simpler.gain.x.len());
-    further > 0.0 && lost < further * windows().sum::<f64>().max(2.0).ln()
+    further > 0.0 && costs_less(next, fitted, further)
+}
+
+/// Whether what a fit loses to a richer one is no more than the price of so many further unknowns.
+pub(super) fn costs_less(simpler: &Fitted, richer: &Fitted, further: f64) -> bool {
+    let windows = || richer.solution.counts.iter().zip(&richer.memory).map(|(n, m)| n / m);
+    let lost: f64 = logs(&simpler.solution.rss, &richer.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();
+    lost <= further.max(0.0) * windows().sum::<f64>().max(2.0).ln()
 }

@@ -58,7 +58,8 @@ fn instead_of(own: f64, other: f64) -> f64 {
 
 /// Adds the suspects that are likely enough to be named and not in the offered model. Where one
 /// acts on the joints of a cause of that model, neither model has both, and the data do not
-/// separate them: it is named beside a likelier one only if it is likely [`instead_of`] that. Pushes are not named beside a wall: they are its meetings, by a model without it.
+/// separate them: it is named beside a likelier one only if it is likely [`instead_of`] that.
+/// Pushes are not named beside a wall: they are its meetings, by a model without it.
 pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
     raise(causes, &suspects);
     let offered = causes.len();
