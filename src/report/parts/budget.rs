@@ -75,7 +75,7 @@ pub(in crate::report) fn html(budget: &ErrorBudget, of: &str) -> String {
     }
     let _ = writeln!(
         html,
-        "</tbody></table></div><p class=note>RMS; squares of the parts add up. Sensor: white noise of the torques. Encoder, derivatives: what errors of position, velocity and acceleration make of the model's torque. Clock: remaining error of the rows' times. {}{}</p></section>",
+        "</tbody></table></div><p class=note>RMS; squares of the parts add up. Sensor: noise of the torques. Encoder, derivatives: what errors of position, velocity and acceleration make of the model's torque. Clock: remaining error of the rows' times. {}{}</p></section>",
         if budget.repeatability.is_some() {
             "Repetitions: by how much the torque differs where the log repeats its motion, which no model of the motion takes. "
         } else {
