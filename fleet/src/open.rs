@@ -4,14 +4,10 @@ use std::collections::BTreeSet;
 use std::fs::File;
 use std::io::{BufReader, Read, Seek};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use denavit::data::log::{Format, LogError, Reading, Source, open_parquet, open_table, source};
+use denavit::data::log::{Digest, Format, LogError, Reading, Source, open_parquet, open_table, source};
 use denavit::identify::RecordingReader;
 use denavit::report::FactorRow;
-use sha2::{Digest, Sha256};
-
-use crate::robots::hexadecimal;
 
 /// Endings of files that are recordings.
 const ENDINGS: [&str; 9] = [".csv", ".csv.gz", ".csv.zst", ".parquet", ".mcap", ".mcap.zst", ".npz", ".mat", ".tsv"];
@@ -93,45 +89,24 @@ pub fn with_source<T>(
     let mut magic = Vec::new();
     file.by_ref().take(16).read_to_end(&mut magic).map_err(failed)?;
     file.rewind().map_err(failed)?;
-    let hash = Arc::new(Mutex::new(Sha256::new()));
+    let digest = Digest::default();
     // Parquet is read from its end, all else as a stream.
     let table = if Format::of(&magic) == Format::Parquet {
-        std::io::copy(&mut file, &mut *locked(&hash)).map_err(failed)?;
+        digest.take_in(&mut file).map_err(failed)?;
         file.rewind().map_err(failed)?;
         open_parquet(name, file)?
     } else {
-        open_table(name, Hashed { inner: BufReader::new(file), hash: Arc::clone(&hash) }, reading)?
+        open_table(name, digest.reading(BufReader::new(file)), reading)?
     };
     let mut rows = source(name, table, reading)?;
     let found = read(&mut *rows);
     drop(rows);
-    let sha256 = hexadecimal(&locked(&hash).clone().finalize());
-    Ok((found, sha256))
-}
-
-/// The digest; what a thread left that panicked does not matter, as its panic goes on.
-fn locked(hash: &Mutex<Sha256>) -> MutexGuard<'_, Sha256> {
-    hash.lock().unwrap_or_else(PoisonError::into_inner)
+    Ok((found, digest.hexadecimal()))
 }
 
 /// SHA-256 of a file that can be read.
 pub fn digest(path: &Path) -> Option<String> {
-    let mut hash = Sha256::new();
-    let mut file = File::open(path).ok()?;
-    std::io::copy(&mut file, &mut hash).ok()?;
-    Some(hexadecimal(&hash.finalize()))
-}
-
-/// Bytes that are hashed while they are read.
-struct Hashed<R> {
-    inner: R,
-    hash: Arc<Mutex<Sha256>>,
-}
-
-impl<R: Read> Read for Hashed<R> {
-    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
-        let n = self.inner.read(buffer)?;
-        locked(&self.hash).update(&buffer[..n]);
-        Ok(n)
-    }
+    let digest = Digest::default();
+    digest.take_in(File::open(path).ok()?).ok()?;
+    Some(digest.hexadecimal())
 }

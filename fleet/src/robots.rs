@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 
+use denavit::data::log::hexadecimal;
 use denavit::identify::{Factors, Identification, IdentifySettings, RecordingFactor, solve};
 use denavit::model::coupled::Coupled;
 use denavit::model::interpreted::Interpreted;
@@ -168,11 +169,6 @@ impl Robots {
         let known = self.0.lock().unwrap_or_else(PoisonError::into_inner).get(&factor.robot).cloned();
         known.ok_or_else(|| FleetError::UnknownRobot { digest: hexadecimal(&factor.robot) })
     }
-}
-
-/// Bytes in hexadecimal digits.
-pub fn hexadecimal(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ use datafusion::parquet::basic::Compression;
 use datafusion::parquet::errors::ParquetError;
 use datafusion::parquet::file::properties::WriterProperties;
 use datafusion::prelude::{ParquetReadOptions, col};
+use denavit::data::log::hexadecimal;
 use futures::StreamExt;
 use sha2::{Digest, Sha256};
 use tempfile::NamedTempFile;
@@ -26,7 +27,6 @@ use crate::open::digest;
 use crate::output::unnamed;
 use crate::recordings::RecordingsTable;
 use crate::remote::RecordingFile;
-use crate::robots::hexadecimal;
 
 /// Rows of recordings that are not in a table yet, below the folder.
 const UNFINISHED: &str = "unfinished";

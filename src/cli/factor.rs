@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use serde_json::{Value, json};
-use sha2::{Digest, Sha256};
+use sha2::{Digest as _, Sha256};
 
 use super::Failure;
 use super::delivery::deliver;
@@ -12,9 +12,9 @@ use super::files;
 use super::motors;
 use super::output::Output;
 use super::prepare::{Preparation, hashed_pass, keep_pages};
-use super::provenance::{Provenance, hexadecimal};
+use super::provenance::Provenance;
 use super::terminal;
-use crate::data::log::Source;
+use crate::data::log::{Digest, Source};
 use crate::data::signal::Prepare;
 use crate::identify::RecordingReader;
 use crate::report::{self, FactorRow, FactorTable};
@@ -130,8 +130,7 @@ fn recording(path: &Path, name: &str, reader: &RecordingReader<'_>) -> FactorRow
 
 /// SHA-256 of a plain file.
 fn digest_of(path: &Path) -> Option<String> {
-    let mut digest = Sha256::new();
-    let mut file = files::open(path).ok().filter(|_| path.is_file())?;
-    std::io::copy(&mut file, &mut digest).ok()?;
-    Some(hexadecimal(&digest.finalize()))
+    let digest = Digest::default();
+    digest.take_in(files::open(path).ok().filter(|_| path.is_file())?).ok()?;
+    Some(digest.hexadecimal())
 }

@@ -3,21 +3,18 @@
 use std::fs::File;
 use std::io::{BufReader, Read, Seek};
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use clap::Args;
 use dh_codegen::robot::Robot;
 use indicatif::{ProgressBar, ProgressStyle};
-use sha2::{Digest, Sha256};
 
 use super::Failure;
 use super::files;
-use super::provenance::hexadecimal;
 use super::reading::ReadOptions;
 use super::terminal;
 use crate::data::log::{
-    Acceptance, Finding, Fingerprint, Fingerprinted, Format, Kind, Reading, Source, Table, open_parquet, open_table,
-    source,
+    Acceptance, Digest, Finding, Fingerprint, Fingerprinted, Format, Kind, Reading, Source, Table, open_parquet,
+    open_table, source,
 };
 use crate::data::signal::{DeadZone, Filter, Motion, Prepare, PrepareError, Prepared, each_motion};
 use crate::identify::recording::{self, torque_constants};
@@ -204,25 +201,15 @@ pub(super) fn hashed_pass<T>(
     reading: &Reading,
     read: impl FnOnce(&mut dyn Source) -> T,
 ) -> Result<(T, String), Failure> {
-    let digest = Arc::new(Mutex::new(Sha256::new()));
+    let digest = Digest::default();
     let (bar, mut source) = open(path, reading, Some(&digest))?;
     let found = read(&mut *source);
     bar.finish_and_clear();
-    let sha256 = hexadecimal(&locked(&digest).clone().finalize());
-    Ok((found, sha256))
-}
-
-/// The digest; what a thread left that panicked does not matter, as its panic goes on.
-fn locked(digest: &Mutex<Sha256>) -> MutexGuard<'_, Sha256> {
-    digest.lock().unwrap_or_else(PoisonError::into_inner)
+    Ok((found, digest.hexadecimal()))
 }
 
 /// The rows of a log, and its bar.
-fn open(
-    path: &Path,
-    reading: &Reading,
-    digest: Option<&Arc<Mutex<Sha256>>>,
-) -> Result<(ProgressBar, Box<dyn Source>), Failure> {
+fn open(path: &Path, reading: &Reading, digest: Option<&Digest>) -> Result<(ProgressBar, Box<dyn Source>), Failure> {
     let (bar, name, table) = opened(path, reading, digest)?;
     Ok((bar, source(&name, table, reading).map_err(Failure::input)?))
 }
@@ -238,7 +225,7 @@ pub(super) fn table(path: &Path, reading: &Reading) -> Result<(String, Box<dyn T
 fn opened(
     path: &Path,
     reading: &Reading,
-    digest: Option<&Arc<Mutex<Sha256>>>,
+    digest: Option<&Digest>,
 ) -> Result<(ProgressBar, String, Box<dyn Table>), Failure> {
     let name = if files::is_stdin(path) { "standard input".into() } else { path.display().to_string() };
     let inside = recorded_in(path)?;
@@ -249,8 +236,7 @@ fn opened(
     let seeks = |format: &Format| *format == Format::Parquet || cfg!(feature = "rosbag2") && *format == Format::Sqlite;
     let format = format_of(&mut file).map_err(failed)?.filter(seeks);
     if let (Some(_), Some(digest)) = (format, digest) {
-        let mut whole = BufReader::with_capacity(1 << 18, bar.wrap_read(&file));
-        std::io::copy(&mut whole, &mut *locked(digest)).map_err(failed)?;
+        digest.take_in(BufReader::with_capacity(1 << 18, bar.wrap_read(&file))).map_err(failed)?;
         file.rewind().map_err(failed)?;
     }
     let table = match format {
@@ -263,8 +249,11 @@ fn opened(
             crate::data::log::open_sqlite(&name, connection, reading)
         }
         _ => {
-            let input = Hashed { inner: BufReader::new(bar.wrap_read(file)), digest: digest.cloned() };
-            open_table(&name, input, reading)
+            let input = BufReader::new(bar.wrap_read(file));
+            match digest {
+                Some(digest) => open_table(&name, digest.reading(input), reading),
+                None => open_table(&name, input, reading),
+            }
         }
     };
     table.map(|table| (bar, name, table)).map_err(Failure::input)
@@ -318,22 +307,6 @@ fn format_of(file: &mut File) -> std::io::Result<Option<Format>> {
     file.by_ref().take(16).read_to_end(&mut magic)?;
     file.rewind()?;
     Ok(Some(Format::of(&magic)))
-}
-
-/// Bytes that are hashed while they are read.
-struct Hashed<R> {
-    inner: R,
-    digest: Option<Arc<Mutex<Sha256>>>,
-}
-
-impl<R: Read> Read for Hashed<R> {
-    fn read(&mut self, buffer: &mut [u8]) -> std::io::Result<usize> {
-        let n = self.inner.read(buffer)?;
-        if let Some(digest) = &self.digest {
-            locked(digest).update(&buffer[..n]);
-        }
-        Ok(n)
-    }
 }
 
 /// A bar on a terminal where the file is large.

@@ -11,6 +11,7 @@ use sha2::{Digest, Sha256};
 use super::Failure;
 use super::files::RobotFile;
 use super::logbook::Logbook;
+use crate::data::log::hexadecimal;
 
 /// Options that name outputs. They say where a result goes, not what it is.
 pub(super) const OUTPUTS: [&str; 7] = ["out", "json", "report", "next", "coefficients", "ros", "path"];
@@ -141,11 +142,6 @@ impl Provenance {
 /// Hexadecimal SHA-256.
 pub(super) fn sha256(bytes: &[u8]) -> String {
     hexadecimal(&Sha256::digest(bytes))
-}
-
-/// Lower-case digits.
-pub(super) fn hexadecimal(bytes: &[u8]) -> String {
-    bytes.iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 fn name(argument: &Arg) -> &str {
