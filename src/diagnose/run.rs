@@ -299,9 +299,10 @@ fn once(
     // Unit of a gain: the noise, or a fiftieth of the torque where the noise is less.
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
     let session = Session { plant, fit, validate, own_validation, noise, motion, ground, scale, settings, progress };
-    let Searched { models, said, suspects } = session.models(has_links, &refit, &torque_rms)?;
+    let Searched { models, said, mut suspects } = session.models(has_links, &refit, &torque_rms)?;
     let Choice { offered, mut why, changed, file_holds, model, rival } = session.choose(models, &file_out, &refit)?;
     why.extend(said);
+    let model = session.law_instead(model, &torque_rms, &mut suspects, &mut why)?;
     let (mut causes, left) = named(&session, &model, rival.as_ref(), suspects, &torque_rms);
     let Selected { tested, fitted, mut after, mut after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);

@@ -4,6 +4,7 @@ pub(super) mod beside;
 pub(super) mod contenders;
 pub(super) mod excess;
 mod from_the_file;
+mod law_instead;
 pub(super) mod measure;
 pub(super) mod model_choice;
 pub(super) mod offer;

@@ -165,8 +165,8 @@ impl Attribution<'_> {
         }
         let of = |effect: EffectKind| {
             let found = self.evidence.iter().find(|e| !e.local && e.effect == effect && e.place == item.place)?;
-            let (validated, confirmed) = (features.share, features.confirmed);
-            Some(calibration::change(&Change { share: found.share, left_out: found.left_out, validated, confirmed }))
+            let (wald, margin, confirmed) = (self.wald(item), features.margin, features.confirmed);
+            Some(calibration::change(&Change { share: found.share, wald, margin, confirmed }))
         };
         let plain = |k: &usize| of([&VISCOUS, &COULOMB, &OFFSET][k % 3].effect());
         let terms = || item.friction.iter().map(plain).collect::<Option<Vec<f64>>>();
@@ -174,6 +174,15 @@ impl Attribution<'_> {
         of(item.hypothesis.effect())
             .or_else(several)
             .unwrap_or_else(|| calibration::probability(item.accepted.is_none(), features))
+    }
+
+    /// Wald's statistic of an item's parameters; of several terms of friction the largest.
+    fn wald(&self, item: &Item) -> f64 {
+        let Self { tested, fitted, uncertainty, accepted, .. } = *self;
+        match item.accepted {
+            Some(at) => uncertainty.wald(tested, fitted, at, &accepted[at].chosen),
+            None => plain_support(fitted, &uncertainty.covariance, item),
+        }
     }
 
     /// How an item recurs in stretches of the fitted logs. It is 1 for a cause that acts in a part

@@ -80,6 +80,13 @@ enum Factor {
 }
 
 impl Factor {
+    fn joint(self) -> usize {
+        match self {
+            Self::Position(j) | Self::Velocity(j) | Self::Acceleration(j) | Self::Sign(j) | Self::Speed(j) => j,
+            Self::Sine(_, j) | Self::Cosine(_, j) => j,
+        }
+    }
+
     fn at(self, motion: &[[&[f64]; 3]], k: usize) -> f64 {
         match self {
             Self::Position(j) => motion[j][0][k],
@@ -290,6 +297,11 @@ pub(in crate::diagnose) fn formula(j: usize, fit: Errors<'_>, validate: Errors<'
 }
 
 impl Formula {
+    /// Whether the motion of another joint is in each of its terms.
+    pub(in crate::diagnose) fn is_of_other_joints(&self) -> bool {
+        self.terms.iter().all(|term| term.iter().any(|factor| factor.joint() != self.joint))
+    }
+
     /// Torque along a motion of all joints, N m or N.
     pub(in crate::diagnose) fn along(&self, motion: &[[&[f64]; 3]]) -> Vec<f64> {
         let len = motion.first().map_or(0, |joint| joint[0].len());

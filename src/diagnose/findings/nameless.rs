@@ -9,6 +9,7 @@ use super::structure::Structure;
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
 use crate::diagnose::select::measure::{Measured, share, taken_of};
 use crate::diagnose::select::refine_and_select::Session;
+use crate::diagnose::select::suspects::without_neighbours;
 use dh_codegen::robot::effects;
 
 impl Session<'_> {
@@ -34,6 +35,8 @@ impl Session<'_> {
         if laws.is_empty() || file_holds {
             return left;
         }
+        let of_others = laws.iter().filter(|law| law.is_of_other_joints()).map(|law| law.joint);
+        without_neighbours(causes, &of_others.collect::<Vec<usize>>());
         self.beyond(&laws, left, model, [fit, validate], torque)
     }
 

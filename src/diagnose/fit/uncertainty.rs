@@ -53,12 +53,23 @@ impl Uncertainty {
     /// reaches once in a hundred times: its coefficients with the shape that was found, or the
     /// number of its shape that is its size.
     pub fn exceeds_zero(&self, tested: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
+        let unknowns = if self.size_of(index, chosen).is_some() { 1 } else { chosen.x.len() };
+        self.wald(tested, fitted, index, chosen) - once_in_a_hundred(unknowns as f64)
+    }
+
+    /// Wald's statistic of a cause's parameters: their squares by their covariance. Below zero where
+    /// the data show none of them.
+    pub fn wald(&self, tested: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
         let Some(x) = above_resolution(tested, chosen) else { return f64::NEG_INFINITY };
-        if let (true, Some(&[Some(at), ..])) = (chosen.cause.unit(), self.shapes.get(index).map(Vec::as_slice)) {
-            let variance = self.covariance[(at, at)].max(f64::MIN_POSITIVE);
-            return chosen.shape[0].powi(2) / variance - once_in_a_hundred(1.0);
+        match self.size_of(index, chosen) {
+            Some(at) => chosen.shape[0].powi(2) / self.covariance[(at, at)].max(f64::MIN_POSITIVE),
+            None => wald(&fitted.covariance(), fitted.first[index], &x),
         }
-        wald(&fitted.covariance(), fitted.first[index], &x) - once_in_a_hundred(x.len() as f64)
+    }
+
+    /// Position in the covariance of the size of a cause that has it in its shape.
+    fn size_of(&self, index: usize, chosen: &Chosen) -> Option<usize> {
+        *self.shapes.get(index).filter(|_| chosen.cause.unit())?.first()?
     }
 }
 

@@ -56,8 +56,6 @@ pub(in crate::diagnose) struct Evidence {
     /// Share of the squared error of its main joint that it takes; of a cause that acts in a part
     /// of a log, there.
     pub(in crate::diagnose) share: f64,
-    /// The same on stretches that are left out in turn.
-    pub(in crate::diagnose) left_out: f64,
 }
 
 /// What the search found.
@@ -143,7 +141,7 @@ enum Part {
 
 pub(super) struct Forward<'s, 'a> {
     pub(super) tested: &'s mut ModelUnderTest<'a>,
-    noise: &'s [f64],
+    pub(super) noise: &'s [f64],
     settings: &'s SearchSettings,
     excluded: &'s [Placed],
     pub(super) chosen: Vec<Chosen>,
@@ -406,9 +404,8 @@ impl Forward<'_, '_> {
         let judge = self.judge();
         let candidate = &ranked[at];
         let Candidate { cause, place, .. } = candidate;
-        let evidence = |share: f64, left_out: f64| {
-            Some(Evidence { effect: cause.effect(), place: place.clone(), local: cause.local(), share, left_out })
-        };
+        let evidence =
+            |share: f64| Some(Evidence { effect: cause.effect(), place: place.clone(), local: cause.local(), share });
         let stands = match plain(candidate) {
             Some(k) => !level_drives(self.tested, k, after, self.noise[k / 3]),
             None => trial.last().is_some_and(|last| judge.stands(last, after) && !judge.drives(trial, after)),
@@ -420,7 +417,7 @@ impl Forward<'_, '_> {
             let last = trial.last()?;
             let share = judge.share_within(last, before, after)?;
             let holds = gained(candidate, ranked.len(), before, after) > 0.0 && judge.is_alone(last, before);
-            return if holds { evidence(share, share) } else { None };
+            return if holds { evidence(share) } else { None };
         }
         if !judge.matters(*cause, before, after) || judge.overshadowed(*cause, place, before, after) {
             return None;
@@ -439,7 +436,7 @@ impl Forward<'_, '_> {
             return None;
         }
         let taken = 1.0 - after.solution.rss[main] / before.solution.rss[main].max(f64::MIN_POSITIVE);
-        evidence(taken, share(main))
+        evidence(taken)
     }
 
     fn judge(&self) -> Judge<'_> {

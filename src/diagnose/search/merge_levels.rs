@@ -37,9 +37,7 @@ pub(in crate::diagnose) fn merge_levels(
 pub(super) fn hand_over(evidence: &mut Vec<Evidence>, joint: usize, from: EffectKind) -> bool {
     let at = |effect: EffectKind| evidence.iter().position(|e| e.effect == effect && e.place == [joint]);
     let (Some(gone), Some(own)) = (at(from), at(EffectKind::AsymmetricFriction)) else { return false };
-    let both = |a: f64, b: f64| 1.0 - (1.0 - a) * (1.0 - b);
-    evidence[own].share = both(evidence[gone].share, evidence[own].share);
-    evidence[own].left_out = both(evidence[gone].left_out, evidence[own].left_out);
+    evidence[own].share = 1.0 - (1.0 - evidence[gone].share) * (1.0 - evidence[own].share);
     evidence.remove(gone);
     true
 }

@@ -19,6 +19,10 @@ const TRIED: usize = 4;
 /// Least part of a push's score with which a cause that acts throughout may stand for it.
 const LASTING: f64 = 0.5;
 
+fn body(candidate: &Candidate) -> bool {
+    candidate.cause.kind() == Kind::Body
+}
+
 fn count(candidate: &Candidate) -> f64 {
     unknowns(candidate.cause, &candidate.shape, candidate.gain.x.len())
 }
@@ -28,11 +32,11 @@ fn count(candidate: &Candidate) -> f64 {
 /// other errors of several joints, too, and so gain more than the cause whose error they take.
 fn simpler(ranked: &[Candidate], link: &Candidate, main: usize) -> Vec<usize> {
     let simple = |c: &Candidate| {
-        let steady = !c.cause.moves_time() && !c.cause.local() && c.cause.kind() != Kind::Body;
+        let steady = !c.cause.moves_time() && !c.cause.local() && !body(c);
         let few = steady && c.place == [main] && count(c) <= FEW;
         // A payload has as many unknowns as a link.
-        let body = c.cause.effect() == EffectKind::Payload && c.score > (1.0 - SAME_BODY) * link.score;
-        c.score > 0.0 && few || body
+        let payload = c.cause.effect() == EffectKind::Payload && c.score > (1.0 - SAME_BODY) * link.score;
+        c.score > 0.0 && few || payload
     };
     let mut tried: Vec<usize> = (0..ranked.len()).filter(|&i| simple(&ranked[i])).take(TRIED).collect();
     tried.sort_by(|&a, &b| count(&ranked[a]).total_cmp(&count(&ranked[b])));
@@ -63,18 +67,20 @@ impl Forward<'_, '_> {
             return None;
         }
         // What is not worth having by itself gives way to nothing.
-        let main = self.with(&[own], |search, trial, after| {
-            search.holds((ranked, at), trial, [fitted, after], before).map(|_| main_joint(fitted, after))
+        let (main, left) = self.with(&[own], |search, trial, after| {
+            let holds = search.holds((ranked, at), trial, [fitted, after], before);
+            holds.map(|_| (main_joint(fitted, after), search.tested.left_out(trial, after)))
         })?;
         let others = if link { simpler(ranked, own, main) } else { lasting(ranked, own) };
-        others.into_iter().find(|&i| self.suffices((ranked, i), own, fitted, before))
+        others.into_iter().find(|&i| self.suffices((ranked, i), (own, &left), fitted, before))
     }
 
-    /// Whether a candidate is worth having, and the `other` beside it is not.
+    /// Whether a candidate is worth having, and the `other` (with what it leaves on stretches that are
+    /// left out) beside it is not. A body in the place of a body predicts as well, too.
     fn suffices(
         &mut self,
         (ranked, i): (&[Candidate], usize),
-        other: &Candidate,
+        (other, others): (&Candidate, &LeftOut),
         fitted: &Fitted,
         before: &LeftOut,
     ) -> bool {
@@ -84,6 +90,9 @@ impl Forward<'_, '_> {
             Some((with.clone(), search.tested.left_out(trial, with), again.filter(|c| c.score > 0.0)))
         });
         let Some((with, left, again)) = worth else { return false };
+        if body(&ranked[i]) && body(other) && others.less(&left, self.noise).sure() {
+            return false;
+        }
         let Some(again) = again else { return true };
         self.with(&[&ranked[i], &again], |search, trial, both| {
             search.holds((std::slice::from_ref(&again), 0), trial, [&with, both], &left).is_none()

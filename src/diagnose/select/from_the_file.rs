@@ -97,13 +97,7 @@ mod tests {
 
     #[test]
     fn what_is_unlikely_is_excluded_where_it_diluted_a_cause() {
-        let of = |effect, place: &[usize], share| Evidence {
-            effect,
-            place: place.to_vec(),
-            local: false,
-            share,
-            left_out: 0.4,
-        };
+        let of = |effect, place: &[usize], share| Evidence { effect, place: place.to_vec(), local: false, share };
         let evidence = [
             of(EffectKind::CoulombFriction, &[2], 0.6),
             of(EffectKind::TimeDelay, &[2], 0.3),

@@ -45,10 +45,10 @@ pub(in crate::diagnose) struct Session<'a> {
 const LOCAL_SHARE: f64 = 0.4;
 
 /// Probability far below that at which a cause is named.
-pub(super) const FAR_BELOW: f64 = 0.05;
+pub(super) const FAR_BELOW: f64 = 0.2;
 
 /// Rounds in which causes that do not hold are taken out.
-const MOST_ROUNDS: usize = 8;
+const MOST_ROUNDS: usize = 16;
 
 /// Causes that are not likely enough to be named: all of those far below the limit, or the least
 /// likely one, for without it another may be likelier.

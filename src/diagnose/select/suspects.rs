@@ -50,16 +50,10 @@ pub(in crate::diagnose) fn not_explained(suspects: Vec<Cause>, after_fit: &Measu
     suspects.into_iter().filter(|s| s.window().is_none_or(|window| after_fit.stands_out(window))).collect()
 }
 
-/// Probability of one of two explanations of one error, of which at most one is true: each had the
-/// probability `own` and `other` where the other was not thought of.
-fn instead_of(own: f64, other: f64) -> f64 {
-    own * (1.0 - other) / (1.0 - own * other).max(f64::MIN_POSITIVE)
-}
-
 /// Adds the suspects that are likely enough to be named and not in the offered model. Where one
 /// acts on the joints of a cause of that model, neither model has both, and the data do not
-/// separate them: it is named beside a likelier one only if it is likely [`instead_of`] that.
-/// Pushes are not named beside a wall: they are its meetings, by a model without it.
+/// separate them: of two explanations of one error at most one is true, so it is not named beside a
+/// likelier one. Pushes are not named beside a wall: they are its meetings, by a model without it.
 pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
     raise(causes, &suspects);
     let offered = causes.len();
@@ -70,11 +64,9 @@ pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
             continue;
         }
         let joints = suspect.joints.clone();
-        let mut alone = suspect.probability;
+        let mut likeliest = true;
         for rival in causes[..offered].iter_mut().filter(|c| !joints.is_empty() && c.joints == joints) {
-            if rival.probability > suspect.probability {
-                alone = instead_of(alone, rival.probability);
-            }
+            likeliest &= rival.probability <= suspect.probability;
             let names = [rival.cause, suspect.cause];
             for (one, other) in [(&mut suspect, names[0]), (rival, names[1])] {
                 if !one.not_distinguished_from.contains(&other) {
@@ -82,10 +74,23 @@ pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
                 }
             }
         }
-        if alone >= calibration::NAMED {
-            causes.push(Cause { in_extended: false, probability: alone, ..suspect });
+        if likeliest {
+            causes.push(Cause { in_extended: false, ..suspect });
         }
     }
+}
+
+/// Takes out suspects of a joint on which the offered model has a law that no cause of that joint says:
+/// they are what comes nearest to it. One that is likelier than the law stays.
+pub(in crate::diagnose) fn without_neighbours(causes: &mut Vec<Cause>, joints: &[usize]) {
+    let of_others = |c: &Cause| c.law.is_some() && c.joints.first().is_some_and(|j| joints.contains(&(j - 1)));
+    let laws: Vec<(Vec<usize>, f64)> =
+        causes.iter().filter(|c| of_others(c)).map(|c| (c.joints.clone(), c.probability)).collect();
+    let unlikely = |c: &Cause| {
+        let law = laws.iter().find(|(joints, _)| *joints == c.joints);
+        law.is_some_and(|(_, likely)| c.probability <= *likely)
+    };
+    causes.retain(|c| c.in_extended || c.law.is_some() || !unlikely(c));
 }
 
 #[cfg(test)]
@@ -161,14 +166,14 @@ mod tests {
         let mut causes = vec![cause("presliding_hysteresis", &[6], 0.5), cause("joint_spring", &[7], 0.5)];
         let suspects = vec![
             cause("joint_spring", &[7], 0.7),
-            cause("viscous_friction", &[6], 0.4),
+            cause("viscous_friction", &[6], 0.6),
             cause("torque_offset", &[6], 0.1),
         ];
         name(&mut causes, suspects);
         let named: Vec<(&str, bool, f64)> = causes.iter().map(|c| (c.cause, c.in_extended, c.probability)).collect();
         assert_eq!(
             named,
-            [("presliding_hysteresis", true, 0.5), ("joint_spring", true, 0.7), ("viscous_friction", false, 0.25)]
+            [("presliding_hysteresis", true, 0.5), ("joint_spring", true, 0.7), ("viscous_friction", false, 0.6)]
         );
         assert_eq!(causes[0].not_distinguished_from, ["viscous_friction"]);
         assert_eq!(causes[2].not_distinguished_from, ["presliding_hysteresis"]);
@@ -177,5 +182,21 @@ mod tests {
         let mut sure = vec![cause("presliding_hysteresis", &[6], 0.95)];
         name(&mut sure, vec![cause("viscous_friction", &[6], 0.8)]);
         assert!(sure.len() == 1 && sure[0].not_distinguished_from == ["viscous_friction"]);
+    }
+
+    /// A law of other joints' motion stands for a suspect of its joint that came near to it, not for one
+    /// of the offered model or of another joint.
+    #[test]
+    fn what_comes_near_to_a_law_is_not_named_beside_it() {
+        let suspect = |joints: &[usize]| Cause { in_extended: false, ..cause("asymmetric_friction", joints, 0.6) };
+        let law = |joints: &[usize]| Cause { law: Some("0.04*sin(2*q1)*dq7".into()), ..cause("unknown", joints, 0.9) };
+        let mut causes = vec![suspect(&[7]), suspect(&[6]), cause("viscous_friction", &[7], 0.6), law(&[7])];
+        without_neighbours(&mut causes, &[6]);
+        let left: Vec<(&str, &[usize])> = causes.iter().map(|c| (c.cause, &c.joints[..])).collect();
+        assert_eq!(left, [("asymmetric_friction", &[6][..]), ("viscous_friction", &[7]), ("unknown", &[7])]);
+        // A law of the joint's own motion is none of these.
+        let mut own = vec![suspect(&[7]), law(&[7])];
+        without_neighbours(&mut own, &[]);
+        assert_eq!(own.len(), 2);
     }
 }

@@ -341,7 +341,7 @@ fn levels_are_the_friction_beside_a_difference_by_direction() {
         let accepted =
             |chosen: Chosen| Accepted { chosen, support: 1.0, confirmed: 1.0, rivals: Vec::new(), variance: 1.0 };
         let mut accepted: Vec<Accepted> = all.into_iter().map(accepted).collect();
-        let evidence = |effect| Evidence { effect, place: vec![0], local: false, share: 0.5, left_out: 0.5 };
+        let evidence = |effect| Evidence { effect, place: vec![0], local: false, share: 0.5 };
         let mut known = [EffectKind::AsymmetricFriction, EffectKind::NonlinearViscousFriction].map(evidence).to_vec();
         levels_instead(&mut tested, &mut accepted, fitted, &mut known);
         (accepted.len(), tested.frozen[..2].to_vec(), known.iter().map(|e| e.share).collect::<Vec<f64>>())

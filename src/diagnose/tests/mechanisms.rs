@@ -381,3 +381,20 @@ fn changed_friction_is_found_beside_an_error_of_its_size() {
         assert!(first.probability > 0.5 && (value(&found, symbol) / truth - 1.0).abs() < 0.2, "{first:?}");
     }
 }
+
+/// Friction of the elbow that depends on where the shoulder stands, which no law of the vocabulary has:
+/// the answer is that law, and none that comes near to it.
+#[test]
+fn a_law_of_another_joint_stands_alone() {
+    let robot = planar();
+    let bodies = Bodies::of(&bare(&robot));
+    for seed in [51, 52] {
+        let (found, _) = found(&robot, seed, &|s| {
+            let (rigid, friction) = (bodies.torques(s), plain(&robot, &s[1]));
+            [rigid[0] + friction[0], rigid[1] + friction[1] + 0.25 * (2.0 * s[0][0]).sin() * s[1][1]]
+        });
+        let named: Vec<&str> = found.causes.iter().filter(|c| c.law.is_none()).map(|c| c.cause).collect();
+        let laws: Vec<&str> = found.causes.iter().filter_map(|c| c.law.as_deref()).collect();
+        assert!(named.is_empty() && laws.len() == 1 && laws[0].ends_with("*sin(2*q1)*dq2"), "{named:?} {laws:?}");
+    }
+}

@@ -1,0 +1,94 @@
+//! A law of other joints' motion in place of a cause that came near to it.
+//!
+//! The vocabulary has no friction that depends on where another joint stands. Of such an error the
+//! search takes the law of a joint's own position or direction that comes nearest, and a formula then
+//! takes what that leaves. Where the formula alone leaves no more, it is the cause.
+
+use super::measure::{Measured, Meter, leave_out};
+use super::reduction::without;
+use super::refine_and_select::{Found, Selected, Session};
+use crate::diagnose::findings::formula::{Errors, Formula, formula};
+use crate::diagnose::findings::maps::View;
+use crate::diagnose::findings::reported_cause::{Item, items, place_of};
+use crate::diagnose::findings::result::Cause;
+use crate::diagnose::search::judge::chosen_of;
+use crate::identify::ConsistentError;
+
+/// By how many times as much a law alone may leave as with a cause beside it.
+const AS_GOOD: f64 = 1.05;
+
+impl<'a> Session<'a> {
+    /// The model without causes of single joints for which a law stands; these are suspected no more.
+    /// `torque`: root mean square of each joint's, N m; `said`: sentences on what is not in the model.
+    pub(in crate::diagnose) fn law_instead(
+        &self,
+        mut model: Selected<'a>,
+        torque: &[f64],
+        suspects: &mut Vec<Cause>,
+        said: &mut Vec<String>,
+    ) -> Result<Selected<'a>, ConsistentError> {
+        while let Some((item, law)) = self.near_a_law(&mut model, torque) {
+            let Selected { mut tested, mut accepted, rivals, why, mut evidence, suspects: mut known, .. } = model;
+            said.push(format!(
+                "{} {} is not in the model: {} says as much in its place.",
+                item.hypothesis.name(),
+                place_of(&item.place),
+                law.text
+            ));
+            let is_it = |c: &Cause| c.cause == item.hypothesis.name() && c.joints == [law.joint + 1];
+            suspects.retain(|c| !is_it(c));
+            known.retain(|c| !is_it(c));
+            evidence.retain(|e| e.effect != item.hypothesis.effect() || e.place != item.place);
+            item.friction.iter().for_each(|&k| tested.frozen[k] = true);
+            let out: Vec<usize> = item.accepted.into_iter().collect();
+            let fitted = without(&mut tested, &mut accepted, &out);
+            model = self.validated(tested, accepted, fitted, Found { rivals, why, evidence, suspects: known })?;
+            said.append(&mut model.why);
+        }
+        Ok(model)
+    }
+
+    /// A cause of a joint that is still missed for which a law stands; the model is left as it was.
+    fn near_a_law(&self, model: &mut Selected<'a>, torque: &[f64]) -> Option<(Item, Formula)> {
+        let missed: Vec<usize> = self.left(model, torque).iter().map(|s| s.joint).collect();
+        let Selected { tested, accepted, fitted, after, after_fit, .. } = model;
+        let chosen = chosen_of(accepted);
+        let near = |item: &Item| match (item.place[..].first(), item.accepted) {
+            (Some(j), Some(_)) => item.place.len() == 1 && missed.contains(j) && !item.hypothesis.local(),
+            _ => false,
+        };
+        let near: Vec<Item> = items(tested, accepted, fitted).into_iter().filter(near).collect();
+        let near: Vec<Item> = near.into_iter().filter(|item| !item.hypothesis.moves_time()).collect();
+        if near.is_empty() {
+            return None;
+        }
+        let mut meters = [self.fit, self.validate].map(|data| Meter::new(self.plant, data, tested));
+        let views = [after_fit.view(self.plant, self.fit), after.view(self.plant, self.validate)];
+        let mut found = None;
+        for item in near {
+            let joint = item.place[0];
+            let known = law(joint, &views, [after_fit, after]).map_or(after.rms[joint], |law| law.validate[1]);
+            let [fit, validate] = &mut meters;
+            let mut alone = |meter: &mut Meter<'a>, elsewhere| {
+                leave_out(self.plant, self.fit, meter, tested, &chosen, &item, elsewhere)
+            };
+            let others = [alone(fit, false), alone(validate, true)];
+            let same = |j: usize| j == joint || others[1].rms[j] <= AS_GOOD * after.rms[j];
+            let stands = |law: &Formula| law.is_of_other_joints() && law.validate[1] <= AS_GOOD * known;
+            let instead = law(joint, &views, [&others[0], &others[1]]).filter(stands);
+            if let Some(law) = instead.filter(|_| (0..after.rms.len()).all(same)) {
+                found = Some((item, law));
+                break;
+            }
+        }
+        tested.fit(&mut chosen_of(accepted));
+        found
+    }
+}
+
+/// The law of a joint's errors on fitted and validating logs.
+fn law(joint: usize, [fit, validate]: &[View; 2], errors: [&Measured; 2]) -> Option<Formula> {
+    let motion = [fit.motion(joint), validate.motion(joint)];
+    let of = |k: usize| Errors { motion: &motion[k], error: &errors[k].error[joint] };
+    formula(joint, of(0), of(1))
+}
