@@ -159,6 +159,7 @@ impl Forward<'_, '_> {
         while tried.len() < REFUSED {
             let first = best(&ranked, &tried)?;
             let other = self.that_suffices(&ranked, first, fitted, &before);
+            let other = other.or_else(|| self.link_that_predicts_better(&ranked, first, fitted, &before));
             let at = other.filter(|i| !tried.contains(i)).unwrap_or(first);
             tried.push(at);
             if let Some(next) = self.accept(&ranked, at, fitted, &before) {
@@ -241,14 +242,28 @@ impl Forward<'_, '_> {
                 break;
             }
             let shares: Vec<(f64, Part)> = parts.into_iter().map(|part| (self.share_of(part, fitted), part)).collect();
-            let least = shares.into_iter().min_by(|a, b| a.0.total_cmp(&b.0));
+            let least = shares.iter().min_by(|a, b| a.0.total_cmp(&b.0));
             let Some((_, part)) = least.filter(|(share, _)| *share < self.settings.least_gain) else { break };
-            self.remove(part);
+            self.remove(self.law_for_a_level(*part, &shares).unwrap_or(*part));
             *fitted = self.tested.fit(&mut self.chosen);
             adopt(&mut self.accepted, &self.chosen);
         }
         *fitted = self.tested.fit(&mut self.chosen);
         adopt(&mut self.accepted, &self.chosen);
+    }
+
+    /// A law that follows reversals and has become a level of its joint: it says the level as well, and
+    /// hardly more. It goes in the place of the level, which has fewer unknowns.
+    fn law_for_a_level(&self, part: Part, shares: &[(f64, Part)]) -> Option<Part> {
+        let Part::Friction(k) = part else { return None };
+        let hardly_more = |(share, other): &&(f64, Part)| match other {
+            Part::Cause(i) => {
+                let Chosen { cause, place, .. } = &self.chosen[*i];
+                *place == [k / 3] && cause.follows_reversals() && *share < PLAINER
+            }
+            Part::Friction(_) => false,
+        };
+        shares.iter().find(hardly_more).map(|(_, law)| *law)
     }
 
     /// What was found and can be taken out: neither delays, which have moved the data, nor what acts

@@ -75,6 +75,26 @@ impl Forward<'_, '_> {
         others.into_iter().find(|&i| self.suffices((ranked, i), (own, &left), fitted, before))
     }
 
+    /// The best link, where a payload at `at` gains less and that link is surely better on stretches that
+    /// are left out: a payload has fewer unknowns, and comes near to a link of the wrist.
+    pub(super) fn link_that_predicts_better(
+        &mut self,
+        ranked: &[Candidate],
+        at: usize,
+        fitted: &Fitted,
+        before: &LeftOut,
+    ) -> Option<usize> {
+        let own = Some(&ranked[at]).filter(|c| c.cause.effect() == EffectKind::Payload)?;
+        let better = |c: &Candidate| c.cause.effect() == EffectKind::LinkInertiaError && c.score > own.score;
+        let link = ranked.iter().position(better)?;
+        let [left, others] = [at, link].map(|i| {
+            self.with(&[&ranked[i]], |search, trial, after| {
+                search.holds((ranked, i), trial, [fitted, after], before).map(|_| search.tested.left_out(trial, after))
+            })
+        });
+        others?.less(&left?, self.noise).sure().then_some(link)
+    }
+
     /// Whether a candidate is worth having, and the `other` (with what it leaves on stretches that are
     /// left out) beside it is not. A body in the place of a body predicts as well, too.
     fn suffices(
