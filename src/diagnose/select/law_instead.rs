@@ -81,7 +81,8 @@ impl<'a> Session<'a> {
                 break;
             }
         }
-        tested.fit(&mut chosen_of(accepted));
+        // The scene's model is that of the last fit.
+        tested.update_model(fitted);
         found
     }
 }
