@@ -224,18 +224,21 @@ fn halves(recordings: &[Recording]) -> [Vec<Recording>; 2] {
     [first, rest]
 }
 
-/// Causes of the offered model and beside it, and the structure that none of them explains.
-fn named(
-    session: &Session<'_>,
-    model: &Selected<'_>,
+/// The offered model without what a law stands for, causes of it and beside it, and the structure that
+/// none of them explains. `why`: what is said of the model.
+fn named<'a>(
+    session: &Session<'a>,
+    model: Selected<'a>,
     rival: Option<&Rival>,
-    suspects: Vec<Cause>,
+    mut suspects: Vec<Cause>,
     torque_rms: &[f64],
-) -> (Vec<Cause>, Vec<Structure>) {
-    let (left, unplayed) = without_columns(model, session.left(model, torque_rms), session.noise);
+    why: &mut Vec<String>,
+) -> Result<(Selected<'a>, Vec<Cause>, Vec<Structure>), ConsistentError> {
+    let model = session.law_instead(model, torque_rms, &mut suspects, why)?;
+    let (left, unplayed) = without_columns(&model, session.left(&model, torque_rms), session.noise);
     let mut causes = model.causes.clone();
     if model.tested.mode == Mode::Refitted && has_links(session.plant) {
-        causes.extend(likelier(session.links(model, rival), &suspects));
+        causes.extend(likelier(session.links(&model, rival), &suspects));
     }
     causes.extend(unplayed);
     let left = match causes.is_empty() && left.is_empty() {
@@ -246,7 +249,7 @@ fn named(
     if !causes.is_empty() || !left.is_empty() {
         name(&mut causes, suspects);
     }
-    (causes, left)
+    Ok((model, causes, left))
 }
 
 /// Whether the file says more of the links than nothing.
@@ -299,11 +302,10 @@ fn once(
     // Unit of a gain: the noise, or a fiftieth of the torque where the noise is less.
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
     let session = Session { plant, fit, validate, own_validation, noise, motion, ground, scale, settings, progress };
-    let Searched { models, said, mut suspects } = session.models(has_links, &refit, &torque_rms)?;
+    let Searched { models, said, suspects } = session.models(has_links, &refit, &torque_rms)?;
     let Choice { offered, mut why, changed, file_holds, model, rival } = session.choose(models, &file_out, &refit)?;
     why.extend(said);
-    let model = session.law_instead(model, &torque_rms, &mut suspects, &mut why)?;
-    let (mut causes, left) = named(&session, &model, rival.as_ref(), suspects, &torque_rms);
+    let (model, mut causes, left) = named(&session, model, rival.as_ref(), suspects, &torque_rms, &mut why)?;
     let Selected { tested, fitted, mut after, mut after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);
     let other_links = tested.mode == Mode::Refitted && has_links;

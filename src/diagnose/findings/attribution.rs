@@ -63,7 +63,8 @@ impl Attribution<'_> {
         let elsewhere = same.map(|r| format!("; the same {} would explain nearly as much", place_of(&r.1)));
         let recurrence = self.recurrence(item);
         let counted = shares.far.map_or(part, |far| 0.5 * (part + far));
-        let confirmed = on != "fit" || item.hypothesis.local() || shares.recurs_far();
+        let shown = on != "fit" && part > SHOWN;
+        let confirmed = shown || item.hypothesis.local() || shares.recurs_far();
         let rivals = confusable(tested, item, accepted, plain_rivals);
         let features = Features { support, margin, share: counted, recurrence, confirmed };
         Cause {
@@ -202,6 +203,10 @@ impl Attribution<'_> {
 pub(in crate::diagnose) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
     taken_of(&cause.rms_before, &cause.rms_after, noise)
 }
+
+/// Share of a joint's squared error that a cause takes at least on data that were not fitted, for these to
+/// confirm it.
+const SHOWN: f64 = 0.05;
 
 /// A margin beyond which more of it says nothing.
 pub(in crate::diagnose) const MOST_MARGIN: f64 = 1e4;
