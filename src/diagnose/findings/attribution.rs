@@ -63,8 +63,7 @@ impl Attribution<'_> {
         let elsewhere = same.map(|r| format!("; the same {} would explain nearly as much", place_of(&r.1)));
         let recurrence = self.recurrence(item);
         let counted = shares.far.map_or(part, |far| 0.5 * (part + far));
-        let shown = on != "fit" && part > SHOWN;
-        let confirmed = shown || item.hypothesis.local() || shares.recurs_far();
+        let confirmed = on != "fit" && part > SHOWN || item.hypothesis.local() || shares.recurs_far();
         let rivals = confusable(tested, item, accepted, plain_rivals);
         let features = Features { support, margin, share: counted, recurrence, confirmed };
         Cause {
