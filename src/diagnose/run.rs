@@ -224,8 +224,8 @@ fn halves(recordings: &[Recording]) -> [Vec<Recording>; 2] {
     [first, rest]
 }
 
-/// The offered model without what a law stands for, causes of it and beside it, and the structure that
-/// none of them explains. `why`: what is said of the model.
+/// The offered model without what a law stands for, causes of it and beside it, and the structure
+/// that none of them explains. `why`: what is said of the model.
 fn named<'a>(
     session: &Session<'a>,
     model: Selected<'a>,

@@ -118,8 +118,8 @@ pub fn noise_with_memory<'a>(
     (misfit < 1.0).then_some(noise)
 }
 
-/// Largest misfit, by its tolerance, of an autoregression of this memory, s, beside white noise; and
-/// the standard deviation of both together.
+/// Largest misfit, by its tolerance, of an autoregression of this memory, s, beside white noise;
+/// and the standard deviation of both together.
 fn autoregression(strides: &[Thinned], memory: f64) -> (f64, f64) {
     // Variance of the fourth difference, 1 -4 6 -4 1, of noise of variance 1, by that of white noise.
     let share = |step: f64| {
@@ -224,9 +224,9 @@ mod tests {
         assert!((line - 1.0).abs() < 0.1, "{line}");
     }
 
-    /// Residuals at three rates: an autoregression of 0.2 N m that is forgotten in `memory` s beside
-    /// white noise of 0.1, and a slow error as large. With a line at 6 Hz, or a random walk that is
-    /// larger than both within 10 ms, they are something else.
+    /// Residuals at three rates: an autoregression of 0.2 N m that is forgotten in `memory` s
+    /// beside white noise of 0.1, and a slow error as large. With a line at 6 Hz, or a random walk
+    /// that is larger than both within 10 ms, they are something else.
     #[test]
     fn what_is_forgotten_in_some_hundredths_is_noise() {
         let mut random = Random::new(9);

@@ -203,8 +203,8 @@ pub(in crate::diagnose) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
     taken_of(&cause.rms_before, &cause.rms_after, noise)
 }
 
-/// Share of a joint's squared error that a cause takes at least on data that were not fitted, for these to
-/// confirm it.
+/// Least share of a joint's squared error above its noise that a cause takes on data that were not
+/// fitted, for these to confirm it.
 const SHOWN: f64 = 0.05;
 
 /// A margin beyond which more of it says nothing.

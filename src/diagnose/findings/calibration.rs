@@ -49,13 +49,13 @@ pub struct Change {
     pub wald: f64,
     /// By how much less the next best cause has.
     pub margin: f64,
-    /// Whether it was measured on data that were not fitted.
+    /// Whether data that were not fitted show it.
     pub confirmed: bool,
 }
 
-/// A constant, weights of `share`, `ln(1 + wald) / 5` and `ln(1 + margin) / 5`, and what is taken off
-/// where the validating data can't confirm a cause. Fitted to causes added to recordings of five arms
-/// and to those of two simulators (docs/results/diagnosis.md).
+/// A constant, weights of `share`, `ln(1 + wald) / 5` and `ln(1 + margin) / 5`, and what is taken
+/// off where the validating data can't confirm a cause. Fitted to causes added to recordings of
+/// five arms and to those of two simulators (docs/diagnose.md).
 const CHANGE: [f64; 5] = [-4.3, 3.4, 3.7, 0.9, 1.2];
 
 /// Wald's statistic beyond which more of it says nothing: a law that is nearly right has as much.
@@ -70,8 +70,8 @@ pub fn change(found: &Change) -> f64 {
     (1.0 / (1.0 + (-sum).exp())).min(0.995)
 }
 
-/// Support at which a change in a part of a log is as likely as not: of 17 that were found on changed
-/// recordings with more than twice as much, one was not there.
+/// Support at which a change in a part of a log is as likely as not: of 17 that were found on
+/// changed recordings with more than twice as much, one was not there.
 const LOCAL: f64 = 12.5;
 
 /// Factor of what acts for so short a time that errors of the motion last as long; chosen, since

@@ -57,8 +57,8 @@ impl Uncertainty {
         self.wald(tested, fitted, index, chosen) - once_in_a_hundred(unknowns as f64)
     }
 
-    /// Wald's statistic of a cause's parameters: their squares by their covariance. Below zero where
-    /// the data show none of them.
+    /// Wald's statistic of a cause's parameters: their squares by their covariance. Below zero
+    /// where the data show none of them.
     pub fn wald(&self, tested: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
         let Some(x) = above_resolution(tested, chosen) else { return f64::NEG_INFINITY };
         match self.size_of(index, chosen) {

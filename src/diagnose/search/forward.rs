@@ -159,7 +159,7 @@ impl Forward<'_, '_> {
         while tried.len() < REFUSED {
             let first = best(&ranked, &tried)?;
             let other = self.that_suffices(&ranked, first, fitted, &before);
-            let other = other.or_else(|| self.link_that_predicts_better(&ranked, first, fitted, &before));
+            let other = other.or_else(|| self.link_that_predicts_better((&ranked, first), fitted, &before));
             let at = other.filter(|i| !tried.contains(i)).unwrap_or(first);
             tried.push(at);
             if let Some(next) = self.accept(&ranked, at, fitted, &before) {
@@ -252,8 +252,8 @@ impl Forward<'_, '_> {
         adopt(&mut self.accepted, &self.chosen);
     }
 
-    /// A law that follows reversals and has become a level of its joint: it says the level as well, and
-    /// hardly more. It goes in the place of the level, which has fewer unknowns.
+    /// A law that follows reversals and has become a level of its joint: it says the level as well,
+    /// and hardly more. It goes in the place of the level, which has fewer unknowns.
     fn law_for_a_level(&self, part: Part, shares: &[(f64, Part)]) -> Option<Part> {
         let Part::Friction(k) = part else { return None };
         let hardly_more = |(share, other): &&(f64, Part)| match other {

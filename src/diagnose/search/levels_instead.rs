@@ -48,7 +48,8 @@ pub(in crate::diagnose) fn levels_instead(
     fitted
 }
 
-/// A law that comes near to levels on a joint with asymmetric friction, by its place among the accepted.
+/// A law that comes near to levels on a joint with asymmetric friction, by its place among the
+/// accepted.
 fn beside_a_difference(accepted: &[Accepted], has_levels: impl Fn(usize) -> bool) -> Option<(usize, usize)> {
     let differs = |place: &[usize]| {
         accepted.iter().any(|a| a.chosen.cause.effect() == EffectKind::AsymmetricFriction && a.chosen.place == place)

@@ -32,8 +32,8 @@ pub(in crate::diagnose) fn merge_levels(
     }
 }
 
-/// Makes the evidence for an effect a part of that for asymmetric friction on the same joint; whether
-/// there is both.
+/// Makes the evidence for an effect a part of that for asymmetric friction on the same joint;
+/// whether there is both.
 pub(super) fn hand_over(evidence: &mut Vec<Evidence>, joint: usize, from: EffectKind) -> bool {
     let at = |effect: EffectKind| evidence.iter().position(|e| e.effect == effect && e.place == [joint]);
     let (Some(gone), Some(own)) = (at(from), at(EffectKind::AsymmetricFriction)) else { return false };

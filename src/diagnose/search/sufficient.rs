@@ -67,36 +67,44 @@ impl Forward<'_, '_> {
             return None;
         }
         // What is not worth having by itself gives way to nothing.
-        let (main, left) = self.with(&[own], |search, trial, after| {
-            let holds = search.holds((ranked, at), trial, [fitted, after], before);
-            holds.map(|_| (main_joint(fitted, after), search.tested.left_out(trial, after)))
-        })?;
+        let (main, left) = self.held((ranked, at), fitted, before)?;
         let others = if link { simpler(ranked, own, main) } else { lasting(ranked, own) };
         others.into_iter().find(|&i| self.suffices((ranked, i), (own, &left), fitted, before))
     }
 
-    /// The best link, where a payload at `at` gains less and that link is surely better on stretches that
-    /// are left out: a payload has fewer unknowns, and comes near to a link of the wrist.
+    /// The best link, where a payload at `at` gains less and that link is surely better on
+    /// stretches that are left out: a payload has fewer unknowns, and comes near to a link of the
+    /// wrist.
     pub(super) fn link_that_predicts_better(
         &mut self,
-        ranked: &[Candidate],
-        at: usize,
+        (ranked, at): (&[Candidate], usize),
         fitted: &Fitted,
         before: &LeftOut,
     ) -> Option<usize> {
         let own = Some(&ranked[at]).filter(|c| c.cause.effect() == EffectKind::Payload)?;
         let better = |c: &Candidate| c.cause.effect() == EffectKind::LinkInertiaError && c.score > own.score;
         let link = ranked.iter().position(better)?;
-        let [left, others] = [at, link].map(|i| {
-            self.with(&[&ranked[i]], |search, trial, after| {
-                search.holds((ranked, i), trial, [fitted, after], before).map(|_| search.tested.left_out(trial, after))
-            })
-        });
-        others?.less(&left?, self.noise).sure().then_some(link)
+        let [(_, left), (_, others)] =
+            [self.held((ranked, at), fitted, before)?, self.held((ranked, link), fitted, before)?];
+        others.less(&left, self.noise).sure().then_some(link)
     }
 
-    /// Whether a candidate is worth having, and the `other` (with what it leaves on stretches that are
-    /// left out) beside it is not. A body in the place of a body predicts as well, too.
+    /// The joint on which a candidate gains most, and what the model with it leaves on stretches
+    /// that are left out; `None` where it is not worth having.
+    fn held(
+        &mut self,
+        (ranked, at): (&[Candidate], usize),
+        fitted: &Fitted,
+        before: &LeftOut,
+    ) -> Option<(usize, LeftOut)> {
+        self.with(&[&ranked[at]], |search, trial, after| {
+            let holds = search.holds((ranked, at), trial, [fitted, after], before);
+            holds.map(|_| (main_joint(fitted, after), search.tested.left_out(trial, after)))
+        })
+    }
+
+    /// Whether a candidate is worth having, and the `other` (with what it leaves on stretches that
+    /// are left out) beside it is not. A body in the place of a body predicts as well, too.
     fn suffices(
         &mut self,
         (ranked, i): (&[Candidate], usize),

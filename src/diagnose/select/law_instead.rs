@@ -1,8 +1,8 @@
 //! A law of other joints' motion in place of a cause that came near to it.
 //!
 //! The vocabulary has no friction that depends on where another joint stands. Of such an error the
-//! search takes the law of a joint's own position or direction that comes nearest, and a formula then
-//! takes what that leaves. Where the formula alone leaves no more, it is the cause.
+//! search takes the law of a joint's own position or direction that comes nearest, and a formula
+//! then takes what that leaves. Where the formula alone leaves no more, it is the cause.
 
 use super::measure::{Measured, Meter, leave_out};
 use super::reduction::without;
@@ -18,8 +18,9 @@ use crate::identify::ConsistentError;
 const AS_GOOD: f64 = 1.05;
 
 impl<'a> Session<'a> {
-    /// The model without causes of single joints for which a law stands; these are suspected no more.
-    /// `torque`: root mean square of each joint's, N m; `said`: sentences on what is not in the model.
+    /// The model without causes of single joints for which a law stands; these are suspected no
+    /// more. `torque`: root mean square of each joint's, N m; `said`: sentences on what is not in
+    /// the model.
     pub(in crate::diagnose) fn law_instead(
         &self,
         mut model: Selected<'a>,
@@ -53,12 +54,11 @@ impl<'a> Session<'a> {
         let missed: Vec<usize> = self.left(model, torque).iter().map(|s| s.joint).collect();
         let Selected { tested, accepted, fitted, after, after_fit, .. } = model;
         let chosen = chosen_of(accepted);
-        let near = |item: &Item| match (item.place[..].first(), item.accepted) {
-            (Some(j), Some(_)) => item.place.len() == 1 && missed.contains(j) && !item.hypothesis.local(),
-            _ => false,
+        let near = |item: &Item| {
+            let here = item.place.len() == 1 && missed.contains(&item.place[0]);
+            here && item.accepted.is_some() && !item.hypothesis.local() && !item.hypothesis.moves_time()
         };
         let near: Vec<Item> = items(tested, accepted, fitted).into_iter().filter(near).collect();
-        let near: Vec<Item> = near.into_iter().filter(|item| !item.hypothesis.moves_time()).collect();
         if near.is_empty() {
             return None;
         }

@@ -80,8 +80,8 @@ pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
     }
 }
 
-/// Takes out suspects of a joint on which the offered model has a law that no cause of that joint says:
-/// they are what comes nearest to it. One that is likelier than the law stays.
+/// Takes out suspects of a joint on which the offered model has a law that no cause of that joint
+/// says: they are what comes nearest to it. One that is likelier than the law stays.
 pub(in crate::diagnose) fn without_neighbours(causes: &mut Vec<Cause>, joints: &[usize]) {
     let of_others = |c: &Cause| c.law.is_some() && c.joints.first().is_some_and(|j| joints.contains(&(j - 1)));
     let laws: Vec<(Vec<usize>, f64)> =
@@ -184,8 +184,8 @@ mod tests {
         assert!(sure.len() == 1 && sure[0].not_distinguished_from == ["viscous_friction"]);
     }
 
-    /// A law of other joints' motion stands for a suspect of its joint that came near to it, not for one
-    /// of the offered model or of another joint.
+    /// A law of other joints' motion stands for a suspect of its joint that came near to it, not
+    /// for one of the offered model or of another joint.
     #[test]
     fn what_comes_near_to_a_law_is_not_named_beside_it() {
         let suspect = |joints: &[usize]| Cause { in_extended: false, ..cause("asymmetric_friction", joints, 0.6) };

@@ -382,8 +382,8 @@ fn changed_friction_is_found_beside_an_error_of_its_size() {
     }
 }
 
-/// Friction of the elbow that depends on where the shoulder stands, which no law of the vocabulary has:
-/// the answer is that law, and none that comes near to it.
+/// Friction of the elbow that depends on where the shoulder stands, which no law of the vocabulary
+/// has: the answer is that law, and none that comes near to it.
 #[test]
 fn a_law_of_another_joint_stands_alone() {
     let robot = planar();
