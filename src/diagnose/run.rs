@@ -228,12 +228,13 @@ fn halves(recordings: &[Recording]) -> [Vec<Recording>; 2] {
 /// that none of them explains. `why`: what is said of the model.
 fn named<'a>(
     session: &Session<'a>,
-    model: Selected<'a>,
+    mut model: Selected<'a>,
     rival: Option<&Rival>,
-    mut suspects: Vec<Cause>,
+    suspects: [Vec<Cause>; 2],
     torque_rms: &[f64],
     why: &mut Vec<String>,
 ) -> Result<(Selected<'a>, Vec<Cause>, Vec<Structure>), ConsistentError> {
+    let mut suspects = session.suspected(suspects, &mut model, why);
     let model = session.law_instead(model, torque_rms, &mut suspects, why)?;
     let (left, unplayed) = without_columns(&model, session.left(&model, torque_rms), session.noise);
     let mut causes = model.causes.clone();

@@ -1,6 +1,7 @@
 //! From accepted causes to the offered model: measured on recordings, reduced, refined, chosen.
 
 pub(super) mod beside;
+pub(super) mod beside_other_links;
 pub(super) mod contenders;
 pub(super) mod excess;
 mod from_the_file;

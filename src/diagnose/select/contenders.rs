@@ -81,8 +81,8 @@ pub(in crate::diagnose) struct Searched<'a> {
     pub(in crate::diagnose) models: Vec<Selected<'a>>,
     /// Sentences on those that do not.
     pub(in crate::diagnose) said: Vec<String>,
-    /// The causes that any of them had.
-    pub(in crate::diagnose) suspects: Vec<Cause>,
+    /// The causes that the model of the file's links had, and that the refitted one had.
+    pub(in crate::diagnose) suspects: [Vec<Cause>; 2],
 }
 
 impl<'a> Session<'a> {
@@ -120,7 +120,7 @@ impl<'a> Session<'a> {
         refit: &Refit,
         torque: &[f64],
     ) -> Result<Searched<'a>, ConsistentError> {
-        let (mut models, mut said, mut suspects) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut models, mut said, mut suspects) = (Vec::new(), Vec::new(), [Vec::new(), Vec::new()]);
         if has_links {
             (self.progress)("the file's links unchanged");
             models.push(self.searched(Mode::Trusted)?);
@@ -134,7 +134,10 @@ impl<'a> Session<'a> {
                 Err(error) => said.push(format!("Refitted parameters are not offered: {error}.")),
             }
         }
-        models.iter().for_each(|model| remember(&mut suspects, &model.suspects));
+        for model in &models {
+            let refitted = usize::from(model.tested.mode == Mode::Refitted);
+            remember(&mut suspects[refitted], &model.suspects);
+        }
         if self.own_validation {
             let file = self.file_by_log()?;
             let mut holding = Vec::new();

@@ -20,6 +20,7 @@ use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::{Accepted, Judge, bearable, confirmation};
 use crate::diagnose::search::levels_instead::levels_instead;
 use crate::diagnose::select::beside::share_within;
+use crate::diagnose::select::beside_other_links::worth;
 use crate::diagnose::select::measure::Meter;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::perturbable_robot::PerturbableRobot;
@@ -433,5 +434,38 @@ fn friction_that_drives_the_joint_is_none() {
         let fitted = tested.fit(&mut trial);
         assert!(trial[0].x[0] / size > 0.5, "{:?} for {size}", trial[0].x);
         assert_eq!(friction_drives(&tested, 1, &trial, &fitted, noise[1]), drives, "{size} N m beside {dry}");
+    }
+}
+
+/// Links that are wrong altogether look like a shared motor, wrong gains or rotors; beside refitted links
+/// none of these is likely, and a spring that is there stays.
+#[test]
+fn what_other_links_explain_is_unlikely_beside_them() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let quiet = made([0.0; 2], 1, &|_, _| 0.0);
+    let file = tested(&plant, &quiet);
+    let states = &quiet[0].stretches[0].states;
+    let mut heavier = vec![[0.0; 2]; states.len];
+    for (w, k) in samples(&file.scene).into_iter().enumerate() {
+        heavier[k] = [0.4 * file.scene.rigid[0][w], 0.3 * file.scene.rigid[1][w]];
+    }
+    let noise = [0.05; 2];
+    let spring = |j: usize, k: usize| if j == 1 { 2.0 * states.q[states.len + k] } else { 0.0 };
+    let recordings = [made(noise, 3, &|j, k| heavier[k][j]), made(noise, 3, &|j, k| heavier[k][j] + spring(j, k))];
+    let likely = |which: usize, mode: Mode, name: &str, place: &[usize]| {
+        let mut tested = ModelUnderTest::new(&plant, &recordings[which], 1.0 / PERIOD, mode, &[0.0; 2], false);
+        worth(&mut tested, &mut Vec::new(), (name, place), &noise).map_or(0.0, |worth| worth.probability())
+    };
+    let seeming: [(&str, &[usize]); 4] =
+        [("gear_coupling", &[0, 1]), ("torque_gain_error", &[1]), ("base_tilt", &[]), ("rotor_inertia", &[0])];
+    for (name, place) in seeming {
+        assert!(likely(0, Mode::Trusted, name, place) > 0.6, "{name}");
+        assert!(likely(0, Mode::Refitted, name, place) < 0.2, "{name}");
+    }
+    for (which, there) in [(0, false), (1, true)] {
+        let p = likely(which, Mode::Refitted, "joint_spring", &[1]);
+        assert_eq!(p > 0.8, there, "{p}");
+        assert!(likely(which, Mode::Refitted, "viscous_friction", &[1]) < 0.2);
     }
 }

@@ -1,0 +1,168 @@
+//! Causes that the file's links ask for, beside refitted ones.
+//!
+//! Where the file's links are wrong altogether, the search that keeps them takes what comes nearest
+//! to their errors: a shared motor, a tilt, a spring. Refitted links explain those errors, and
+//! beside them such a cause gains nothing. One that is true still does.
+
+use super::model_choice::LeftOut;
+use super::refine_and_select::{Selected, Session};
+use super::suspects::remember;
+use crate::diagnose::findings::calibration::{self, Change};
+use crate::diagnose::findings::reported_cause::place_of;
+use crate::diagnose::findings::result::Cause;
+use crate::diagnose::fit::model::{Chosen, Fitted, Mode, ModelUnderTest, given_friction};
+use crate::diagnose::fit::uncertainty::Uncertainty;
+use crate::diagnose::hypotheses::{Kind, by_name};
+use crate::diagnose::search::candidate::candidates;
+use crate::diagnose::search::forward::PLAIN;
+use crate::diagnose::search::judge::chosen_of;
+
+/// Part of what other links gain that one body must say to be as likely as before.
+const ONE_BODY: f64 = 0.85;
+
+/// Least error of a joint beside which a share is taken, by its noise.
+const LEAST: f64 = 0.5;
+
+/// What a cause is worth beside everything in a model.
+pub(in crate::diagnose) struct Worth {
+    /// Largest share that it takes of the squared error of one of its joints, above the noise, on
+    /// stretches of the fitted logs that are left out.
+    share: f64,
+    /// [`Change::wald`].
+    wald: f64,
+}
+
+impl Worth {
+    /// Of a cause that nothing else explains and other data confirm.
+    pub(in crate::diagnose) fn probability(&self) -> f64 {
+        let Self { share, wald } = *self;
+        calibration::change(&Change { share, wald, margin: f64::INFINITY, confirmed: true })
+    }
+}
+
+impl<'a> Session<'a> {
+    /// The suspects of both searches, that of the file's links and the refitted one, with the
+    /// probability that they have beside the offered model.
+    pub(in crate::diagnose) fn suspected(
+        &self,
+        [mut of_file, of_refit]: [Vec<Cause>; 2],
+        model: &mut Selected<'a>,
+        why: &mut Vec<String>,
+    ) -> Vec<Cause> {
+        if model.tested.mode == Mode::Refitted {
+            self.beside_other_links(model, &mut of_file, why);
+        }
+        remember(&mut of_file, &of_refit);
+        of_file
+    }
+
+    /// Gives suspects of the file's links no more probability than they have beside the refitted
+    /// links of the offered model. `why`: a sentence on each that is not named for that.
+    fn beside_other_links(&self, model: &mut Selected<'a>, suspects: &mut [Cause], why: &mut Vec<String>) {
+        let named = |s: &Cause| s.probability >= calibration::NAMED && s.window().is_none();
+        for suspect in suspects.iter_mut().filter(|s| named(s)) {
+            let place: Vec<usize> = suspect.joints.iter().map(|j| j - 1).collect();
+            let Some(cause) = by_name(suspect.cause) else { continue };
+            let most = match cause.within_links() {
+                true => suspect.probability * self.part_of_links(model, suspect.cause, &place),
+                false => self.likely_beside(model, suspect.cause, &place),
+            };
+            if most < suspect.probability {
+                suspect.probability = most;
+            }
+            if most < calibration::NAMED {
+                let place = place_of(&place);
+                why.push(format!(
+                    "{} {place}, for which the file's links ask, is not named: beside refitted links its probability is {most:.2}.",
+                    suspect.cause
+                ));
+            }
+        }
+        model.tested.update_model(&model.fitted);
+    }
+
+    /// Probability of a cause that is no body, beside the model's links.
+    fn likely_beside(&self, model: &mut Selected<'a>, name: &str, place: &[usize]) -> f64 {
+        let Selected { tested, accepted, .. } = model;
+        let (frozen, delays) = (tested.frozen.clone(), tested.scene.delays.clone());
+        let mut others = chosen_of(accepted);
+        others.retain(|c| c.cause.name() != name || c.place != place);
+        let worth = worth(tested, &mut others, (name, place), self.noise);
+        tested.frozen = frozen;
+        let late: Vec<f64> = delays.iter().zip(&tested.scene.delays).map(|(before, now)| before - now).collect();
+        tested.undo_delay(&late);
+        worth.map_or(0.0, |worth| worth.probability())
+    }
+
+    /// Of what other links gain on left-out stretches, the part that one body of the file's links
+    /// says, as a part of [`ONE_BODY`]; at most 1.
+    fn part_of_links(&self, model: &Selected<'a>, name: &str, place: &[usize]) -> f64 {
+        let Selected { tested, accepted, .. } = model;
+        let mut believed =
+            ModelUnderTest::new(self.plant, self.fit, self.settings.rate, Mode::Trusted, &tested.scene.delays, false);
+        believed.frozen = tested.frozen.clone();
+        let mut others = chosen_of(accepted);
+        let file = believed.fit(&mut others);
+        let known = believed.left_out(&others, &file);
+        let body = candidates(&believed, &file, &|c, p| c.name() == name && p == place);
+        let Some(body) = body.first() else { return 0.0 };
+        others.push(body.chosen());
+        let with = believed.fit(&mut others);
+        let [body, links] = [&believed.left_out(&others, &with), &model.left_out].map(|m| m.less(&known, self.ground));
+        if links.gain > 0.0 { (body.gain / links.gain / ONE_BODY).clamp(0.0, 1.0) } else { 1.0 }
+    }
+}
+
+/// What a cause is worth beside everything in a model, whose other causes are `others`; `None` where
+/// no plausible size of it gains anything. `noise`: of each joint's torque, N m. The model under
+/// test is left with it, its friction included.
+pub(in crate::diagnose) fn worth(
+    tested: &mut ModelUnderTest<'_>,
+    others: &mut Vec<Chosen>,
+    (name, place): (&str, &[usize]),
+    noise: &[f64],
+) -> Option<Worth> {
+    let plain = PLAIN.iter().position(|p| p.name() == name).zip(place.first()).map(|(which, j)| 3 * j + which);
+    match plain {
+        Some(term) => tested.frozen[term] = true,
+        None if by_name(name)?.kind() == Kind::Friction => keep_friction(tested, place),
+        None => {}
+    }
+    let before = tested.fit(others);
+    let known = left_out(tested, others, &before);
+    match plain {
+        Some(term) => tested.frozen[term] = false,
+        None => others.push(candidates(tested, &before, &|c, p| c.name() == name && p == place).first()?.chosen()),
+    }
+    let after = tested.fit(others);
+    let wald = match (plain, others.last()) {
+        (Some(term), _) => {
+            let at = after.friction + term;
+            after.solution.x[at].powi(2) / after.covariance()[(at, at)].max(f64::MIN_POSITIVE)
+        }
+        (None, last) => Uncertainty::of(tested, &after, others).wald(tested, &after, others.len() - 1, last?),
+    };
+    let out = left_out(tested, others, &after);
+    let share = |j: usize| {
+        let ([a, b], noise) = ([&known, &out].map(|m| m.joint_rms(j).powi(2)), noise[j].powi(2));
+        (a - b) / (a - noise).max(LEAST.powi(2) * noise).max(f64::MIN_POSITIVE)
+    };
+    let own = |j: &usize| place.is_empty() || place.contains(j);
+    let share = (0..noise.len()).filter(own).map(share).fold(0.0, f64::max);
+    Some(Worth { share, wald })
+}
+
+/// Keeps the friction that the file gives the joints of a place: a law is a change of that.
+fn keep_friction(tested: &mut ModelUnderTest<'_>, place: &[usize]) {
+    let given = given_friction(tested.plant);
+    for &j in place {
+        for which in (0..3).filter(|which| given[j][*which].is_some()) {
+            tested.frozen[3 * j + which] = true;
+        }
+    }
+}
+
+/// Errors on stretches that are left out, inside what is possible where that can be.
+fn left_out(tested: &ModelUnderTest<'_>, chosen: &[Chosen], fitted: &Fitted) -> LeftOut {
+    tested.possible_left_out(chosen, fitted).unwrap_or_else(|_| tested.left_out(chosen, fitted))
+}
