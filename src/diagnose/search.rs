@@ -16,6 +16,7 @@ pub(super) mod judge;
 pub(super) mod levels_instead;
 pub(super) mod merge_bodies;
 mod merge_common_delay;
+pub(super) mod merge_couplings;
 mod merge_levels;
 mod simplest_laws;
 mod stepwise_exchange;
@@ -27,6 +28,7 @@ use candidate::{Candidate, candidates, rivals, sparest_first};
 use judge::{Accepted, Judge, adopt};
 use merge_bodies::merge_bodies;
 use merge_common_delay::merge_common_delay;
+use merge_couplings::merge_couplings;
 use simplest_laws::simplest_laws;
 use stepwise_exchange::stepwise_exchange;
 
@@ -175,10 +177,11 @@ fn in_turn(ranked: &[Candidate]) -> Vec<(usize, &Candidate)> {
     all
 }
 
-/// Bodies that are one body, delays that are one delay, and laws that are a simpler one.
+/// Bodies that are one body, delays that are one delay, couplings that are one motor, and laws that are a simpler one.
 fn simplify(tested: &mut ModelUnderTest<'_>, accepted: &mut Vec<Accepted>, fitted: &mut Fitted) {
     merge_bodies(tested, accepted, fitted);
     merge_common_delay(tested, accepted, fitted);
+    merge_couplings(tested, accepted, fitted);
     simplest_laws(tested, accepted, fitted);
 }
 

@@ -64,7 +64,7 @@ impl Session<'_> {
         let refit = model.left_out.less(&known, self.ground);
         // It has to pay like any other.
         let gains = taken_of(&without.steady, &after.steady, self.scale) > 0.0;
-        if !(refit.worth_refit() && gains && matters(&without.steady, &after.steady, self.noise, self.motion)) {
+        if !(refit.worth_refit(0) && gains && matters(&without.steady, &after.steady, self.noise, self.motion)) {
             return Vec::new();
         }
         let rotors = self.needed(model, &rotors, true);

@@ -125,8 +125,9 @@ impl<'a> Session<'a> {
             (self.progress)("the file's links unchanged");
             models.push(self.searched(Mode::Trusted)?);
         }
-        let refit_is_better =
-            |m: &Selected<'_>| refit.left_out.less(&m.left_out, self.ground).worth_refit() || self.worse_than(m, refit);
+        let refit_is_better = |m: &Selected<'_>| {
+            refit.left_out.less(&m.left_out, self.ground).worth_refit(m.causes.len()) || self.worse_than(m, refit)
+        };
         if !models.iter().any(|m| self.left(m, torque).is_empty() && !refit_is_better(m)) {
             (self.progress)("all base parameters refitted");
             match self.searched(Mode::Refitted) {

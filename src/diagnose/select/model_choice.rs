@@ -9,6 +9,9 @@
 /// Least gain for which the file's links are given up.
 const LEAST: f64 = 0.05;
 
+/// So many causes beside the file's links are likelier to be errors of links: one robot has few faults.
+const MANY: f64 = 6.0;
+
 /// Errors on stretches that were left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LeftOut {
@@ -36,11 +39,13 @@ impl Paired {
         self.gain > self.error
     }
 
-    /// Whether it is worth giving up the file's links: a twentieth at least, and one and a half
-    /// standard errors, and less error as a whole. A refit has many unknowns, which find something
-    /// in autocorrelated errors.
-    pub fn worth_refit(&self) -> bool {
-        self.whole && self.gain > LEAST && self.gain > 1.5 * self.error
+    /// Whether it is worth giving up the file's links with so many causes beside them: a twentieth
+    /// at least, and one and a half standard errors, and less error as a whole. A refit has many
+    /// unknowns, which find something in autocorrelated errors. Causes cost, too: beside more than
+    /// [`MANY`] the refit may even be a little worse, joints counted alike.
+    pub fn worth_refit(&self, causes: usize) -> bool {
+        let few = (1.0 - causes as f64 / MANY).max(-1.0);
+        self.whole && self.gain > few * LEAST.max(1.5 * self.error)
     }
 }
 
@@ -131,11 +136,18 @@ mod tests {
         LeftOut::new(&sums, &vec![vec![100.0; 2]; 8])
     }
 
+    /// For less beside several causes, for nothing beside many.
     #[test]
     fn the_files_links_are_given_up_for_one_and_a_half_errors() {
-        let refit = |gain, error, whole| Paired { gain, error, whole }.worth_refit();
+        let refit = |gain, error, whole| Paired { gain, error, whole }.worth_refit(0);
         assert!(refit(0.1, 0.06, true) && !refit(0.1, 0.08, true));
         assert!(!refit(0.04, 0.001, true) && !refit(0.1, 0.06, false));
+        let small = Paired { gain: 0.04, error: 0.05, whole: true };
+        assert!([0, 2, 3].into_iter().all(|causes| !small.worth_refit(causes)));
+        assert!([4, 6, 12].into_iter().all(|causes| small.worth_refit(causes)));
+        let worse = Paired { gain: -0.01, ..small };
+        assert!(!worse.worth_refit(6) && worse.worth_refit(12) && !Paired { gain: -0.1, ..small }.worth_refit(12));
+        assert!(!Paired { whole: false, ..small }.worth_refit(12));
     }
 
     /// What every stretch gains alike is sure; its error is how stretches differ.
@@ -158,7 +170,7 @@ mod tests {
         assert!(paired.sure() && (paired.gain - 1.0 / 3.0).abs() < 0.05, "{paired:?}");
         assert!(!worse.less(&one, &[0.0; 2]).sure());
         assert!(!one.less(&one, &[0.0; 2]).sure());
-        assert!(paired.worth_refit() && one.nearly_all(&noisy(&mut random, 20.0), 1, 0.1));
+        assert!(paired.worth_refit(0) && one.nearly_all(&noisy(&mut random, 20.0), 1, 0.1));
         assert!(!one.nearly_all(&worse, 1, 0.1));
         // Far below what matters nothing is better.
         assert!(one.less(&worse, &[100.0; 2]).gain < 1e-3);
@@ -184,7 +196,7 @@ mod tests {
         };
         // Three joints err half as much, a hundred times as heavy a one somewhat more.
         let paired = model(0.25, 120.0).less(&model(1.0, 100.0), &[0.0; 4]);
-        assert!(paired.sure() && paired.gain > 0.3 && !paired.worth_refit(), "{paired:?}");
+        assert!(paired.sure() && paired.gain > 0.3 && !paired.worth_refit(0), "{paired:?}");
         assert_eq!(model(1.0, 10.0).most_changed(&model(1.0, 100.0), &[0.0; 4]), 3);
         // Far below its floor a joint has not changed.
         assert_eq!(model(1.0, 10.0).most_changed(&model(1.1, 100.0), &[0.0, 0.1, 0.1, 1e3]), 0);

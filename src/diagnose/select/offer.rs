@@ -11,9 +11,6 @@ use crate::diagnose::findings::result::{Cause, Offered};
 use crate::diagnose::fit::model::Mode;
 use crate::identify::ConsistentError;
 
-/// So many causes beside the file's links are likelier to be the errors of links.
-const MANY: usize = 6;
-
 /// The offered model, why, and what differs between the logs.
 pub(in crate::diagnose) struct Choice<'a> {
     pub(in crate::diagnose) offered: Offered,
@@ -178,9 +175,12 @@ impl<'a> Session<'a> {
         said: &mut Vec<String>,
     ) -> Vec<Selected<'a>> {
         match (believing, free) {
-            (Some(few), Some(all)) if all.left_out.less(&few.left_out, self.ground).worth_refit() => {
+            (Some(few), Some(all)) if all.left_out.less(&few.left_out, self.ground).worth_refit(few.causes.len()) => {
+                let count = few.causes.len();
                 said.push(self.says(
-                    "all base parameters refitted predict better than the file's links with further causes",
+                    &format!(
+                        "all base parameters refitted are better than the file's links with further causes ({count})"
+                    ),
                     &all.left_out,
                     &few.left_out,
                 ));
@@ -196,21 +196,8 @@ impl<'a> Session<'a> {
                 ));
                 vec![all, few]
             }
-            (Some(few), Some(all)) if few.causes.len() > MANY && self.no_better(&few, &all) => {
-                let count = few.causes.len();
-                let what = format!(
-                    "all base parameters refitted predict as well as the file's links with {count} further causes, which are more than one robot has"
-                );
-                said.push(self.says(&what, &all.left_out, &few.left_out));
-                vec![all, few]
-            }
             (believing, free) => believing.or(free).into_iter().collect(),
         }
-    }
-
-    /// Whether a model predicts left-out stretches no better than one with other links.
-    fn no_better(&self, few: &Selected<'_>, all: &Selected<'_>) -> bool {
-        !few.left_out.less(&all.left_out, self.ground).sure() && all.left_out.rms() <= few.left_out.rms()
     }
 
     fn says(&self, what: &str, a: &LeftOut, b: &LeftOut) -> String {

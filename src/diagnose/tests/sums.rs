@@ -10,6 +10,8 @@ use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::regulariser::{Regulariser, prior};
 use crate::diagnose::fit::uncertainty::derivative;
 use crate::diagnose::hypotheses::{Term, hypothesis};
+use crate::diagnose::search::judge::{Accepted, chosen_of};
+use crate::diagnose::search::merge_couplings::merge_couplings;
 use crate::diagnose::select::measure::{matters, share};
 use crate::diagnose::windows::motion_error::budget;
 use crate::diagnose::windows::torque_noise::autocorrelation_time;
@@ -242,6 +244,31 @@ fn a_coupled_motor_acts_on_two_joints() {
         }
     }
     assert!(checked > 1000, "{checked}");
+}
+
+/// Its inertia found from one joint and its friction from the other are one motor; one that turns
+/// the other way is another.
+#[test]
+fn couplings_of_both_joints_are_one_motor() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let recordings = [recording()];
+    let cause = crate::diagnose::hypotheses::hypothesis(EffectKind::GearCoupling);
+    let coupling = |place: [usize; 2], ratio: f64, parts: f64| {
+        let chosen = Chosen { cause, place: place.to_vec(), shape: vec![ratio, parts], x: Vec::new() };
+        Accepted { chosen, support: 1.0, confirmed: 1.0, rivals: Vec::new(), variance: 1.0 }
+    };
+    for (ratio, shapes) in [(1.0, vec![vec![1.0, 5.0]]), (-1.0, vec![vec![1.0, 1.0], vec![-1.0, 4.0]])] {
+        let mut tested = ModelUnderTest::new(&plant, &recordings, 100.0, Mode::Trusted, &[0.0; 2], false);
+        let mut accepted = vec![coupling([1, 0], 1.0, 1.0), coupling([0, 1], ratio, 4.0)];
+        let mut fitted = tested.fit(&mut chosen_of(&accepted));
+        let before = fitted.residual.clone();
+        merge_couplings(&mut tested, &mut accepted, &mut fitted);
+        assert_eq!(accepted.iter().map(|a| a.chosen.shape.clone()).collect::<Vec<_>>(), shapes);
+        assert_eq!(accepted[0].chosen.place, [1, 0]);
+        let pairs = before.iter().flatten().zip(fitted.residual.iter().flatten());
+        assert!(pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) < 1e-9);
+    }
 }
 
 /// Both directions, and as far as a joint may be off.
