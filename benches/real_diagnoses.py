@@ -1,7 +1,10 @@
 #!/usr/bin/env python3
 """What the diagnosis says of recorded robots with the files of their makers, as a table. Needs `cargo build --release` and the measured logs:
 
-    benches/real_diagnoses.py ../shared/data [DENAVIT]
+    benches/real_diagnoses.py ../shared/data [DENAVIT] [--excerpts]
+
+`--excerpts`: instead, of three excerpts of each log (its first, last and middle six tenths), whether the causes that one of them names with
+more than 0.8 are named on the same joints by the two others.
 """
 
 import json
@@ -11,8 +14,9 @@ import sys
 import tempfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-DATA = os.path.abspath(sys.argv[1]) if len(sys.argv) > 1 else sys.exit(__doc__)
-DENAVIT = os.path.abspath(sys.argv[2]) if len(sys.argv) > 2 else os.path.join(ROOT, "target", "release", "denavit")
+ARGUMENTS = [a for a in sys.argv[1:] if a != "--excerpts"]
+DATA = os.path.abspath(ARGUMENTS[0]) if ARGUMENTS else sys.exit(__doc__)
+DENAVIT = os.path.abspath(ARGUMENTS[1]) if len(ARGUMENTS) > 1 else os.path.join(ROOT, "target", "release", "denavit")
 PLACE = tempfile.mkdtemp()
 IIWA = ["chirp_j2", "chirp_j6", "motion_j2toj7"]
 # Name, robot file, fitted logs, validating logs (none: the last three tenths of the fitted ones), options.
@@ -25,6 +29,10 @@ RUNS = [
     ("Franka Panda, 30 Hz", "franka-panda", ["exciting"], [], []),
 ]
 FILES = {"kuka-lwr4plus": "kuka-lwr4"}
+# Logs that are long enough for excerpts of three seconds.
+LONG = [("staubli-tx40", "exciting_train"), ("kuka-lwr4plus", "traj1"), ("franka-panda", "exciting")]
+LONG += [("kuka-iiwa14", log) for log in [*IIWA, "motion_j3j4"]]
+EXCERPTS = [(0.0, 0.6), (0.4, 1.0), (0.2, 0.8)]
 
 
 def mean(errors):
@@ -37,24 +45,58 @@ def words(cause):
     return f"{cause['law'] if cause.get('law') else cause['cause']} {f'[{joints}] ' if joints else ''}{cause['probability']:.2f}"
 
 
-def main():
+def diagnose(arm, fit, validate, options=()):
+    robot = os.path.join(ROOT, "robots", f"{FILES.get(arm, arm)}.yaml")
+    out = os.path.join(PLACE, "said.json")
+    command = [DENAVIT, "diagnose", robot, *fit, *(["--validate", *validate] if validate else []), "--json", out, *options]
+    run = subprocess.run(command, capture_output=True, text=True)
+    if run.returncode not in (0, 1) or not os.path.exists(out):
+        sys.exit(run.stderr)
+    with open(out) as file:
+        said = json.load(file)
+    os.remove(out)
+    return said
+
+
+def excerpt(path, low, high):
+    """The rows between two parts of a log's time."""
+    with open(path) as file:
+        header, *rows = file.readlines()
+    times = [float(row.split(",", 1)[0]) for row in rows]
+    ends = [times[0] + part * (times[-1] - times[0]) for part in (low, high)]
+    out = os.path.join(PLACE, f"{low}-{os.path.basename(path)}")
+    with open(out, "w") as part:
+        part.writelines([header, *(row for row, t in zip(rows, times) if ends[0] <= t <= ends[1])])
+    return out
+
+
+def excerpts():
+    print("| log | named above 0.8 | in the other excerpts, of |")
+    print("|---|---|---|")
+    found = asked = 0
+    for arm, log in LONG:
+        parts = []
+        for low, high in EXCERPTS:
+            said = diagnose(arm, [excerpt(os.path.join(DATA, arm, f"{log}.csv"), low, high)], [])
+            parts.append({(c["cause"], tuple(c["joints"])): c["probability"] for c in said["causes"] if c["cause"] != "unknown"})
+        sure = [(k, key) for k, part in enumerate(parts) for key, p in part.items() if p > 0.8]
+        again = [key in part for k, key in sure for i, part in enumerate(parts) if i != k]
+        names = sorted({f"{cause} {list(joints)}" if joints else cause for _, (cause, joints) in sure})
+        print(f"| {arm} {log} | {'; '.join(names) or '-'} | {sum(again)} of {len(again)} |", flush=True)
+        found, asked = found + sum(again), asked + len(again)
+    print(f"| all | | {found} of {asked} |")
+
+
+def models():
     print("| robot | file | refitted | extended | in the offered model | suspected beside it |")
     print("|---|---|---|---|---|---|")
     for name, arm, fit, validate, options in RUNS:
         logs = [[os.path.join(DATA, arm, f"{log}.csv") for log in part] for part in (fit, validate)]
-        robot = os.path.join(ROOT, "robots", f"{FILES.get(arm, arm)}.yaml")
-        out = os.path.join(PLACE, "said.json")
-        command = [DENAVIT, "diagnose", robot, *logs[0], *(["--validate", *logs[1]] if logs[1] else []), "--json", out, *options]
-        run = subprocess.run(command, capture_output=True, text=True)
-        if run.returncode not in (0, 1) or not os.path.exists(out):
-            sys.exit(run.stderr)
-        with open(out) as file:
-            said = json.load(file)
+        said = diagnose(arm, *logs, options)
         rms = [f"{mean(said[model]['rms']['validate']):.2f}" for model in ("baseline", "refitted", "extended")]
         causes = [[words(c) for c in said["causes"] if c["in_extended"] == inside] for inside in (True, False)]
         print(f"| {name} | {' | '.join(rms)} | {' | '.join('; '.join(part) or '-' for part in causes)} |", flush=True)
-        os.remove(out)
 
 
 if __name__ == "__main__":
-    main()
+    excerpts() if "--excerpts" in sys.argv else models()
