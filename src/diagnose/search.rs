@@ -177,7 +177,8 @@ fn in_turn(ranked: &[Candidate]) -> Vec<(usize, &Candidate)> {
     all
 }
 
-/// Bodies that are one body, delays that are one delay, couplings that are one motor, and laws that are a simpler one.
+/// Bodies that are one body, delays that are one delay, couplings that are one motor, and laws that
+/// are a simpler one.
 fn simplify(tested: &mut ModelUnderTest<'_>, accepted: &mut Vec<Accepted>, fitted: &mut Fitted) {
     merge_bodies(tested, accepted, fitted);
     merge_common_delay(tested, accepted, fitted);

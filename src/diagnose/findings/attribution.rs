@@ -56,7 +56,8 @@ impl Attribution<'_> {
         let accepted = item.accepted.map(|a| &all[a]);
         let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
         let part = shares.within.unwrap_or_else(|| share(&without.steady, &with.steady, noise, &item.place));
-        let support = accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, item), |a| a.support);
+        let support =
+            accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, &item.friction), |a| a.support);
         // The same in another place says nearly as much.
         let near = near(item, accepted, plain_rivals);
         let same = near.iter().filter(|r| r.0 == item.hypothesis.name());
@@ -181,7 +182,7 @@ impl Attribution<'_> {
         let Self { tested, fitted, uncertainty, accepted, .. } = *self;
         match item.accepted {
             Some(at) => uncertainty.wald(tested, fitted, at, &accepted[at].chosen),
-            None => plain_support(fitted, &uncertainty.covariance, item),
+            None => plain_support(fitted, &uncertainty.covariance, &item.friction),
         }
     }
 
@@ -210,10 +211,10 @@ const SHOWN: f64 = 0.05;
 /// A margin beyond which more of it says nothing.
 pub(in crate::diagnose) const MOST_MARGIN: f64 = 1e4;
 
-/// Of a plain term of friction: the square of its value by its standard deviation, of the surest
-/// one.
-pub(in crate::diagnose) fn plain_support(fitted: &Fitted, covariance: &nalgebra::DMatrix<f64>, item: &Item) -> f64 {
-    let squares = item.friction.iter().map(|k| {
+/// Of plain terms of friction, by their numbers among these: the square of the value by its standard
+/// deviation, of the surest one.
+pub(in crate::diagnose) fn plain_support(fitted: &Fitted, covariance: &nalgebra::DMatrix<f64>, terms: &[usize]) -> f64 {
+    let squares = terms.iter().map(|k| {
         let at = fitted.friction + k;
         let variance = covariance[(at, at)];
         if variance > 0.0 { fitted.solution.x[at].powi(2) / variance } else { 0.0 }

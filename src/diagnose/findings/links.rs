@@ -20,7 +20,7 @@ use dh_codegen::robot::{EffectKind, effects};
 
 /// Of what other links gain on stretches that are left out, one body must gain this share to be the
 /// answer.
-const ONE_BODY: f64 = 0.85;
+pub(in crate::diagnose) const ONE_BODY: f64 = 0.85;
 
 /// Probability from which one of many refitted links is named: the refit has all of them.
 const LIKELY: f64 = 0.5;

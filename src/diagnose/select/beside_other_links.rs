@@ -7,7 +7,9 @@
 use super::model_choice::LeftOut;
 use super::refine_and_select::{Selected, Session};
 use super::suspects::remember;
+use crate::diagnose::findings::attribution::plain_support;
 use crate::diagnose::findings::calibration::{self, Change};
+use crate::diagnose::findings::links::ONE_BODY;
 use crate::diagnose::findings::reported_cause::place_of;
 use crate::diagnose::findings::result::Cause;
 use crate::diagnose::fit::model::{Chosen, Fitted, Mode, ModelUnderTest, given_friction};
@@ -16,9 +18,6 @@ use crate::diagnose::hypotheses::{Kind, by_name};
 use crate::diagnose::search::candidate::candidates;
 use crate::diagnose::search::forward::PLAIN;
 use crate::diagnose::search::judge::chosen_of;
-
-/// Part of what other links gain that one body must say to be as likely as before.
-const ONE_BODY: f64 = 0.85;
 
 /// Least error of a joint beside which a share is taken, by its noise.
 const LEAST: f64 = 0.5;
@@ -67,10 +66,8 @@ impl<'a> Session<'a> {
                 true => suspect.probability * self.part_of_links(model, suspect.cause, &place),
                 false => self.likely_beside(model, suspect.cause, &place),
             };
-            if most < suspect.probability {
-                suspect.probability = most;
-            }
-            if most < calibration::NAMED {
+            suspect.probability = suspect.probability.min(most);
+            if most < calibration::NAMED && !model.causes.iter().any(|c| c.is(suspect)) {
                 let place = place_of(&place);
                 why.push(format!(
                     "{} {place}, for which the file's links ask, is not named: beside refitted links its probability is {most:.2}.",
@@ -113,9 +110,9 @@ impl<'a> Session<'a> {
     }
 }
 
-/// What a cause is worth beside everything in a model, whose other causes are `others`; `None` where
-/// no plausible size of it gains anything. `noise`: of each joint's torque, N m. The model under
-/// test is left with it, its friction included.
+/// What a cause is worth beside everything in a model, whose other causes are `others`; `None`
+/// where no plausible size of it gains anything. `noise`: of each joint's torque, N m. The model
+/// under test is left with it, its friction included.
 pub(in crate::diagnose) fn worth(
     tested: &mut ModelUnderTest<'_>,
     others: &mut Vec<Chosen>,
@@ -136,10 +133,7 @@ pub(in crate::diagnose) fn worth(
     }
     let after = tested.fit(others);
     let wald = match (plain, others.last()) {
-        (Some(term), _) => {
-            let at = after.friction + term;
-            after.solution.x[at].powi(2) / after.covariance()[(at, at)].max(f64::MIN_POSITIVE)
-        }
+        (Some(term), _) => plain_support(&after, &after.covariance(), &[term]),
         (None, last) => Uncertainty::of(tested, &after, others).wald(tested, &after, others.len() - 1, last?),
     };
     let out = left_out(tested, others, &after);

@@ -9,7 +9,8 @@
 /// Least gain for which the file's links are given up.
 const LEAST: f64 = 0.05;
 
-/// So many causes beside the file's links are likelier to be errors of links: one robot has few faults.
+/// So many causes beside the file's links are likelier to be errors of links: one robot has few
+/// faults.
 const MANY: f64 = 6.0;
 
 /// Errors on stretches that were left out.

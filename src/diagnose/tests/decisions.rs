@@ -437,8 +437,8 @@ fn friction_that_drives_the_joint_is_none() {
     }
 }
 
-/// Links that are wrong altogether look like a shared motor, wrong gains or rotors; beside refitted links
-/// none of these is likely, and a spring that is there stays.
+/// Links that are wrong altogether look like a shared motor, wrong gains or rotors; beside refitted
+/// links none of these is likely, and a spring that is there stays.
 #[test]
 fn what_other_links_explain_is_unlikely_beside_them() {
     let robot = planar();
