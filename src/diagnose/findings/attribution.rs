@@ -54,14 +54,11 @@ impl Attribution<'_> {
         let of_joint = |key: &Named| key.of_joint(item.place.first().map(|j| j + 1));
         let parameters: Vec<Quantity> = keys.iter().map(of_joint).collect();
         let accepted = item.accepted.map(|a| &all[a]);
-        let margin = near(item, accepted, plain_rivals).iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
+        let near = near(item, accepted, plain_rivals);
+        let margin = near.iter().map(|r| r.2.max(0.0)).fold(MOST_MARGIN, f64::min);
         let part = shares.within.unwrap_or_else(|| share(&without.steady, &with.steady, noise, &item.place));
         let support =
             accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, &item.friction), |a| a.support);
-        // The same in another place says nearly as much.
-        let near = near(item, accepted, plain_rivals);
-        let same = near.iter().filter(|r| r.0 == item.hypothesis.name());
-        let elsewhere = same.map(|r| format!("; the same {} would explain nearly as much", place_of(&r.1)));
         let recurrence = self.recurrence(item);
         let counted = shares.far.map_or(part, |far| 0.5 * (part + far));
         let confirmed = on != "fit" && part > SHOWN || item.hypothesis.local() || shares.recurs_far();
@@ -86,8 +83,7 @@ impl Attribution<'_> {
                 on: measured_on(on, self.own_validation),
                 confirmed: accepted.map(|a| a.confirmed),
                 repeats: shares.repeats,
-            }) + &elsewhere.collect::<String>()
-                + &[self.in_the_file(item), self.assumed(item)].concat(),
+            }) + &[elsewhere(item, &near), self.in_the_file(item), self.assumed(item)].concat(),
             in_extended: true,
             curve: item.accepted.and_then(|index| evidence::curve(tested, fitted, index, &all[index].chosen)),
             parameters,
@@ -232,6 +228,12 @@ pub(in crate::diagnose) fn near<'a>(
         Some(accepted) => accepted.rivals.as_slice(),
         None => plain.iter().find(|p| item.place == [p.joint]).map(|p| p.rivals.as_slice()).unwrap_or_default(),
     }
+}
+
+/// The same cause in other places that would say nearly as much.
+fn elsewhere(item: &Item, near: &[(&'static str, Vec<usize>, f64)]) -> String {
+    let same = near.iter().filter(|r| r.0 == item.hypothesis.name());
+    same.map(|r| format!("; the same {} would explain nearly as much", place_of(&r.1))).collect()
 }
 
 /// Causes that this data, or any data, can't separate from a cause.
