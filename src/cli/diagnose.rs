@@ -73,9 +73,10 @@ pub(super) struct Diagnose {
     /// band is passed.
     #[arg(long)]
     cutoff: Option<f64>,
-    /// Windows per second over which torques are averaged to separate causes.
-    #[arg(long, default_value_t = 100.0)]
-    rate: f64,
+    /// Windows per second over which torques are averaged to separate causes. Default: 100; of more
+    /// than half a minute of fitted motion fewer, down to 50, so that there are as many as then.
+    #[arg(long)]
+    rate: Option<f64>,
     #[command(flatten)]
     read: ReadOptions,
 }
@@ -167,7 +168,7 @@ impl Diagnose {
     /// With the defaults of all options that are not given here.
     pub(super) fn plainly(robot: PathBuf, logs: Vec<PathBuf>, validate: Vec<PathBuf>, given: Outputs) -> Self {
         let Outputs { out, json, report, read } = given;
-        Self { robot, logs, validate, out, next: None, json, report, cutoff: None, rate: 100.0, read }
+        Self { robot, logs, validate, out, next: None, json, report, cutoff: None, rate: None, read }
     }
 
     /// The diagnosis of a robot file, and the robot file that comes of it.
@@ -177,12 +178,13 @@ impl Diagnose {
         let effects = FileEffects::of(&file.robot, &[]);
         let known = effects.as_ref().and_then(|effects| effects.known(&plant, plant.given(), None));
         let check = ColumnCheck::new(&file.robot, &plant, plant.given(), known, keep);
+        let settings = Settings { rate: self.rate, ..Settings::default() };
         let mut reading = LogsRead {
             provenance,
             logbook: Logbook::of(&file.text),
             columns: self.read.map.reading(Some(&file.robot))?,
             prepared: Vec::new(),
-            held: Holding::new(&plant, self.rate),
+            held: Holding::new(&plant, settings.most_windows_per_second()),
         };
         for path in &self.logs {
             self.record(Purpose::Fit, path, &file.robot, &check, keep, &mut reading)?;
@@ -198,7 +200,6 @@ impl Diagnose {
         drop(logbook);
         let bar = ProgressBar::new_spinner();
         bar.enable_steady_tick(std::time::Duration::from_millis(120));
-        let settings = Settings { rate: self.rate, ..Settings::default() };
         let found = diagnose::diagnose(&plant, &fit, &validate, &settings, &|what| bar.set_message(what.to_string()))
             .map_err(Failure::input)?;
         let next = self.next_path().and_then(|path| {
@@ -215,8 +216,8 @@ impl Diagnose {
         if let Some(cutoff) = self.cutoff.filter(|cutoff| !(*cutoff > 0.0 && cutoff.is_finite())) {
             return Err(Failure::input(format!("--cutoff {cutoff}: a frequency in Hz above 0")));
         }
-        if !(self.rate >= 10.0 && self.rate <= 1e5) {
-            return Err(Failure::input(format!("--rate {}: windows per second, from 10 to 100000", self.rate)));
+        if let Some(rate) = self.rate.filter(|rate| !(*rate >= 10.0 && *rate <= 1e5)) {
+            return Err(Failure::input(format!("--rate {rate}: windows per second, from 10 to 100000")));
         }
         Ok(())
     }

@@ -28,15 +28,34 @@ use dh_codegen::robot::effects::FrictionDrift;
 /// How to diagnose.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Settings {
-    /// Windows per second. Default 100.
-    pub rate: f64,
+    /// Windows per second. Default: 100; of more than half a minute of fitted motion fewer, down
+    /// to 50, so that there are as many as in half a minute.
+    pub rate: Option<f64>,
     /// How strict the search is.
     pub search: SearchSettings,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { rate: 100.0, search: SearchSettings::default() }
+        Self { rate: None, search: SearchSettings::default() }
+    }
+}
+
+/// Windows per second of logs that are not long; what is more than so many seconds of them is long.
+/// Time and memory go with the number of windows.
+const RATE: f64 = 100.0;
+const LONG: f64 = 30.0;
+
+impl Settings {
+    /// Windows per second of logs of any length: the most.
+    pub fn most_windows_per_second(&self) -> f64 {
+        self.rate.unwrap_or(RATE)
+    }
+
+    /// Windows per second of these logs. Twice as long ones still resolve a reversal.
+    fn rate_of(&self, recordings: &[Recording]) -> f64 {
+        let seconds: f64 = recordings.iter().map(Recording::seconds).sum();
+        self.rate.unwrap_or_else(|| (RATE * LONG / seconds.max(LONG)).max(0.5 * RATE))
     }
 }
 
@@ -64,7 +83,8 @@ pub enum DiagnoseError {
 /// all samples and of those where the joint moves.
 pub fn misses(plant: &dyn PerturbableArm, recordings: &[Recording], settings: &Settings) -> [Vec<f64>; 2] {
     let recordings = &unexplained(plant, recordings)[..];
-    let tested = ModelUnderTest::new(plant, recordings, settings.rate, Mode::Trusted, &plant.delays(), false);
+    let tested =
+        ModelUnderTest::new(plant, recordings, settings.rate_of(recordings), Mode::Trusted, &plant.delays(), false);
     let measured = Meter::new(plant, recordings, &tested).of_the_file();
     [measured.rms, measured.steady]
 }
@@ -76,7 +96,7 @@ pub fn diagnose(
     fit: &[Recording],
     validate: &[Recording],
     settings: &Settings,
-    progress: &dyn Fn(&str),
+    progress: &(dyn Fn(&str) + Sync),
 ) -> Result<Diagnosis, DiagnoseError> {
     // A refit that has no rotor to change puts what the rotors do into bodies and gears.
     let driven = plant.with_rotors();
@@ -120,7 +140,7 @@ fn consistent_with_file(
     fit: &[Recording],
     validate: &[Recording],
     settings: &Settings,
-    progress: &dyn Fn(&str),
+    progress: &(dyn Fn(&str) + Sync),
 ) -> Result<Diagnosis, DiagnoseError> {
     let mut found = once(plant, fit, validate, settings, progress)?;
     // If a found effect is already in the file, the data contradict the file's; two of a kind are
@@ -264,7 +284,7 @@ fn once(
     fit: &[Recording],
     validate: &[Recording],
     settings: &Settings,
-    progress: &dyn Fn(&str),
+    progress: &(dyn Fn(&str) + Sync),
 ) -> Result<Diagnosis, DiagnoseError> {
     let own_validation = !validate.is_empty();
     let recorded = fit.iter().chain(validate).flat_map(|r| &r.stretches);
@@ -274,7 +294,8 @@ fn once(
     let [first, rest] = if own_validation { [Vec::new(), Vec::new()] } else { halves(&whole) };
     let (fit, validate) = if own_validation { (&whole[..], &other[..]) } else { (&first[..], &rest[..]) };
     let seconds: f64 = fit.iter().map(Recording::seconds).sum();
-    let start = ModelUnderTest::new(plant, fit, settings.rate, Mode::Trusted, &plant.delays(), false);
+    let rate = settings.rate_of(fit);
+    let start = ModelUnderTest::new(plant, fit, rate, Mode::Trusted, &plant.delays(), false);
     if seconds < 2.0 || start.scene.len < 100 {
         return Err(DiagnoseError::TooShort { seconds });
     }
@@ -288,7 +309,7 @@ fn once(
     let baseline = errors_of(&Meter::new(plant, fit, &start).of_the_file(), &before);
     let before = before.error;
 
-    let (refit, refitted) = Refit::new(plant, fit, validate, own_validation, settings)?;
+    let (refit, refitted) = Refit::new(plant, fit, validate, own_validation, rate)?;
     let noise = refit.with_noise_seen(torque_noise(recorded.clone(), dof));
     let has_links = has_links(plant);
     // The contribution of sensors, motion and clock to the error is no evidence.
@@ -302,8 +323,9 @@ fn once(
 
     // Unit of a gain: the noise, or a fiftieth of the torque where the noise is less.
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
-    let session = Session { plant, fit, validate, own_validation, noise, motion, ground, scale, settings, progress };
-    let Searched { models, said, suspects } = session.models(has_links, &refit, &torque_rms)?;
+    let session =
+        Session { plant, fit, validate, own_validation, noise, motion, ground, scale, rate, settings, progress };
+    let Searched { models, said, suspects } = session.models(has_links.then_some(&file_out), &refit, &torque_rms)?;
     let Choice { offered, mut why, changed, file_holds, model, rival } = session.choose(models, &file_out, &refit)?;
     why.extend(said);
     let (model, mut causes, left) = named(&session, model, rival.as_ref(), suspects, &torque_rms, &mut why)?;

@@ -70,7 +70,7 @@ pub fn search(
     tested: &mut ModelUnderTest<'_>,
     noise: &[f64],
     settings: &SearchSettings,
-    progress: &dyn Fn(&str),
+    progress: &(dyn Fn(&str) + Sync),
 ) -> Vec<Accepted> {
     let mut chosen: Vec<Chosen> = Vec::new();
     let mut accepted: Vec<Accepted> = Vec::new();

@@ -3,12 +3,18 @@
 //! Threads of the standard library: pieces are few and large, none divides further, and the order of
 //! all sums stays with the caller, so a pool that steals work would add dependencies alone.
 
+use std::cell::Cell;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-/// As many threads as this process may use.
+thread_local! {
+    /// Threads that the work of this one may use; `None`: all of the process.
+    static SHARE: Cell<Option<usize>> = const { Cell::new(None) };
+}
+
+/// As many threads as this process may use; inside a piece of work its share of them.
 pub(crate) fn threads() -> usize {
-    std::thread::available_parallelism().map_or(1, usize::from)
+    SHARE.get().unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from))
 }
 
 /// Calls `work` with `0..count` on some threads; results in order, whatever the number of threads.
@@ -16,11 +22,14 @@ pub(crate) fn parallel<T: Send>(threads: usize, count: usize, work: impl Fn(usiz
     if threads <= 1 || count <= 1 {
         return (0..count).map(work).collect();
     }
+    let used = threads.min(count);
+    let share = (self::threads() / used).max(1);
     let next = AtomicUsize::new(0);
     let done: Mutex<Vec<(usize, T)>> = Mutex::new(Vec::new());
     std::thread::scope(|scope| {
-        for _ in 0..threads.min(count) {
+        for _ in 0..used {
             scope.spawn(|| {
+                SHARE.set(Some(share));
                 loop {
                     let k = next.fetch_add(1, Ordering::Relaxed);
                     if k >= count {
@@ -56,5 +65,14 @@ mod tests {
                 assert_eq!(found, (0..count).map(|k| k * k).collect::<Vec<_>>());
             }
         }
+    }
+
+    /// Two pieces at once have half of the threads each, and all are there afterwards.
+    #[test]
+    fn work_inside_work_shares_the_threads() {
+        let all = threads();
+        let inside = parallel(2, 2, |_| threads());
+        assert_eq!(inside, [(all / 2).max(1); 2]);
+        assert_eq!(threads(), all);
     }
 }

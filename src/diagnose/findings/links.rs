@@ -54,7 +54,7 @@ impl Session<'_> {
         }
         // Residual of the file's links beside all other causes.
         let delays = &model.tested.scene.delays;
-        let mut believed = ModelUnderTest::new(self.plant, self.fit, self.settings.rate, Mode::Trusted, delays, false);
+        let mut believed = ModelUnderTest::new(self.plant, self.fit, self.rate, Mode::Trusted, delays, false);
         believed.frozen = model.tested.frozen.clone();
         let mut others = chosen_of(&model.accepted);
         let trusting = believed.fit(&mut others);

@@ -17,7 +17,7 @@ use super::Shape;
 use super::Sign;
 use super::Symbol;
 use super::Term;
-use crate::diagnose::windows::windowed_data::{Column, WindowedData};
+use crate::diagnose::windows::windowed_data::{Column, WindowedData, parts};
 
 /// A constant wrench on the tool between `start` and `end` (seconds of used data, over all logs). It
 /// is given in the tool's axes or, with `base` 1, in those of the base; without `moment` it is a
@@ -37,9 +37,6 @@ const WITH_MOMENT: f64 = 0.5;
 
 /// Largest moment of a push about the joints, by the largest torque that a motor has.
 const LARGEST: f64 = 2.0;
-
-/// Windows whose wrenches are computed at once: those of an hour would take 120 MB.
-const AT_ONCE: usize = 1024;
 
 /// Stretches of the log that are tried.
 const TRIED: usize = 6;
@@ -233,11 +230,6 @@ fn pushes(scene: &WindowedData<'_>, residual: &[Vec<f64>], base: f64) -> Vec<Pus
         length = (length * 4 / 3).max(length + 1);
     }
     found
-}
-
-/// The log's windows in parts whose wrenches are computed at once.
-pub(super) fn parts(windows: usize) -> impl Iterator<Item = Range<usize>> {
-    (0..windows).step_by(AT_ONCE).map(move |first| first..(first + AT_ONCE).min(windows))
 }
 
 /// One over the median of a joint's squares, which a short push does not move.

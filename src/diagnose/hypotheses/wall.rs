@@ -17,7 +17,7 @@ use super::Shape;
 use super::Sign;
 use super::Symbol;
 use super::Term;
-use super::external_contact::{ExternalContact, parts, quiet};
+use super::external_contact::{ExternalContact, quiet};
 use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// `k max(at - n'p, 0)` along `n`.
@@ -92,9 +92,9 @@ fn depths(positions: &[f64], normal: &Vector3<f64>, at: f64) -> Vec<f64> {
     (0..positions.len() / 3).map(|w| (at - height(positions, normal, w)).max(0.0)).collect()
 }
 
-/// Torques of a unit force along the normal in the windows of a part of the log, `[joint][window]`.
-fn along(unit: &[f64], normal: &Vector3<f64>, dof: usize) -> Vec<Vec<f64>> {
-    let len = unit.len() / (6 * dof).max(1);
+/// Torques of a unit force along the normal, `[joint][window]`.
+fn along(scene: &WindowedData<'_>, normal: &Vector3<f64>) -> Vec<Vec<f64>> {
+    let (unit, dof, len) = (scene.forces(), scene.dof(), scene.len);
     let torque = |j: usize, w: usize| -(0..3).map(|c| normal[c] * unit[(c * dof + j) * len + w]).sum::<f64>();
     (0..dof).map(|j| (0..len).map(|w| torque(j, w)).collect()).collect()
 }
@@ -175,19 +175,16 @@ impl Hypothesis for Wall {
             .filter_map(|(d, n)| Some((d, inside(scene, &n).filter(|unit| unit.dot(&n) >= MOSTLY)?)))
             .flat_map(|(d, n)| Plane::of(d, n, positions))
             .collect();
-        for part in parts(scene.len) {
-            let unit = scene.wrenches(part.clone(), true);
-            for same in planes.chunk_by_mut(|a, b| a.direction == b.direction) {
-                let torque = along(&unit, &same[0].normal, scene.dof());
-                for w in part.clone() {
-                    let at = height(positions, &same[0].normal, w);
-                    let live = (0..scene.dof()).filter(|&j| scene.live[j][w]);
-                    let sums = live.fold([0.0; 2], |[with, own], j| {
-                        let torque = torque[j][w - part.start];
-                        [with + weight[j] * torque * residual[j][w], own + weight[j] * torque * torque]
-                    });
-                    same.iter_mut().for_each(|plane| plane.add((plane.at - at).max(0.0), sums));
-                }
+        for same in planes.chunk_by_mut(|a, b| a.direction == b.direction) {
+            let torque = along(scene, &same[0].normal);
+            for w in 0..scene.len {
+                let at = height(positions, &same[0].normal, w);
+                let live = (0..scene.dof()).filter(|&j| scene.live[j][w]);
+                let sums = live.fold([0.0; 2], |[with, own], j| {
+                    let torque = torque[j][w];
+                    [with + weight[j] * torque * residual[j][w], own + weight[j] * torque * torque]
+                });
+                same.iter_mut().for_each(|plane| plane.add((plane.at - at).max(0.0), sums));
             }
         }
         planes.sort_by(|a, b| b.gain().total_cmp(&a.gain()));
@@ -210,13 +207,8 @@ impl Hypothesis for Wall {
     fn terms(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> Vec<Term> {
         let normal = normal(scene, shape);
         let depth = depths(scene.tool_positions(), &normal, distance(scene, shape));
-        let mut rows = vec![Vec::with_capacity(scene.len); scene.dof()];
-        for part in parts(scene.len) {
-            let torques = along(&scene.wrenches(part.clone(), true), &normal, scene.dof());
-            for (row, torque) in rows.iter_mut().zip(torques) {
-                row.extend(torque.iter().zip(&depth[part.clone()]).map(|(torque, depth)| torque * depth));
-            }
-        }
+        let mut rows = along(scene, &normal);
+        rows.iter_mut().for_each(|row| row.iter_mut().zip(&depth).for_each(|(torque, depth)| *torque *= depth));
         let column = scene.column(rows);
         if column.rows.is_empty() { Vec::new() } else { vec![Term::new(Keys::K, column, Sign::Positive)] }
     }

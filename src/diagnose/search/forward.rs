@@ -95,7 +95,7 @@ pub(in crate::diagnose) fn forward(
     noise: &[f64],
     settings: &SearchSettings,
     excluded: &[Placed],
-    progress: &dyn Fn(&str),
+    progress: &(dyn Fn(&str) + Sync),
 ) -> Found {
     // Friction that the file lacks is an unknown, not a change.
     let given = given_friction(tested.plant);

@@ -11,11 +11,12 @@ use crate::diagnose::findings::calibration;
 use crate::diagnose::findings::result::{Cause, Errors};
 use crate::diagnose::findings::structure::{Structure, structure};
 use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
-use crate::diagnose::run::{DiagnoseError, Settings};
+use crate::diagnose::run::DiagnoseError;
 use crate::diagnose::windows::recording::Recording;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::identify::ConsistentError;
 use crate::model::PerturbableArm;
+use crate::numerics::parallel::{parallel, threads};
 
 /// A refit of all base parameters and friction, without any further cause: what remains is
 /// structure.
@@ -37,9 +38,9 @@ impl Refit {
         fit: &'a [Recording],
         validate: &'a [Recording],
         own_validation: bool,
-        settings: &Settings,
+        rate: f64,
     ) -> Result<(Self, ModelUnderTest<'a>), DiagnoseError> {
-        let mut tested = ModelUnderTest::new(plant, fit, settings.rate, Mode::Refitted, &plant.delays(), false);
+        let mut tested = ModelUnderTest::new(plant, fit, rate, Mode::Refitted, &plant.delays(), false);
         let (plain, left_out) = plainly(&mut tested)?;
         let after = Meter::new(plant, validate, &tested).of(&tested, &plain, &[], true);
         let fitted = Meter::new(plant, fit, &tested).of(&tested, &plain, &[], false);
@@ -74,6 +75,10 @@ fn plainly(refit: &mut ModelUnderTest<'_>) -> Result<(Fitted, LeftOut), Diagnose
         }
     })
 }
+
+/// Most samples of all joints of fitted and validating logs for two searches at once: of more they
+/// would take over 200 MB.
+const TWICE: usize = 150_000;
 
 /// Result of the searches.
 pub(in crate::diagnose) struct Searched<'a> {
@@ -113,24 +118,44 @@ impl<'a> Session<'a> {
         found
     }
 
-    /// The models that were searched.
+    /// Whether there is memory for two searches at once.
+    fn fits_twice(&self) -> bool {
+        let samples = |r: &Recording| r.stretches.iter().map(|s| s.tau.len()).sum::<usize>();
+        self.fit.iter().chain(self.validate).map(samples).sum::<usize>() <= TWICE
+    }
+
+    /// The models that were searched. `file`: errors of the unchanged file on left-out stretches,
+    /// where it has links.
     pub(in crate::diagnose) fn models(
         &self,
-        has_links: bool,
+        file: Option<&LeftOut>,
         refit: &Refit,
         torque: &[f64],
     ) -> Result<Searched<'a>, ConsistentError> {
         let (mut models, mut said, mut suspects) = (Vec::new(), Vec::new(), [Vec::new(), Vec::new()]);
-        if has_links {
-            (self.progress)("the file's links unchanged");
-            models.push(self.searched(Mode::Trusted)?);
+        let mut refitted = None;
+        if let Some(file) = file {
+            // What is likely to be needed is searched beside the other, on a processor of its own.
+            let both = refit.left_out.less(file, self.ground).worth_refit(0) && threads() > 1 && self.fits_twice();
+            (self.progress)(if both {
+                "the file's links unchanged, and refitted"
+            } else {
+                "the file's links unchanged"
+            });
+            let modes = [Mode::Trusted, Mode::Refitted];
+            let mut found = parallel(2, 1 + usize::from(both), |i| self.searched(modes[i])).into_iter();
+            models.extend(found.next().transpose()?);
+            refitted = found.next();
         }
         let refit_is_better = |m: &Selected<'_>| {
             refit.left_out.less(&m.left_out, self.ground).worth_refit(m.causes.len()) || self.worse_than(m, refit)
         };
         if !models.iter().any(|m| self.left(m, torque).is_empty() && !refit_is_better(m)) {
-            (self.progress)("all base parameters refitted");
-            match self.searched(Mode::Refitted) {
+            let refitted = refitted.unwrap_or_else(|| {
+                (self.progress)("all base parameters refitted");
+                self.searched(Mode::Refitted)
+            });
+            match refitted {
                 Ok(model) => models.push(model),
                 Err(error) => said.push(format!("Refitted parameters are not offered: {error}.")),
             }

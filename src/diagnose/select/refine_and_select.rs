@@ -36,8 +36,10 @@ pub(in crate::diagnose) struct Session<'a> {
     pub(in crate::diagnose) ground: &'a [f64],
     /// Unit of a gain, per joint, N m.
     pub(in crate::diagnose) scale: &'a [f64],
+    /// Windows per second.
+    pub(in crate::diagnose) rate: f64,
     pub(in crate::diagnose) settings: &'a Settings,
-    pub(in crate::diagnose) progress: &'a dyn Fn(&str),
+    pub(in crate::diagnose) progress: &'a (dyn Fn(&str) + Sync),
 }
 
 /// Least share of a joint's squared error that a cause takes where it acts, if that is a part of a
@@ -152,8 +154,7 @@ pub(super) struct Attributed {
 
 impl<'a> Session<'a> {
     pub(super) fn tested(&self, mode: Mode) -> ModelUnderTest<'a> {
-        let mut tested =
-            ModelUnderTest::new(self.plant, self.fit, self.settings.rate, mode, &self.plant.delays(), false);
+        let mut tested = ModelUnderTest::new(self.plant, self.fit, self.rate, mode, &self.plant.delays(), false);
         tested.motion_error = self.motion.to_vec();
         tested
     }

@@ -21,6 +21,14 @@ use super::torque_noise::torque_noise;
 /// Postures in which torques of a force on the tool are looked at.
 const POSTURES: usize = 16;
 
+/// Windows whose wrenches are computed at once: those of an hour would take 120 MB.
+const AT_ONCE: usize = 1024;
+
+/// The windows of a log in parts whose wrenches are computed at once.
+pub(in crate::diagnose) fn parts(windows: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
+    (0..windows).step_by(AT_ONCE).map(move |first| first..(first + AT_ONCE).min(windows))
+}
+
 /// Part of the largest sum of squared torques up to which a direction has none.
 const IDLE: f64 = 1e-9;
 
@@ -366,6 +374,8 @@ pub struct WindowedData<'a> {
     slopes: Mutex<Vec<(usize, Arc<Slopes>)>>,
     /// [`WindowedData::tool_positions`], once asked for.
     positions: OnceLock<Vec<f64>>,
+    /// [`WindowedData::forces`], once asked for.
+    forces: OnceLock<Vec<f64>>,
     /// [`WindowedData::directions_without_torque`], once asked for.
     idle: OnceLock<Vec<Vector3<f64>>>,
 }
@@ -419,6 +429,7 @@ impl<'a> WindowedData<'a> {
             all,
             slopes: Mutex::default(),
             positions: OnceLock::new(),
+            forces: OnceLock::new(),
             idle: OnceLock::new(),
             runs: cuts.iter().map(|c| c.first..c.first + c.windows).collect(),
             plant,
@@ -467,6 +478,7 @@ impl<'a> WindowedData<'a> {
         self.states = states.collect();
         self.state_of_joint = of_joint;
         self.positions = OnceLock::new();
+        self.forces = OnceLock::new();
         for j in (0..dof).filter(|&j| self.delays[j] != delays[j]) {
             let (zone, stands) = (self.velocity_noise_limit[j], self.stands[j]);
             let signed = SpeedSign { zone, stands, all: self.all };
@@ -553,6 +565,21 @@ impl<'a> WindowedData<'a> {
             self.plant.wrench_columns(&states, base, &mut out);
         }
         out
+    }
+
+    /// Torques of unit forces at the tool along the base's axes: `[(axis * dof + joint) * len +
+    /// window]`, N m/N.
+    pub fn forces(&self) -> &[f64] {
+        self.forces.get_or_init(|| {
+            let mut out = vec![0.0; 3 * self.dof() * self.len];
+            for span in parts(self.len) {
+                let unit = self.wrenches(span.clone(), true);
+                for (row, part) in out.chunks_exact_mut(self.len).zip(unit.chunks_exact(span.len())) {
+                    row[span.clone()].copy_from_slice(part);
+                }
+            }
+            out
+        })
     }
 
     /// [`PerturbableArm::tool_positions`] in all windows.
@@ -756,6 +783,7 @@ impl<'a> WindowedData<'a> {
     pub fn forget(&mut self) {
         self.slopes = Mutex::default();
         self.positions = OnceLock::new();
+        self.forces = OnceLock::new();
     }
 
     /// How the rigid torques change with joint `j`'s motion.

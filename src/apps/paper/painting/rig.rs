@@ -223,7 +223,7 @@ impl Stand {
     }
 
     /// The same robot with the model that the diagnosis extends.
-    pub fn extended(&self, lwr: &Lwr, progress: &dyn Fn(&str)) -> Result<(Self, Diagnosis), ReproduceError> {
+    pub fn extended(&self, lwr: &Lwr, progress: &(dyn Fn(&str) + Sync)) -> Result<(Self, Diagnosis), ReproduceError> {
         let plant = PerturbableRobot::new(&self.identified);
         let recording = |name: &str, log: &Log| -> Result<diagnose::Recording, ReproduceError> {
             let prepare = diagnose::preparation(diagnose::HIGHEST);
