@@ -278,6 +278,22 @@ fn has_links(plant: &dyn PerturbableArm) -> bool {
     plant.given().is_some_and(|given| given.iter().any(|v| *v != 0.0))
 }
 
+/// Whether there is enough motion, numbers are finite and some torque was measured.
+fn usable(start: &ModelUnderTest<'_>) -> Result<(), DiagnoseError> {
+    let fit = start.recordings;
+    let seconds: f64 = fit.iter().map(Recording::seconds).sum();
+    if seconds < 2.0 || start.scene.len < 100 {
+        return Err(DiagnoseError::TooShort { seconds });
+    }
+    if start.target().iter().flatten().any(|y| !y.is_finite()) {
+        return Err(DiagnoseError::NotFinite);
+    }
+    if fit.iter().flat_map(|r| &r.stretches).all(|s| s.tau.iter().all(|t| *t == 0.0)) {
+        return Err(DiagnoseError::NoTorque);
+    }
+    Ok(())
+}
+
 /// [`diagnose`] with the effects of the file kept.
 fn once(
     plant: &dyn PerturbableArm,
@@ -293,18 +309,9 @@ fn once(
     let (whole, other) = (unexplained(plant, fit), unexplained(plant, validate));
     let [first, rest] = if own_validation { [Vec::new(), Vec::new()] } else { halves(&whole) };
     let (fit, validate) = if own_validation { (&whole[..], &other[..]) } else { (&first[..], &rest[..]) };
-    let seconds: f64 = fit.iter().map(Recording::seconds).sum();
     let rate = settings.rate_of(fit);
     let start = ModelUnderTest::new(plant, fit, rate, Mode::Trusted, &plant.delays(), false);
-    if seconds < 2.0 || start.scene.len < 100 {
-        return Err(DiagnoseError::TooShort { seconds });
-    }
-    if start.target().iter().flatten().any(|y| !y.is_finite()) {
-        return Err(DiagnoseError::NotFinite);
-    }
-    if fit.iter().flat_map(|r| &r.stretches).all(|s| s.tau.iter().all(|t| *t == 0.0)) {
-        return Err(DiagnoseError::NoTorque);
-    }
+    usable(&start)?;
     let before = Meter::new(plant, validate, &start).of_the_file();
     let baseline = errors_of(&Meter::new(plant, fit, &start).of_the_file(), &before);
     let before = before.error;
@@ -363,7 +370,7 @@ fn once(
         next_experiment: next_experiment(&causes),
         causes,
         own_validation,
-        seconds: [seconds, validate.iter().map(Recording::seconds).sum()],
+        seconds: [fit, validate].map(|part| part.iter().map(Recording::seconds).sum()),
         curves: (0..dof).map(|j| curve(j, &after, &view, &before)).collect(),
         maps,
     })

@@ -85,5 +85,5 @@ fn every_result_says_its_options() {
     assert_eq!(made["provenance"]["--seed"], "3");
     let diagnosis = json(&["diagnose", ROBOT, &out, "--cutoff", "14", "--json", "-"]);
     assert_eq!(diagnosis["provenance"]["--cutoff"], "14");
-    assert_eq!(diagnosis["provenance"]["--rate"], "100 (default)");
+    assert_eq!(diagnosis["provenance"]["--rate"], "not given");
 }
