@@ -26,19 +26,13 @@ use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects::FrictionDrift;
 
 /// How to diagnose.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Settings {
     /// Windows per second. Default: 100; of more than half a minute of fitted motion fewer, down
     /// to 50, so that there are as many as in half a minute.
     pub rate: Option<f64>,
     /// How strict the search is.
     pub search: SearchSettings,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self { rate: None, search: SearchSettings::default() }
-    }
 }
 
 /// Windows per second of logs that are not long; what is more than so many seconds of them is long.

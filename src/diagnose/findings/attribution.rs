@@ -83,7 +83,7 @@ impl Attribution<'_> {
                 on: measured_on(on, self.own_validation),
                 confirmed: accepted.map(|a| a.confirmed),
                 repeats: shares.repeats,
-            }) + &[elsewhere(item, &near), self.in_the_file(item), self.assumed(item)].concat(),
+            }) + &[elsewhere(item, near), self.in_the_file(item), self.assumed(item)].concat(),
             in_extended: true,
             curve: item.accepted.and_then(|index| evidence::curve(tested, fitted, index, &all[index].chosen)),
             parameters,
