@@ -74,7 +74,8 @@ pub(super) struct Diagnose {
     #[arg(long)]
     cutoff: Option<f64>,
     /// Windows per second over which torques are averaged to separate causes. Default: 100; of more
-    /// than half a minute of fitted motion fewer, down to 50, so that there are as many as then.
+    /// than half a minute of fitted motion fewer, down to 50, so that there are as many as in half a
+    /// minute.
     #[arg(long)]
     rate: Option<f64>,
     #[command(flatten)]

@@ -1,7 +1,8 @@
 //! Independent pieces of work on several threads, results in order.
 //!
-//! Threads of the standard library: pieces are few and large, none divides further, and the order of
-//! all sums stays with the caller, so a pool that steals work would add dependencies alone.
+//! Threads of the standard library: pieces are few and large, one that divides further has its
+//! share of the threads, and the order of all sums stays with the caller, so a pool that steals work
+//! would add dependencies alone.
 
 use std::cell::Cell;
 use std::sync::Mutex;
