@@ -136,9 +136,10 @@ pub(super) fn near(
     for steps in 0..MOST {
         let now = t;
         let halt = move || Stalled { w: now, steps, decrement: f64::INFINITY };
+        // What bodies and singles are above their own floor: one that has arrived asks for nothing.
         let mut sum = 0.0;
         let mut scaled = Vec::with_capacity(forces.len());
-        for (link, force) in problem.links.iter().zip(&mut forces) {
+        for ((link, force), floor) in problem.links.iter().zip(&mut forces).zip(&floors) {
             let body = problem.inside(v.as_slice(), link.start);
             let cone = match Scaled::new(&body, force) {
                 Some(cone) => cone,
@@ -146,14 +147,14 @@ pub(super) fn near(
                 // place.
                 None => {
                     resets += 1;
-                    *force = body.cholesky().filter(|_| resets < 20).ok_or_else(halt)?.inverse() * t;
+                    *force = body.cholesky().filter(|_| resets < 20).ok_or_else(halt)?.inverse() * t.max(*floor);
                     Scaled::new(&body, force).ok_or_else(halt)?
                 }
             };
-            sum += cone.lambda.norm_squared();
+            sum += cone.lambda.iter().map(|l| (l * l - floor).max(0.0)).sum::<f64>();
             scaled.push(cone);
         }
-        sum += singles.iter().map(|s| s.force * s.slack(&v)).sum::<f64>();
+        sum += singles.iter().map(|s| (s.force * s.slack(&v) - s.floor).max(0.0)).sum::<f64>();
         // After a long step the target may fall fast; after a short one bodies and forces first go
         // back to the middle.
         t = (sum / degree)
@@ -192,10 +193,11 @@ pub(super) fn near(
                 return Err(halt());
             }
             t = (10.0 * t).max(sum / degree);
-            for (link, force) in problem.links.iter().zip(&mut forces) {
-                *force = problem.inside(v.as_slice(), link.start).cholesky().ok_or_else(halt)?.inverse() * t;
+            for ((link, force), floor) in problem.links.iter().zip(&mut forces).zip(&floors) {
+                let body = problem.inside(v.as_slice(), link.start);
+                *force = body.cholesky().ok_or_else(halt)?.inverse() * t.max(*floor);
             }
-            singles.iter_mut().for_each(|s| s.force = t / s.slack(&v).max(f64::MIN_POSITIVE));
+            singles.iter_mut().for_each(|s| s.force = t.max(s.floor) / s.slack(&v).max(f64::MIN_POSITIVE));
             last = 0.0;
             continue;
         }
@@ -214,4 +216,43 @@ pub(super) fn near(
     }
     // Newton's method checks whether this is near enough.
     Ok((v, MOST))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::newton::{Link, Scalar};
+    use super::*;
+    use crate::numerics::prng::Random;
+
+    /// Some tens of steps lead to the neighbourhood, from which Newton's method needs some few: also
+    /// where a body's prior asks for a force a million times that of a barrier.
+    #[test]
+    fn the_path_ends_where_floors_differ() {
+        let mut random = Random::new(3);
+        for w in [1.0, 1e-6] {
+            let n = 12;
+            let j = DMatrix::from_fn(20, n, |_, _| 1e3 * random.uniform(-1.0, 1.0));
+            let truth = DVector::from_fn(n, |i, _| if i < 4 { 2.0 } else { 0.3 });
+            let mut z = &j * &truth;
+            z.iter_mut().for_each(|z| *z += 50.0 * random.uniform(-1.0, 1.0));
+            let problem = Problem {
+                j,
+                z,
+                links: vec![Link { start: 0, share: 0.7 }],
+                scalars: vec![Scalar { index: 10, known: true }, Scalar { index: 11, known: false }],
+                free: Vec::new(),
+                walls: vec![Wall { a: vec![(0, 1.0), (10, -2.0)], b: 0.0 }],
+                equal: None,
+                margin: 1e-3,
+            };
+            let mut start = vec![0.0; n];
+            start[..4].fill(1.0);
+            (start[10], start[11]) = (0.2, 1.0);
+            let weights = Weights { w, mu: 1e-6 };
+            let stacked = Stacked::new(&problem);
+            let (near, far) = near(&problem, &stacked, &start, weights).unwrap();
+            let (_, all) = problem.follow(&start, weights).unwrap();
+            assert!(near.iter().all(|x| x.is_finite()) && far < 40 && all - far < 10, "{w}: {far}, then {}", all - far);
+        }
+    }
 }
