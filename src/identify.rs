@@ -68,7 +68,7 @@ pub use regression::essential::{Dropped, Essential};
 pub use regression::known_parameters::Known;
 pub use regression::nonnegative::{Nonnegative, nonnegative_drives};
 pub use regression::r_factor::RFactor;
-pub(crate) use regression::r_factor::dot;
+pub(crate) use regression::r_factor::{dot, dots_of};
 pub use regression::recover::{RecoverError, implausible_links, recover_standard};
 pub use regression::statistics::Noise;
 pub use result::{Condition, Confused, Estimate, Identification, LogSummary, Standing, Underdetermined};

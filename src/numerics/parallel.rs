@@ -18,6 +18,14 @@ pub(crate) fn threads() -> usize {
     SHARE.get().unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from))
 }
 
+/// Numbers below which a pass over them is shorter than the start of a thread.
+const FEW: usize = 10_000;
+
+/// Threads that are worth starting for a pass over so many numbers.
+pub(crate) fn threads_for(numbers: usize) -> usize {
+    if numbers < FEW { 1 } else { threads() }
+}
+
 /// Calls `work` with `0..count` on some threads; results in order, whatever the number of threads.
 pub(crate) fn parallel<T: Send>(threads: usize, count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     if threads <= 1 || count <= 1 {

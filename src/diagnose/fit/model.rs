@@ -8,6 +8,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::identify::recover_standard;
 use crate::model::{DriveTerm, PerturbableArm, StandardParameter};
+use crate::numerics::parallel::{parallel, threads_for};
 
 use super::body_limits::{independent_share, possible_values};
 use super::moments::{Moments, Solution};
@@ -494,7 +495,8 @@ impl<'a> ModelUnderTest<'a> {
 
     /// Autocorrelation time of each joint's residual, windows.
     pub(super) fn memory(&self, residual: &[Vec<f64>]) -> Vec<f64> {
-        residual.iter().zip(&self.scene.live).map(|(e, l)| autocorrelation_time(e, l)).collect()
+        let threads = threads_for(self.scene.len * residual.len());
+        parallel(threads, residual.len(), |j| autocorrelation_time(&residual[j], &self.scene.live[j]))
     }
 
     /// Equations in the rigid arm's unknowns, friction's and those of the chosen causes, in pieces
@@ -506,7 +508,8 @@ impl<'a> ModelUnderTest<'a> {
             let spans: Vec<usize> = (0..self.scene.len).map(|w| w * BLOCKS / len).collect();
             Moments::new(&self.scene, if stretches { &spans } else { &self.scene.block }, &self.y, &columns)
         });
-        let terms: Vec<Arc<Vec<Term>>> = chosen.iter().map(|c| self.terms(c)).collect();
+        let threads = threads_for(self.scene.len * self.scene.dof());
+        let terms = parallel(threads, chosen.len(), |i| self.terms(&chosen[i]));
         let (mut columns, mut first) = (Vec::new(), Vec::new());
         for term in &terms {
             first.push(ground.unknowns + columns.len());
@@ -649,7 +652,8 @@ impl<'a> ModelUnderTest<'a> {
     /// file explains, per joint: the target less this is the error.
     pub fn predict(&self, x: &DVector<f64>, chosen: &[Chosen]) -> Vec<Vec<f64>> {
         let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
-        let terms: Vec<Arc<Vec<Term>>> = chosen.iter().map(|c| self.terms(c)).collect();
+        let threads = threads_for(self.scene.len * self.scene.dof());
+        let terms = parallel(threads, chosen.len(), |i| self.terms(&chosen[i]));
         let held = if self.all && self.mode == Mode::Refitted { inertial(self.plant) } else { Vec::new() };
         let mut at = held.len();
         if at > 0 {

@@ -8,9 +8,9 @@ use nalgebra::{DMatrix, DVector};
 
 use super::regulariser::Regulariser;
 use crate::diagnose::windows::windowed_data::{BLOCKS, Column, WindowedData};
-use crate::identify::dot;
+use crate::identify::{dot, dots_of};
 use crate::numerics::eigen;
-use crate::numerics::parallel::{parallel, threads};
+use crate::numerics::parallel::{parallel, threads, threads_for};
 
 /// Products of a joint's columns with each other and with the torque, over one part of the data.
 #[derive(Debug, Clone)]
@@ -153,28 +153,37 @@ impl Moments {
                 all.joints[*j].series.push(series.clone());
             }
         }
-        for (j, joint) in all.joints.iter_mut().enumerate() {
-            let (old, n) = (self.joints[j].columns.len(), joint.columns.len());
-            if n == old {
-                continue;
-            }
-            for (number, part) in joint.parts.iter_mut().enumerate() {
-                part.gram = std::mem::replace(&mut part.gram, DMatrix::zeros(0, 0)).resize(n, n, 0.0);
-                part.with_y = std::mem::replace(&mut part.with_y, DVector::zeros(0)).resize_vertically(n, 0.0);
-                for (range, _) in self.pieces.iter().filter(|p| p.1 == number) {
-                    let cut: Vec<&[f64]> = joint.series.iter().map(|s| &s[range.clone()]).collect();
-                    let y = &self.y[j][range.clone()];
-                    for i in old..n {
-                        let found = products(cut[i], &cut[..=i]);
-                        found.iter().enumerate().for_each(|(k, product)| part.gram[(i, k)] += product);
-                        part.with_y[i] += dot(cut[i], y);
-                    }
-                }
-                part.gram.fill_upper_triangle_with_lower_triangle();
-            }
+        let parts = parallel(self.threads(), all.joints.len(), |j| all.products_of(j, self.joints[j].columns.len()));
+        for (joint, parts) in all.joints.iter_mut().zip(parts) {
+            joint.parts = parts;
         }
         all.whole = all.sums(|_| true);
         all
+    }
+
+    /// Products of a joint's columns, of which the first `old` are known.
+    fn products_of(&self, j: usize, old: usize) -> Vec<Part> {
+        let joint = &self.joints[j];
+        let n = joint.columns.len();
+        if n == old {
+            return joint.parts.clone();
+        }
+        let extended = |(number, part): (usize, &Part)| {
+            let (mut gram, mut with_y) = (part.gram.clone().resize(n, n, 0.0), part.with_y.clone());
+            with_y = with_y.resize_vertically(n, 0.0);
+            for (range, _) in self.pieces.iter().filter(|p| p.1 == number) {
+                let cut: Vec<&[f64]> = joint.series.iter().map(|s| &s[range.clone()]).collect();
+                let y = &self.y[j][range.clone()];
+                for i in old..n {
+                    let found = products(cut[i], &cut[..=i]);
+                    found.iter().enumerate().for_each(|(k, product)| gram[(i, k)] += product);
+                    with_y[i] += dot(cut[i], y);
+                }
+            }
+            gram.fill_upper_triangle_with_lower_triangle();
+            Part { gram, with_y, ..*part }
+        };
+        joint.parts.iter().enumerate().map(extended).collect()
     }
 
     /// The same equations in which some unknowns do nothing.
@@ -393,17 +402,18 @@ impl Moments {
 
     /// Residual series of each joint, zero where a window is not used.
     pub fn residual(&self, x: &DVector<f64>) -> Vec<Vec<f64>> {
-        self.joints
-            .iter()
-            .zip(self.y.iter())
-            .map(|(joint, y)| {
-                let mut e = y.clone();
-                for (&c, series) in joint.columns.iter().zip(&joint.series) {
-                    e.iter_mut().zip(series.iter()).for_each(|(e, s)| *e -= x[c] * s);
-                }
-                e
-            })
-            .collect()
+        parallel(self.threads(), self.joints.len(), |j| {
+            let (joint, mut e) = (&self.joints[j], self.y[j].clone());
+            for (&c, series) in joint.columns.iter().zip(&joint.series) {
+                e.iter_mut().zip(series.iter()).for_each(|(e, s)| *e -= x[c] * s);
+            }
+            e
+        })
+    }
+
+    /// Threads for a pass over the series of all joints.
+    fn threads(&self) -> usize {
+        threads_for(self.y.iter().map(Vec::len).sum())
     }
 
     /// The same equations with another regulariser.
@@ -495,7 +505,15 @@ impl Moments {
 /// those of any other.
 #[multiversion::multiversion(targets("x86_64+avx2"))]
 fn products(one: &[f64], others: &[&[f64]]) -> Vec<f64> {
-    others.iter().map(|other| dot(one, other)).collect()
+    let (fours, rest) = others.as_chunks::<4>();
+    let mut all = Vec::with_capacity(others.len());
+    for four in fours {
+        all.extend(dots_of(one, *four));
+    }
+    for other in rest {
+        all.push(dot(one, other));
+    }
+    all
 }
 
 /// Normal matrix of some unknowns, all others refitted, from the inverse of the whole.

@@ -5,7 +5,6 @@ use super::judge::{Accepted, Judge, adopt, chosen_of};
 use super::{SearchSettings, makes_sense};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::hypotheses::Hypothesis;
-use crate::diagnose::windows::torque_noise::autocorrelation_time;
 
 /// Takes each cause out in turn: goes without it where it is not missed, and puts another in its
 /// place that does better now that the rest is known.
@@ -75,7 +74,6 @@ pub(in crate::diagnose) fn stepwise_exchange(
     let mut chosen = chosen_of(accepted);
     *fitted = tested.fit(&mut chosen);
     adopt(accepted, &chosen);
-    fitted.memory = fitted.residual.iter().zip(&tested.scene.live).map(|(e, l)| autocorrelation_time(e, l)).collect();
 }
 
 /// Refines the shapes of the causes on a joint again, each beside the others: their first shapes

@@ -14,6 +14,7 @@ use nalgebra::{Matrix3, Matrix3xX, Vector3};
 
 use crate::data::signal::{Band, central};
 use crate::model::{Change, DriveTerm, PerturbableArm, StandardParameter, States};
+use crate::numerics::parallel::{parallel, threads_for};
 
 use super::recording::{Recording, Stretch};
 use super::torque_noise::torque_noise;
@@ -64,8 +65,8 @@ const PIECE: f64 = 1.0;
 /// memory as everything else.
 const PART: usize = 1024;
 
-/// The same of torques, which are fewer: enough for all threads.
-const BATCH: usize = 1 << 14;
+/// The same of torques, which are fewer: a piece of work for a thread.
+const BATCH: usize = 1 << 11;
 
 /// Joints whose slopes are held: one by one they are searched, on a few threads.
 const SLOPES: usize = 2;
@@ -701,20 +702,23 @@ impl<'a> WindowedData<'a> {
         &self,
         base: &[f64],
         wanted: &[bool],
-        change: impl Fn(&mut States, std::ops::Range<usize>),
+        change: impl Fn(&mut States, std::ops::Range<usize>) + Sync,
     ) -> Vec<Vec<f64>> {
         let mut rows = vec![vec![0.0; self.len]; self.dof()];
         let used = |index: &usize| self.state_of_joint.iter().zip(wanted).any(|(own, wanted)| own == index && *wanted);
         for index in (0..self.states.len()).filter(used) {
-            for first in (0..self.len).step_by(BATCH) {
-                let span = first..(first + BATCH).min(self.len);
-                let mut states = part_of(&self.states[index], self.dof(), span.clone());
-                change(&mut states, span.clone());
+            let span = |k: usize| k * BATCH..((k + 1) * BATCH).min(self.len);
+            let parts = parallel(threads_for(self.len * self.dof()), self.len.div_ceil(BATCH), |k| {
+                let mut states = part_of(&self.states[index], self.dof(), span(k));
+                change(&mut states, span(k));
                 let mut out = vec![0.0; self.dof() * states.len];
                 self.plant.base_torques(&states, base, &mut out);
-                let own = rows.iter_mut().zip(out.chunks_exact(states.len)).zip(&self.state_of_joint);
+                out
+            });
+            for (k, part) in parts.iter().enumerate() {
+                let own = rows.iter_mut().zip(part.chunks_exact(span(k).len())).zip(&self.state_of_joint);
                 own.filter(|(_, own)| **own == index)
-                    .for_each(|((row, torque), _)| row[span.clone()].copy_from_slice(torque));
+                    .for_each(|((row, torque), _)| row[span(k)].copy_from_slice(torque));
             }
         }
         rows
@@ -727,7 +731,7 @@ impl<'a> WindowedData<'a> {
     }
 
     /// Torque of the rigid model where each window's motion is first changed, as above.
-    fn rigid_with(&self, change: impl Fn(&mut States, std::ops::Range<usize>)) -> Vec<Vec<f64>> {
+    fn rigid_with(&self, change: impl Fn(&mut States, std::ops::Range<usize>) + Sync) -> Vec<Vec<f64>> {
         self.torques_where(&self.beta, &vec![true; self.dof()], change)
     }
 

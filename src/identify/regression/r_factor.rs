@@ -180,14 +180,20 @@ fn reflect(
     }
 }
 
-/// [`dot`] of a vector and of four others that begin `stride` apart, bit by bit: their sums do not
-/// wait for each other.
+/// [`dot`] of a vector and of four others that begin `stride` apart.
 #[inline(always)]
 pub(crate) fn dots(a: &[f64], others: &[f64], stride: usize) -> [f64; 4] {
     let n = a.len();
+    dots_of(a, [&others[..n], &others[stride..][..n], &others[2 * stride..][..n], &others[3 * stride..][..n]])
+}
+
+/// [`dot`] of a vector and of four others of its length, bit by bit: their sums do not wait for each
+/// other.
+#[inline(always)]
+pub(crate) fn dots_of(a: &[f64], [b0, b1, b2, b3]: [&[f64]; 4]) -> [f64; 4] {
+    let n = a.len();
     let whole = n - n % 8;
-    let (b0, b1) = (&others[..n], &others[stride..stride + n]);
-    let (b2, b3) = (&others[2 * stride..2 * stride + n], &others[3 * stride..3 * stride + n]);
+    let (b0, b1, b2, b3) = (&b0[..n], &b1[..n], &b2[..n], &b3[..n]);
     let mut sums = [[0.0; 8]; 4];
     let mut at = 0;
     while at < whole {
@@ -202,10 +208,10 @@ pub(crate) fn dots(a: &[f64], others: &[f64], stride: usize) -> [f64; 4] {
         at += 8;
     }
     let mut out = [0.0; 4];
-    for k in 0..4 {
+    for (k, other) in [b0, b1, b2, b3].into_iter().enumerate() {
         let mut rest = 0.0;
         for i in whole..n {
-            rest += a[i] * others[k * stride + i];
+            rest += a[i] * other[i];
         }
         out[k] = total(&sums[k], rest);
     }
