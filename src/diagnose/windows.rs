@@ -1,6 +1,7 @@
 //! From recordings to windows: data at the rate at which causes are distinguished, their noise and
 //! the errors of their motion.
 
+pub(super) mod earlier;
 pub(super) mod holding;
 pub(super) mod motion_error;
 pub(super) mod recording;

@@ -35,7 +35,7 @@ impl States {
 
 /// Samples `from..to` of each row of `len`.
 pub(super) fn part(all: &[f64], len: usize, from: usize, to: usize) -> Vec<f64> {
-    all.chunks_exact(len.max(1)).flat_map(|row| &row[from..to]).copied().collect()
+    all.chunks_exact(len.max(1)).map(|row| &row[from..to]).collect::<Vec<_>>().concat()
 }
 
 /// A sum of two velocities: that of a motor that turns with two joints.

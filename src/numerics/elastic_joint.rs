@@ -93,8 +93,9 @@ impl Spring {
                 let (m, s) = (between(m, m1), between(s, s1));
                 for ([x, v], damping) in states.iter_mut().zip(dampings) {
                     let d = damping + own;
-                    // The middle of the step holds for all of it.
-                    let a = (load - d * *v - s * (*x + 0.5 * h * *v)) / (m + 0.5 * h * d + 0.25 * h * h * s);
+                    // The middle of the step holds for all of it. A reciprocal does not wait for the state.
+                    let inverse = (m + 0.5 * h * d + 0.25 * h * h * s).recip();
+                    let a = (load - d * *v - s * (*x + 0.5 * h * *v)) * inverse;
                     *x += h * (*v + 0.5 * h * a);
                     *v += h * a;
                 }

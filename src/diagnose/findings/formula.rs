@@ -12,6 +12,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::evidence::short;
 use crate::diagnose::fit::moments::pseudo_inverse;
+use crate::numerics::parallel::{parallel, threads};
 use crate::numerics::prng::Random;
 
 /// Stretches of the data, each in one piece.
@@ -168,7 +169,7 @@ fn sums(terms: &[Term], data: Errors<'_>) -> Vec<Sums> {
         let error = DVector::from_iterator(picks.len(), picks.iter().map(|&k| data.error[k]));
         Sums { gram: rows.tr_mul(&rows), with: rows.tr_mul(&error), squares: error.norm_squared() }
     };
-    (0..STRETCHES).map(stretch).collect()
+    parallel(threads(), STRETCHES, stretch)
 }
 
 fn total<'s>(parts: impl Iterator<Item = &'s Sums>) -> Option<Sums> {
@@ -272,12 +273,17 @@ pub(in crate::diagnose) fn formula(j: usize, fit: Errors<'_>, validate: Errors<'
     let parts = sums(&terms, fit);
     let mut counts = vec![0usize; groups.len()];
     let mut random = Random::new(1);
-    for _ in 0..HALVES {
+    let mut shuffled = || {
         let mut order: Vec<(u64, usize)> = (0..STRETCHES).map(|s| (random.bits(), s)).collect();
         order.sort_unstable();
-        let half = total(order[..STRETCHES / 2].iter().map(|(_, s)| &parts[*s]))?;
-        selected(&half, &members).into_iter().for_each(|g| counts[g] += 1);
-    }
+        order
+    };
+    let orders: Vec<Vec<(u64, usize)>> = (0..HALVES).map(|_| shuffled()).collect();
+    let chosen = parallel(threads(), HALVES, |half| {
+        let half = total(orders[half][..STRETCHES / 2].iter().map(|(_, s)| &parts[*s]));
+        half.map_or_else(Vec::new, |half| selected(&half, &members))
+    });
+    chosen.into_iter().flatten().for_each(|g| counts[g] += 1);
     let stable: Vec<usize> = (0..groups.len()).filter(|&g| counts[g] as f64 >= STABLE * HALVES as f64).collect();
     let least = stable.iter().map(|&g| counts[g]).min()?;
     let whole = total(parts.iter())?;

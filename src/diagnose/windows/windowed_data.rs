@@ -16,6 +16,7 @@ use crate::data::signal::{Band, central};
 use crate::model::{Change, DriveTerm, PerturbableArm, StandardParameter, States};
 use crate::numerics::parallel::{parallel, threads_for};
 
+use super::earlier::earlier;
 use super::recording::{Recording, Stretch};
 use super::torque_noise::torque_noise;
 
@@ -73,7 +74,7 @@ const SLOPES: usize = 2;
 
 /// States of some of the samples.
 fn part_of(states: &States, dof: usize, span: std::ops::Range<usize>) -> States {
-    let of = |x: &[f64]| -> Vec<f64> { (0..dof).flat_map(|j| &x[j * states.len..][span.clone()]).copied().collect() };
+    let of = |x: &[f64]| (0..dof).map(|j| &x[j * states.len..][span.clone()]).collect::<Vec<_>>().concat();
     States { len: span.len(), q: of(&states.q), dq: of(&states.dq), ddq: of(&states.ddq) }
 }
 
@@ -853,24 +854,6 @@ fn between(x: &[f64], per: usize, k: usize) -> f64 {
     let at = ((k as f64 - 0.5 * (per - 1) as f64) / per as f64).clamp(0.0, last as f64);
     let (i, f) = (at.floor() as usize, at.fract());
     x[i] + f * (x[(i + 1).min(last)] - x[i])
-}
-
-/// `x` at `span`, each sample taken `by` samples earlier: cubic through four neighbours.
-fn earlier(x: &[f64], span: std::ops::Range<usize>, by: f64) -> Vec<f64> {
-    if by == 0.0 {
-        return x[span].to_vec();
-    }
-    let last = x.len().saturating_sub(1) as f64;
-    span.map(|k| {
-        let at = (k as f64 - by).clamp(0.0, last);
-        let i = (at.floor() as usize).min(x.len().saturating_sub(2));
-        let f = at - i as f64;
-        let get = |o: isize| x[(i as isize + o).clamp(0, x.len() as isize - 1) as usize];
-        let (a, b, c, d) = (get(-1), get(0), get(1), get(2));
-        -f * (f - 1.0) * (f - 2.0) / 6.0 * a + (f * f - 1.0) * (f - 2.0) / 2.0 * b - f * (f + 1.0) * (f - 2.0) / 2.0 * c
-            + f * (f * f - 1.0) / 6.0 * d
-    })
-    .collect()
 }
 
 /// Rotor inertia of each joint in the file, kg m^2.
