@@ -59,8 +59,8 @@ impl Spring {
         only
     }
 
-    /// Springs that differ in their dampers, each from its start. Their steps are the same, and a
-    /// processor takes several in the time of one.
+    /// Springs that differ in their dampers or starts. Their steps are the same, and a processor takes
+    /// several in the time of one.
     pub fn damped<const N: usize>(
         stiffness: f64,
         dampings: [f64; N],
@@ -82,21 +82,24 @@ impl Spring {
                 break;
             }
             let (m1, s1) = (asked.inertia[k + 1], stiffness + asked.stiffness[k + 1]);
-            let parts = (asked.step * (s.max(s1).max(0.0) / m.min(m1)).sqrt() / FINE).ceil().clamp(1.0, MOST);
-            let h = asked.step / parts;
+            let rate = asked.step * (s.max(s1).max(0.0) / m.min(m1)).sqrt() / FINE;
+            // Rounded up: without a call of the library.
+            let parts = rate.clamp(1.0, MOST) as usize;
+            let parts = if (parts as f64) < rate { (parts + 1).min(MOST as usize) } else { parts };
+            let h = asked.step / parts as f64;
             let near =
                 [asked.load[k.saturating_sub(1)], asked.load[k], asked.load[k + 1], asked.load[(k + 2).min(last)]];
-            for part in 0..parts as usize {
-                let f = (part as f64 + 0.5) / parts;
+            for part in 0..parts {
+                let f = (part as f64 + 0.5) / parts as f64;
                 let between = |a: f64, b: f64| a + f * (b - a);
                 let (load, own) = (cubic(near, f), between(asked.damping[k], asked.damping[k + 1]));
                 let (m, s) = (between(m, m1), between(s, s1));
                 for ([x, v], damping) in states.iter_mut().zip(dampings) {
                     let d = damping + own;
-                    // The middle of the step holds for all of it. A reciprocal does not wait for the state.
+                    // The middle of the step holds for all of it. Little waits for the state.
                     let inverse = (m + 0.5 * h * d + 0.25 * h * h * s).recip();
-                    let a = (load - d * *v - s * (*x + 0.5 * h * *v)) * inverse;
-                    *x += h * (*v + 0.5 * h * a);
+                    let a = inverse * load - inverse * (d + 0.5 * h * s) * *v - inverse * s * *x;
+                    *x = *x + h * *v + 0.5 * h * h * a;
                     *v += h * a;
                 }
             }

@@ -442,7 +442,7 @@ impl Moments {
                 let joint = &self.joints[j];
                 let others: Vec<&[f64]> = joint.series.iter().map(|s| &s[..]).collect();
                 let own: Vec<&[f64]> = here.iter().map(|h| h.1).collect();
-                let of = |with: &[&[f64]]| -> Vec<f64> { own.iter().flat_map(|o| products(o, with)).collect() };
+                let of = |with: &[&[f64]]| -> Vec<f64> { own.iter().flat_map(|o| products_of_part(o, with)).collect() };
                 TrialJoint {
                     joint: j,
                     terms: here.iter().map(|h| h.0).collect(),
@@ -499,6 +499,15 @@ impl Moments {
         let rss = self.whole.iter().enumerate().map(sum).collect();
         Gain { x: x.iter().copied().collect(), rss }
     }
+}
+
+/// [`products`] of a series that may be zero but for a part of it.
+fn products_of_part(one: &[f64], others: &[&[f64]]) -> Vec<f64> {
+    let begin = one.iter().position(|x| *x != 0.0).unwrap_or(0) / 8 * 8;
+    let end = one.iter().rposition(|x| *x != 0.0).map_or(0, |last| (last + 1).next_multiple_of(8).min(one.len()));
+    let part = begin..end.max(begin);
+    let others: Vec<&[f64]> = others.iter().map(|other| &other[part.clone()]).collect();
+    products(&one[part], &others)
 }
 
 /// Inner products of a series with others, in the widest registers of this processor: the bits are

@@ -120,7 +120,8 @@ impl<'s, 'a> Link<'s, 'a> {
         let free = LinkLoad { load: &nothing, ..asked };
         // An angle of `start`'s size and a rate that swings as far.
         let rate = (spring.stiffness / self.usual).sqrt();
-        let ways = [[1.0, 0.0], [0.0, rate]].map(|way| self.adds(j, &spring.integrate(&free, way), run.clone()));
+        let ways = Spring::damped(spring.stiffness, [spring.damping; 2], &free, [[1.0, 0.0], [0.0, rate]]);
+        let ways = ways.map(|way| self.adds(j, &way, run.clone()));
         let adds = self.adds(j, &wound, run.clone());
         let (mut n, mut r) = ([[0.0; 2]; 2], [0.0; 2]);
         for (k, w) in run.clone().enumerate().filter(|(_, w)| scene.live[j][*w]) {
@@ -224,17 +225,25 @@ impl Hypothesis for JointElasticity {
         };
         let mut peaks: Vec<usize> = (0..all.len()).filter(peak).collect();
         peaks.sort_by(|a, b| all[*b].0.total_cmp(&all[*a].0));
+        let scaled = |x: f64, step: f64, up: bool| if up { x * (1.0 + step) } else { x / (1.0 + step) };
         let finer = |&i: &usize| {
             let mut best = all[i];
             let mut step = [0.07, 0.5];
             for _ in 0..5 {
-                for (k, up) in [(0, true), (0, false), (1, true), (1, false)] {
-                    let mut next = best.1;
-                    next[k] *= if up { 1.0 + step[k] } else { 1.0 / (1.0 + step[k]) };
+                for up in [true, false] {
+                    let next = [scaled(best.1[0], step[0], up), best.1[1]];
                     let [gain] = link.takes(next[0], [next[1].max(LEAST)], residual);
                     if gain > best.0 && link.shows(next[0], next[1]) {
                         best = (gain, next);
+                        break;
                     }
+                }
+                let ratios = [true, false].map(|up| scaled(best.1[1], step[1], up));
+                let gains = link.takes(best.1[0], ratios.map(|ratio| ratio.max(LEAST)), residual);
+                let shown = gains.into_iter().zip(ratios).filter(|(_, ratio)| link.shows(best.1[0], *ratio));
+                if let Some((gain, ratio)) = shown.max_by(|a, b| a.0.total_cmp(&b.0)).filter(|(gain, _)| *gain > best.0)
+                {
+                    best = (gain, [best.1[0], ratio]);
                 }
                 step = step.map(|s| 0.6 * s);
             }
