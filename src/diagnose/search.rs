@@ -116,8 +116,7 @@ pub fn search(
                 }
                 None if delays != tested.scene.delays => {
                     // Undo a delay that was tried.
-                    let by = tested.scene.delays.iter().zip(&delays).map(|(a, b)| b - a).collect::<Vec<_>>();
-                    tested.undo_delay(&by);
+                    tested.set_delays(&delays);
                     fitted = tested.fit(&mut chosen);
                 }
                 None => {}

@@ -160,15 +160,26 @@ struct Known {
 }
 
 impl Known {
+    /// Drops what acts on the `moved` joints.
+    fn forget(&mut self, moved: &[bool]) {
+        self.terms.retain(|_, terms| terms.iter().flat_map(|t| &t.column.rows).all(|(joint, _)| !moved[*joint]));
+        self.held = self.terms.values().map(|terms| size(terms)).sum();
+    }
+
     /// Most numbers: 16 MB. What comes first stays, for a search walks through all in each round.
     const MOST: usize = 2 << 20;
 
     fn keep(&mut self, key: Key, terms: &Arc<Vec<Term>>) {
-        let size: usize = terms.iter().flat_map(|t| &t.column.rows).map(|(_, series)| series.len()).sum();
+        let size = size(terms);
         if self.held + size <= Self::MOST && self.terms.insert(key, terms.clone()).is_none() {
             self.held += size;
         }
     }
+}
+
+/// Numbers in the series of some terms.
+fn size(terms: &[Term]) -> usize {
+    terms.iter().flat_map(|t| &t.column.rows).map(|(_, series)| series.len()).sum()
 }
 
 /// Data with what is known about them.
@@ -328,25 +339,24 @@ impl<'a> ModelUnderTest<'a> {
         &self.y
     }
 
-    /// Shifts the torques by further delays and recomputes everything.
-    pub fn delay(&mut self, joints: &[usize], by: f64) {
-        let before = self.scene.delays.clone();
-        let mut delays = before.clone();
-        let all: Vec<usize> = (0..delays.len()).collect();
-        for &j in if joints.is_empty() { &all } else { joints } {
-            delays[j] += by;
-        }
-        self.scene.delayed_by(self.recordings, self.rate, &delays);
-        self.known = Mutex::default();
-        let moved: Vec<bool> = before.iter().zip(&delays).map(|(a, b)| a != b).collect();
-        self.prepare(&moved);
+    /// Shifts the torques of these joints, or of all if there are none, by a further delay, s.
+    fn delay(&mut self, joints: &[usize], by: f64) {
+        let mut delays = self.scene.delays.clone();
+        let own = |j: usize| joints.is_empty() || joints.contains(&j);
+        delays.iter_mut().enumerate().filter(|(j, _)| own(*j)).for_each(|(_, delay)| *delay += by);
+        self.set_delays(&delays);
     }
 
-    /// Takes back delays, per joint.
-    pub fn undo_delay(&mut self, by: &[f64]) {
-        for (j, by) in by.iter().enumerate().filter(|(_, by)| **by != 0.0) {
-            self.delay(&[j], *by);
+    /// Takes the motion so many seconds earlier than the torque of each joint, and recomputes what
+    /// rests on that.
+    pub fn set_delays(&mut self, delays: &[f64]) {
+        let moved: Vec<bool> = self.scene.delays.iter().zip(delays).map(|(a, b)| a != b).collect();
+        if !moved.contains(&true) {
+            return;
         }
+        self.scene.delayed_by(self.recordings, self.rate, delays);
+        self.known.get_mut().unwrap_or_else(PoisonError::into_inner).forget(&moved);
+        self.prepare(&moved);
     }
 
     /// Terms of a chosen cause as the scene is now.

@@ -73,10 +73,7 @@ pub fn reconsider(
             continue;
         }
         free.iter().for_each(|&k| tested.frozen[k] = false);
-        if delays != tested.scene.delays {
-            let by = tested.scene.delays.iter().zip(&delays).map(|(a, b)| b - a).collect::<Vec<_>>();
-            tested.undo_delay(&by);
-        }
+        tested.set_delays(&delays);
         let near = |c: &&Candidate| plain - c.score < (10.0 * memory).max(0.015 * plain);
         let rivals = ranked.iter().filter(near).take(4);
         let rivals = rivals.map(|c| (c.cause.name(), c.place.clone(), ((plain - c.score) / memory).max(0.0))).collect();

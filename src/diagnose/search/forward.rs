@@ -398,12 +398,9 @@ impl Forward<'_, '_> {
         if let Some(k) = friction {
             self.tested.frozen[k] = true;
         }
-        if delays != self.tested.scene.delays {
-            let by: Vec<f64> = self.tested.scene.delays.iter().zip(&delays).map(|(a, b)| b - a).collect();
-            self.tested.undo_delay(&by);
-        }
+        self.tested.set_delays(&delays);
         // The scene's model is that of the last fit.
-        self.tested.fit(&mut self.chosen.clone());
+        self.tested.update_model(fitted);
         None
     }
 

@@ -38,12 +38,8 @@ pub(in crate::diagnose) fn merge_common_delay(
     let own: Vec<usize> = late.iter().map(|&i| of(i).0).collect();
     let members: Vec<usize> = group.iter().map(|&i| of(i).0).collect();
     let before = tested.scene.delays.clone();
-    for (j, was) in before.iter().enumerate() {
-        let wanted = if own.contains(&j) && !members.contains(&j) { *was } else { mean };
-        if wanted != *was {
-            tested.delay(&[j], wanted - was);
-        }
-    }
+    let wanted = |(j, was): (usize, &f64)| if own.contains(&j) && !members.contains(&j) { *was } else { mean };
+    tested.set_delays(&before.iter().enumerate().map(wanted).collect::<Vec<f64>>());
     let mut kept: Vec<Accepted> =
         accepted.iter().enumerate().filter(|(i, _)| !group.contains(i)).map(|(_, a)| a.clone()).collect();
     let mut one = accepted[group[0]].clone();
@@ -61,12 +57,7 @@ pub(in crate::diagnose) fn merge_common_delay(
         (*accepted, *fitted) = (kept, next);
         return;
     }
-    for (j, was) in before.iter().enumerate() {
-        let now = tested.scene.delays[j];
-        if *was != now {
-            tested.delay(&[j], was - now);
-        }
-    }
+    tested.set_delays(&before);
     let mut chosen = chosen_of(accepted);
     *fitted = tested.fit(&mut chosen);
     adopt(accepted, &chosen);

@@ -86,8 +86,7 @@ impl<'a> Session<'a> {
         others.retain(|c| c.cause.name() != name || c.place != place);
         let worth = worth(tested, &mut others, (name, place), self.noise);
         tested.frozen = frozen;
-        let late: Vec<f64> = delays.iter().zip(&tested.scene.delays).map(|(before, now)| before - now).collect();
-        tested.undo_delay(&late);
+        tested.set_delays(&delays);
         worth.map_or(0.0, |worth| worth.probability())
     }
 

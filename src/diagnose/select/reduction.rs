@@ -12,19 +12,23 @@ use crate::diagnose::search::judge::{Accepted, SURE, adopt, chosen_of};
 use crate::diagnose::windows::recording::Recording;
 use crate::model::PerturbableArm;
 
+/// Takes the file's delays for the joints of a cause that moves time.
+fn take_back_delay(tested: &mut ModelUnderTest<'_>, gone: &Chosen) {
+    if gone.cause.moves_time() {
+        let (given, mut delays) = (tested.plant.delays(), tested.scene.delays.clone());
+        let own = |j: usize| gone.place.is_empty() || gone.place.contains(&j);
+        delays.iter_mut().enumerate().filter(|(j, _)| own(*j)).for_each(|(j, delay)| *delay = given[j]);
+        tested.set_delays(&delays);
+    }
+}
+
 /// The model without some of its accepted causes, fitted.
 pub(in crate::diagnose) fn without(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
     out: &[usize],
 ) -> Fitted {
-    let given = tested.plant.delays();
-    let mut late = vec![0.0; tested.scene.dof()];
-    for c in out.iter().map(|&i| &accepted[i].chosen).filter(|c| c.cause.moves_time()) {
-        let own: Vec<usize> = if c.place.is_empty() { (0..late.len()).collect() } else { c.place.clone() };
-        own.iter().for_each(|&j| late[j] = given[j] - tested.scene.delays[j]);
-    }
-    tested.undo_delay(&late);
+    out.iter().for_each(|&i| take_back_delay(tested, &accepted[i].chosen));
     let mut index = 0;
     accepted.retain(|_| {
         index += 1;
@@ -112,13 +116,7 @@ pub(in crate::diagnose) fn drop_insignificant(
         let gone = accepted.remove(index).chosen;
         // Plain friction may have given way to it.
         gone.place.iter().for_each(|j| tested.frozen[3 * j..3 * j + 3].fill(false));
-        if gone.cause.moves_time() {
-            let all: Vec<usize> = (0..tested.scene.dof()).collect();
-            for &j in if gone.place.is_empty() { &all } else { &gone.place } {
-                let given = tested.plant.delays()[j];
-                tested.delay(&[j], given - tested.scene.delays[j]);
-            }
-        }
+        take_back_delay(tested, &gone);
         fitted = fix_friction(tested, accepted, noise);
     }
 }
