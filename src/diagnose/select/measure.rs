@@ -7,9 +7,11 @@ use crate::data::signal::noise_with_memory;
 use crate::diagnose::findings::maps::View;
 use crate::diagnose::findings::reported_cause::Item;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
+use crate::diagnose::hypotheses::{Kind, Term};
 use crate::diagnose::windows::recording::Recording;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::{PerturbableArm, States};
+use dh_codegen::robot::EffectKind;
 
 /// Errors per joint and sample at the logs' own rate.
 pub(in crate::diagnose) struct Measured {
@@ -32,7 +34,7 @@ pub(in crate::diagnose) struct Measured {
     pub(in crate::diagnose) shown: Vec<bool>,
     /// Samples at which each joint moves.
     moves: Vec<Vec<bool>>,
-    /// Coulomb level of the file, per joint, N m.
+    /// Coulomb level of the model, per joint, N m.
     coulomb: Vec<f64>,
     /// Motion of all joints, once for each delay, and which of these goes with a joint's torque.
     states: Vec<Arc<States>>,
@@ -198,7 +200,7 @@ impl<'a> Meter<'a> {
     /// Errors of the unchanged file.
     pub(in crate::diagnose) fn of_the_file(&self) -> Measured {
         let error = vec![vec![0.0; self.fine.scene.len]; self.fine.scene.dof()];
-        self.errors(error)
+        self.errors(error, self.levels(|_| 0.0))
     }
 
     /// Errors of a fitted model. `elsewhere`: not on the recordings that it was fitted to, so that
@@ -216,10 +218,19 @@ impl<'a> Meter<'a> {
             (0..c.x.len()).for_each(|k| x[first + k] = 0.0);
         }
         let shown = chosen.iter().map(|c| c.cause.shows(&self.fine.scene, &c.place, &c.shape)).collect();
-        Measured { shown, ..self.errors(self.fine.predict(&x, chosen)) }
+        let levels = self.levels(|j| fitted.solution.x[fitted.friction + 3 * j + 1]);
+        let levels = levels.into_iter().enumerate().map(|(j, level)| level + dry_laws(fitted, chosen, j)).collect();
+        Measured { shown, ..self.errors(self.fine.predict(&x, chosen), levels) }
     }
 
-    pub(in crate::diagnose) fn errors(&self, predicted: Vec<Vec<f64>>) -> Measured {
+    /// Coulomb level of each joint, N m: the file's and what was `found` beside it.
+    fn levels(&self, found: impl Fn(usize) -> f64) -> Vec<f64> {
+        let given = given_friction(self.fine.plant).into_iter().enumerate();
+        given.map(|(j, given)| (given[1].unwrap_or(0.0) + found(j)).abs()).collect()
+    }
+
+    /// Errors of predicted torques. `coulomb`: level of each joint's dry friction, N m.
+    pub(in crate::diagnose) fn errors(&self, predicted: Vec<Vec<f64>>, coulomb: Vec<f64>) -> Measured {
         let mut error = predicted;
         for (e, y) in error.iter_mut().zip(self.fine.target()) {
             e.iter_mut().zip(y).for_each(|(e, y)| *e = y - *e);
@@ -235,8 +246,6 @@ impl<'a> Meter<'a> {
         let scene = &self.fine.scene;
         let moves: Vec<Vec<bool>> =
             scene.own.iter().map(|own| scene.joined(own.iter().map(|own| own.moves.clone()))).collect();
-        let level = |given: [Option<f64>; 3]| given[1].unwrap_or(0.0);
-        let coulomb: Vec<f64> = given_friction(self.fine.plant).into_iter().map(level).collect();
         let steady = (0..error.len()).map(|j| where_it_moves(&error[j], &moves[j], coulomb[j]));
         let steady: Vec<f64> = steady.collect();
         let velocity = |j: usize| &scene.states[scene.state_of_joint[j]].dq[j * scene.len..(j + 1) * scene.len];
@@ -262,6 +271,22 @@ impl<'a> Meter<'a> {
 
 pub(in crate::diagnose) fn root_mean_square(x: &[f64]) -> f64 {
     (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt()
+}
+
+/// Dry friction of a joint by the chosen laws, root mean square where they act on the fitted logs, N m.
+fn dry_laws(fitted: &Fitted, chosen: &[Chosen], joint: usize) -> f64 {
+    let of = |(c, terms): (&Chosen, &Arc<Vec<Term>>)| {
+        let dry = c.cause.kind() == Kind::Friction && c.cause.effect() != EffectKind::NonlinearViscousFriction;
+        let rows = terms.iter().zip(&c.x).filter(|_| dry);
+        let mut torque: Vec<f64> = Vec::new();
+        for (x, (_, series)) in rows.flat_map(|(t, x)| t.column.rows.iter().map(move |row| (x, row))) {
+            torque.resize(series.len(), 0.0);
+            torque.iter_mut().zip(series.iter()).for_each(|(t, s)| *t += x * s);
+        }
+        torque.retain(|t| *t != 0.0);
+        root_mean_square(&torque)
+    };
+    chosen.iter().zip(&fitted.terms).filter(|(c, _)| c.place == [joint]).map(of).sum()
 }
 
 /// Whether a cause is measured on the fitted logs: it acts in a part of one of them, or the

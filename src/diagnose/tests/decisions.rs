@@ -22,6 +22,7 @@ use crate::diagnose::search::levels_instead::levels_instead;
 use crate::diagnose::select::beside::share_within;
 use crate::diagnose::select::beside_other_links::worth;
 use crate::diagnose::select::measure::Meter;
+use crate::diagnose::windows::recording::Stretch;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::perturbable_robot::PerturbableRobot;
 use crate::numerics::prng::Random;
@@ -221,13 +222,39 @@ fn a_share_within_a_span_is_of_that_span() {
             let wrong = |(k, y): (usize, &f64)| y - if j == 0 && span.contains(&k) { inside } else { 0.2 };
             y.iter().enumerate().map(wrong).collect()
         });
-        meter.errors(missed.collect())
+        meter.errors(missed.collect(), vec![0.0; 2])
     };
     let noise = [0.2; 2];
     for (without, with, share) in [(2.0, 1.0, 0.75), (0.2, 0.1, 0.75), (0.2, 0.19, 0.0), (1.0, 2.0, 0.0)] {
         let found = share_within(span.clone(), [&of(without), &of(with)], &noise);
         assert!((found - share).abs() < 1e-9, "{without} {with}: {found}");
     }
+}
+
+/// Dry friction that was found beside the file's holds a joint that stands: on a log at rest the torque may
+/// be any up to that level.
+#[test]
+fn friction_that_was_found_holds_a_joint_at_rest() {
+    let plant = PerturbableRobot::new(&planar());
+    let recordings = made([0.05; 2], 4, &|j, k| {
+        let v = recording().stretches[0].states.dq[k];
+        if j == 0 { 0.6 * v.signum() } else { 0.0 }
+    });
+    let mut tested = tested(&plant, &recordings);
+    let fitted = tested.fit(&mut []);
+    let level = planar().joints[0].drive.coulomb_friction.unwrap();
+    let mut still = recordings.clone();
+    let Stretch { states, tau, .. } = &mut still[0].stretches[0];
+    let (dq, ddq) = (vec![0.0; states.dq.len()], vec![0.0; states.ddq.len()]);
+    (states.q, states.dq, states.ddq) = ([vec![0.3; dq.len() / 2], vec![-0.2; dq.len() / 2]].concat(), dq, ddq);
+    let held = Bodies::of(&bare(&planar())).torques(&[[0.3, -0.2], [0.0; 2], [0.0; 2]]);
+    let len = states.len;
+    tau[..len].fill(held[0] + level + 0.4);
+    tau[len..].fill(held[1]);
+    let mut meter = Meter::new(&plant, &still, &tested);
+    let file = meter.of_the_file().steady[0];
+    let model = meter.of(&tested, &fitted, &[], true).steady[0];
+    assert!((file - 0.4).abs() < 1e-6 && model < 1e-3, "{file} {model}");
 }
 
 /// A size within two and a half deviations is nothing, whatever the search said of it. So is a

@@ -186,7 +186,7 @@ fn an_excess_is_what_noise_leaves_of_the_square() {
         .iter()
         .map(|y| y.iter().enumerate().map(|(w, y)| if w % 2 == 0 { y - 0.5 } else { y + 0.5 }).collect())
         .collect();
-    let measured = meter.errors(predicted);
+    let measured = meter.errors(predicted, vec![0.0; 2]);
     let found = excess([&measured, &measured], &[0.3, 0.4]);
     // Of the second joint it is less than half more than the noise.
     assert_eq!(found.iter().map(|s| s.joint).collect::<Vec<_>>(), [0]);
