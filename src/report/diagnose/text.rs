@@ -10,11 +10,14 @@ use crate::report::diagnose::doubts::doubts;
 use crate::report::parts::budget;
 use crate::report::parts::number::{digits, pad};
 
+/// Error of a joint, by the file's, from which on a model is worse there: a tenth is what logs differ by.
+const WORSE: f64 = 1.1;
+
 /// Notes before the figures, the same in text, JSON and page.
 pub fn diagnose_warnings(found: &Diagnosis, logs: &[Prepared]) -> Warnings {
     let mut warnings = Warnings::default();
     let joints: Vec<String> = (0..found.noise_floor.len())
-        .filter(|&j| found.extended.moving[j] > 1.05 * found.baseline.moving[j])
+        .filter(|&j| found.extended.moving[j] > WORSE * found.baseline.moving[j])
         .map(|j| (j + 1).to_string())
         .collect();
     if !joints.is_empty() {
