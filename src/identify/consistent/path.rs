@@ -93,6 +93,20 @@ fn rows(
     (a, b)
 }
 
+/// Forces with which bodies balance at `t`, or at their floor; those of singles are set. `None` outside
+/// of a cone.
+fn balancing(
+    problem: &Problem,
+    v: &DVector<f64>,
+    floors: &[f64],
+    singles: &mut [Single],
+    t: f64,
+) -> Option<Vec<Matrix4<f64>>> {
+    singles.iter_mut().for_each(|s| s.force = t.max(s.floor) / s.slack(v).max(f64::MIN_POSITIVE));
+    let bodies = problem.links.iter().map(|link| problem.inside(v.as_slice(), link.start));
+    bodies.zip(floors).map(|(body, floor)| Some(body.cholesky()?.inverse() * t.max(*floor))).collect()
+}
+
 /// Coordinates near the minimum of [`Problem::value`], and the steps taken.
 pub(super) fn near(
     problem: &Problem,
@@ -124,12 +138,8 @@ pub(super) fn near(
     let gradient = problem.j.tr_mul(&(&problem.j * &v - &problem.z));
     let pull = gradient.dot(&v).abs() / degree;
     let mut t = pull.clamp(1.0, 1e12).max(weights.w).max(weights.mu);
-    let mut forces: Vec<Matrix4<f64>> = Vec::new();
-    for link in &problem.links {
-        let inverse = problem.inside(v.as_slice(), link.start).try_inverse();
-        forces.push(inverse.unwrap_or_else(Matrix4::identity) * t);
-    }
-    singles.iter_mut().for_each(|s| s.force = t / s.slack(&v).max(f64::MIN_POSITIVE));
+    let outside = Stalled { w: weights.w, steps: 0, decrement: f64::INFINITY };
+    let mut forces = balancing(problem, &v, &floors, &mut singles, t).ok_or(outside)?;
 
     let (mut settled, mut resets) = (0, 0);
     let mut last = 1.0_f64;
@@ -193,11 +203,7 @@ pub(super) fn near(
                 return Err(halt());
             }
             t = (10.0 * t).max(sum / degree);
-            for ((link, force), floor) in problem.links.iter().zip(&mut forces).zip(&floors) {
-                let body = problem.inside(v.as_slice(), link.start);
-                *force = body.cholesky().ok_or_else(halt)?.inverse() * t.max(*floor);
-            }
-            singles.iter_mut().for_each(|s| s.force = t.max(s.floor) / s.slack(&v).max(f64::MIN_POSITIVE));
+            forces = balancing(problem, &v, &floors, &mut singles, t).ok_or_else(halt)?;
             last = 0.0;
             continue;
         }
