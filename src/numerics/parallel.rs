@@ -21,9 +21,12 @@ pub(crate) fn threads() -> usize {
 /// Numbers below which a pass over them is shorter than the start of a thread.
 const FEW: usize = 10_000;
 
+/// Numbers beyond which memory counts more than time: what each thread allocates is its own.
+const MANY: usize = 120_000;
+
 /// Threads that are worth starting for a pass over so many numbers.
 pub(crate) fn threads_for(numbers: usize) -> usize {
-    if numbers < FEW { 1 } else { threads() }
+    if (FEW..=MANY).contains(&numbers) { threads() } else { 1 }
 }
 
 /// Calls `work` with `0..count` on some threads; results in order, whatever the number of threads.
