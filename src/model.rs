@@ -5,6 +5,7 @@ pub mod arm;
 pub mod coupled;
 pub mod differentiable;
 pub mod differentiated;
+pub mod drives_alone;
 pub mod dynamics;
 pub mod file_torque_model;
 pub mod frame_kinematics;

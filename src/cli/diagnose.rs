@@ -17,11 +17,12 @@ use super::motors;
 use super::prepare::{against_limits, warned};
 use super::provenance::Provenance;
 use super::reading::ReadOptions;
-use crate::data::log::Acceptance;
+use crate::data::log::{Acceptance, Quantity};
 use crate::data::signal::{Motion, Prepare, Prepared, lower_cutoff};
 use crate::diagnose::{self, Cause, Diagnosis, Holding, Recording, Separation, Settings, Thinning, Use};
 use crate::identify::implausible_links;
 use crate::identify::recording::torque_constants;
+use crate::model::drives_alone::DrivesAlone;
 use crate::model::file_torque_model::FileTorqueModel;
 use crate::model::perturbable_robot::PerturbableRobot;
 use crate::model::{PerturbableArm, StandardParameter};
@@ -78,6 +79,11 @@ pub(super) struct Diagnose {
     /// minute.
     #[arg(long)]
     rate: Option<f64>,
+    /// Diagnose the gears alone, of logs with the torques of motors and joints: rotors, friction and
+    /// ripple in `taum` less `tau`, without an error of links. `--torque current` takes currents in
+    /// the place of `taum`.
+    #[arg(long)]
+    transmission: bool,
     #[command(flatten)]
     read: ReadOptions,
 }
@@ -169,29 +175,45 @@ impl Diagnose {
     /// With the defaults of all options that are not given here.
     pub(super) fn plainly(robot: PathBuf, logs: Vec<PathBuf>, validate: Vec<PathBuf>, given: Outputs) -> Self {
         let Outputs { out, json, report, read } = given;
-        Self { robot, logs, validate, out, next: None, json, report, cutoff: None, rate: None, read }
+        Self {
+            robot,
+            logs,
+            validate,
+            out,
+            next: None,
+            json,
+            report,
+            cutoff: None,
+            rate: None,
+            transmission: false,
+            read,
+        }
     }
 
     /// The diagnosis of a robot file, and the robot file that comes of it.
     pub(super) fn made(&self, file: &files::RobotFile, provenance: Provenance) -> Result<Diagnosed, Failure> {
         let keep = self.read.keep.acceptance()?;
-        let plant = PerturbableRobot::new(&file.robot);
+        let plant: &dyn PerturbableArm = match self.transmission {
+            true => &DrivesAlone::new(&file.robot),
+            false => &PerturbableRobot::new(&file.robot),
+        };
         let effects = FileEffects::of(&file.robot, &[]);
-        let known = effects.as_ref().and_then(|effects| effects.known(&plant, plant.given(), None));
-        let check = ColumnCheck::new(&file.robot, &plant, plant.given(), known, keep);
+        let known = effects.as_ref().and_then(|effects| effects.known(plant, plant.given(), None));
+        // What a gear takes is like no reading of a torque column.
+        let check = (!self.transmission).then(|| ColumnCheck::new(&file.robot, plant, plant.given(), known, keep));
         let settings = Settings { rate: self.rate, ..Settings::default() };
         let mut reading = LogsRead {
             provenance,
             logbook: Logbook::of(&file.text),
             columns: self.read.map.reading(Some(&file.robot))?,
             prepared: Vec::new(),
-            held: Holding::new(&plant, settings.most_windows_per_second()),
+            held: Holding::new(plant, settings.most_windows_per_second()),
         };
         for path in &self.logs {
-            self.record(Purpose::Fit, path, &file.robot, &check, keep, &mut reading)?;
+            self.record(Purpose::Fit, path, &file.robot, check.as_ref(), keep, &mut reading)?;
         }
         for path in &self.validate {
-            self.record(Purpose::Validate, path, &file.robot, &check, keep, &mut reading)?;
+            self.record(Purpose::Validate, path, &file.robot, check.as_ref(), keep, &mut reading)?;
         }
         let LogsRead { prepared, logbook, provenance, held, .. } = reading;
         let ([fit, validate], thinning) = held.recordings();
@@ -201,7 +223,7 @@ impl Diagnose {
         drop(logbook);
         let bar = ProgressBar::new_spinner();
         bar.enable_steady_tick(std::time::Duration::from_millis(120));
-        let found = diagnose::diagnose(&plant, &fit, &validate, &settings, &|what| bar.set_message(what.to_string()))
+        let found = diagnose::diagnose(plant, &fit, &validate, &settings, &|what| bar.set_message(what.to_string()))
             .map_err(Failure::input)?;
         let next = self.next_path().and_then(|path| {
             let next = diagnose::discriminating_motion(&file.robot, &found, &|what| bar.set_message(what.to_string()))?;
@@ -211,6 +233,14 @@ impl Diagnose {
         let measured = if self.validate.is_empty() { &fit } else { &validate };
         let written = self.out.as_ref().map(|path| self.extended_file(path, &found, file, measured, &provenance));
         Ok(Diagnosed { found, written, next, prepared, left_out, provenance })
+    }
+
+    /// The torque column that is read.
+    fn torque(&self) -> Quantity {
+        match (self.read.torque.quantity(), self.transmission) {
+            (Quantity::Tau, true) => Quantity::Taum,
+            (torque, _) => torque,
+        }
     }
 
     fn check_options(&self) -> Result<(), Failure> {
@@ -255,10 +285,12 @@ impl Diagnose {
                 "with what was found link {link} would be no possible body; give longer logs with more motion of it, or a file with links"
             )));
         }
-        let model = FileTorqueModel::new(&back).ok().map(|model| model.among_walls(&back));
+        let whole = if self.transmission { None } else { FileTorqueModel::new(&back).ok() };
+        let model = whole.map(|model| model.among_walls(&back));
         let rms = model.map(|model| diagnose::written_errors(&model, measured, found.own_validation));
         let offered = found.extended.validate.clone();
-        let check = WrittenCheck { rms, offered, own_validation: found.own_validation };
+        let check =
+            WrittenCheck { rms, transmission: self.transmission, offered, own_validation: found.own_validation };
         let differs = check.refusal(&shown);
         let text = match &differs {
             Some(words) => file.rewritten(&robot, path, &provenance.run([vec![words.clone()], causes].concat())),
@@ -349,7 +381,7 @@ impl Diagnose {
         purpose: Purpose,
         path: &Path,
         robot: &Robot,
-        check: &ColumnCheck<'_>,
+        check: Option<&ColumnCheck<'_>>,
         keep: Acceptance,
         reading: &mut LogsRead,
     ) -> Result<(), Failure> {
@@ -359,16 +391,19 @@ impl Diagnose {
         let of = if purpose == Purpose::Validate { Use::Validate } else { Use::Fit };
         let mut pass = |cutoff: f64| {
             let prepare = Prepare {
-                torque: self.read.torque.quantity(),
+                torque: self.torque(),
+                transmission: self.transmission,
                 torque_constants: constants.clone(),
                 reading: map.clone(),
                 keep,
                 ..if by_the_log { diagnose::preparation(cutoff) } else { diagnose::fixed_preparation(cutoff) }
             };
             let mut coming = held.begin(of, &path.display().to_string());
-            let mut columns = check.columns();
+            let mut columns = check.map(ColumnCheck::columns);
             let sink = |motion: &Motion| {
-                check.absorb(&mut columns, motion);
+                if let (Some(check), Some(columns)) = (check, &mut columns) {
+                    check.absorb(columns, motion);
+                }
                 held.absorb(&mut coming, motion);
             };
             match logbook.try_pass(purpose, path, constants.len(), &prepare, sink) {
@@ -386,7 +421,9 @@ impl Diagnose {
         }
         let mut found = warned(path, found);
         against_limits(std::slice::from_mut(&mut found), robot, keep)?;
-        check.finish(&columns, &mut found)?;
+        if let (Some(check), Some(columns)) = (check, &columns) {
+            check.finish(columns, &mut found)?;
+        }
         reading.prepared.push(found);
         if by_the_log && cutoff < diagnose::HIGHEST {
             let what = format!("cut-off for {}, which is sampled slowly", path.display());

@@ -333,6 +333,12 @@ pub trait Hypothesis: Sync {
         matches!(self.kind(), Kind::Body | Kind::Transmission)
     }
 
+    /// Whether it acts between the motor's torque and the joint's: where both are measured it shows in
+    /// their difference.
+    fn in_the_drive(&self) -> bool {
+        matches!(self.kind(), Kind::Friction | Kind::Measurement)
+    }
+
     /// Whether it can follow any error that turns with the motion or drifts, and so takes a part of
     /// what plain friction would explain.
     fn follows_reversals(&self) -> bool {

@@ -20,6 +20,7 @@ fn body_place(key: Key) -> Option<usize> {
 pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
     let robot = without(robot, &found.forgotten);
     let mut robot = match &found.standard {
+        Some(standard) if found.transmission => with_rotors_of(robot, standard),
         Some(standard) if found.links_refitted => {
             // A refit has rotors that the file does not have.
             let robot = with_rotors(robot);
@@ -60,6 +61,17 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
             write_law(&mut robot, row, law, sensor);
         }
         write_cause(&mut robot, row, &moving, cause, sensor);
+    }
+    robot
+}
+
+/// The robot with the rotors of these standard parameters.
+fn with_rotors_of(robot: Robot, standard: &[f64]) -> Robot {
+    let mut robot = with_rotors(robot);
+    for (parameter, value) in param::standard(&robot).into_iter().zip(standard) {
+        if let Parameter::Drive(row, DriveTerm::IA) = parameter {
+            robot.joints[row].drive.rotor_inertia = Some(*value);
+        }
     }
     robot
 }

@@ -252,7 +252,7 @@ fn named<'a>(
     let model = session.law_instead(model, torque_rms, &mut suspects, why)?;
     let (left, unplayed) = without_columns(&model, session.left(&model, torque_rms), session.noise);
     let mut causes = model.causes.clone();
-    if model.tested.mode == Mode::Refitted && has_links(session.plant) {
+    if model.tested.mode == Mode::Refitted && has_values(session.plant) {
         causes.extend(likelier(session.links(&model, rival), &suspects));
     }
     causes.extend(unplayed);
@@ -269,7 +269,12 @@ fn named<'a>(
 
 /// Whether the file says more of the links than nothing.
 fn has_links(plant: &dyn PerturbableArm) -> bool {
-    plant.given().is_some_and(|given| given.iter().any(|v| *v != 0.0))
+    plant.has_bodies() && plant.given().is_some_and(|given| given.iter().any(|v| *v != 0.0))
+}
+
+/// Whether a refit changes what the file says of links, or of drives that are diagnosed alone.
+fn has_values(plant: &dyn PerturbableArm) -> bool {
+    has_links(plant) || !plant.has_bodies()
 }
 
 /// Whether there is enough motion, numbers are finite and some torque was measured.
@@ -332,12 +337,11 @@ fn once(
     let (model, mut causes, left) = named(&session, model, rival.as_ref(), suspects, &torque_rms, &mut why)?;
     let Selected { tested, fitted, mut after, mut after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);
-    let other_links = tested.mode == Mode::Refitted && has_links;
+    let other_values = tested.mode == Mode::Refitted && has_values(plant);
     let with = errors_of(&after_fit, &after);
-    let verdict = verdict(&causes, &left, other_links.then_some([&baseline, &with]));
-    let parts = (&tested, &fitted);
+    let verdict = verdict(&causes, &left, other_values.then_some([&baseline, &with]));
     let errors = [&mut after_fit, &mut after];
-    let left = session.explained_by_formulas(&mut causes, left, parts, errors, file_holds, &torque_rms);
+    let left = session.explained_by_formulas(&mut causes, left, (&tested, &fitted), errors, file_holds, &torque_rms);
     let extended = errors_of(&after_fit, &after);
     let offered = if causes.iter().any(Cause::has_law) { Offered::Extended } else { offered };
     unknown(&mut causes, &left, [&baseline, &extended], noise, scale);
@@ -352,8 +356,9 @@ fn once(
         baseline,
         refitted: refit.errors,
         extended,
-        has_links,
-        links_refitted: tested.mode == Mode::Refitted,
+        has_links: has_values(plant),
+        transmission: !plant.has_bodies(),
+        links_refitted: tested.mode == Mode::Refitted && plant.has_bodies(),
         standard: tested.scene.standard.clone(),
         offer: Offer { offered, left_out: [file_out.rms(), refit.left_out.rms(), left_out.rms()], why },
         friction: quiet(&tested, &fitted),

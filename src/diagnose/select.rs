@@ -3,6 +3,7 @@
 pub(super) mod beside;
 pub(super) mod beside_other_links;
 pub(super) mod contenders;
+mod drive_terms;
 pub(super) mod excess;
 mod from_the_file;
 mod law_instead;

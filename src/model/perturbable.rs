@@ -55,6 +55,12 @@ pub trait PerturbableArm: Arm {
     /// it has links.
     fn given_drive(&self, index: usize) -> f64;
 
+    /// Whether it has links and carries anything; else it is the drives of a robot alone, and torques
+    /// are what their gears take.
+    fn has_bodies(&self) -> bool {
+        true
+    }
+
     /// Largest torque of each joint, N m, if the file has it.
     fn torque_limits(&self) -> Vec<Option<f64>> {
         vec![None; self.dof()]
@@ -83,6 +89,12 @@ pub trait PerturbableArm: Arm {
     /// [`TorqueModel::torques_since`](super::TorqueModel::torques_since). `false`: none, and `out`
     /// is unchanged.
     fn known(&self, _begun: f64, _time: &[f64], _states: &States, _temperature: &[f64], _out: &mut [f64]) -> bool {
+        false
+    }
+
+    /// Adds the file's laws of the transmitted torque, where that is measured: `load`, N m, joint-major
+    /// like the states, or empty. Whether there are such.
+    fn add_laws_of_load(&self, _states: &States, _load: &[f64], _out: &mut [f64]) -> bool {
         false
     }
 

@@ -146,6 +146,7 @@ fn diagnosis_page_stands_alone() {
         offer: Offer { offered: Offered::Extended, left_out: [1.0, 0.5, 0.1], why: vec!["it <i> is better".into()] },
         has_links: true,
         links_refitted: false,
+        transmission: false,
         standard: None,
         causes: vec![Cause {
             recurrence: 0.9,

@@ -149,6 +149,49 @@ fn a_hidden_payload_is_the_whole_robots() {
     assert!(found["next_experiment"]["file"].is_null() && !Path::new(&out).with_extension("next.csv").exists());
 }
 
+/// What the gears take, of torques on both sides of them: links that are wrong play no part, friction goes
+/// with the measured load, and the file with what was found has nothing wrong.
+#[test]
+fn gears_are_diagnosed_by_the_torques_on_both_sides() {
+    let place = folder("gears");
+    let effects = "joints: { 2: { load_dependent_friction: { FL: 0.08 } }, 3: { rotor_inertia: { IA: 0.9 } }, 6: { coulomb_friction: { FC: 0.6 } } }
+effects: { payload: { M: 1.5, MSX: 0.02, MSZ: 0.1, XX: 0.02, YY: 0.02, ZZ: 0.003, XZ: -0.0025 } }
+sensors: { rate: 250, torque_noise: 0.05, torque: link }\n";
+    let (one, two) = (place.join("one.csv"), place.join("two.csv"));
+    motion(&one, 7, 10.0, 1.0);
+    motion(&two, 7, 6.0, 2.0);
+    let fit = simulate(&place, "fit", &one, effects, "1");
+    let validate = simulate(&place, "validate", &two, effects, "2");
+    let out = place.join("extended.yaml");
+    let out = out.to_str().unwrap();
+    let diagnosis = |robot: &str, more: &[&str]| {
+        let run = denavit(&[&["diagnose", robot, &fit, "--validate", &validate, "--json", "-"], more].concat());
+        assert_eq!(run.status, Some(0), "{}", run.err);
+        serde_json::from_str::<Value>(&run.out).unwrap()
+    };
+    let found = diagnosis("robots/kuka-lwr4.yaml", &["--transmission", "--out", out]);
+    let causes = found["causes"].as_array().unwrap();
+    let mut named: Vec<(&str, u64)> =
+        causes.iter().map(|c| (c["cause"].as_str().unwrap(), c["joints"][0].as_u64().unwrap())).collect();
+    named.sort_unstable();
+    assert_eq!(named, [("coulomb_friction", 6), ("load_dependent_friction", 2), ("rotor_inertia", 3)], "{found:#}");
+    let value = |key: &str| causes.iter().find_map(|c| c["parameters"][key].as_f64()).unwrap();
+    for (key, true_value, within) in [("FL2", 0.08, 0.002), ("IA3", 0.9, 0.02), ("FC6", 0.16 + 0.6, 0.02)] {
+        assert!((value(key) - true_value).abs() < within, "{key}: {}", value(key));
+    }
+    assert_eq!((&found["transmission"], &found["links_refitted"]), (&Value::Bool(true), &Value::Bool(false)));
+    assert_eq!(diagnosis(out, &["--transmission"])["verdict"], "nothing_wrong");
+    // Its links are those of the file.
+    let links = |path: &str| {
+        let text = fs::read_to_string(path).unwrap();
+        text.split("\nlinks:").nth(1).unwrap().split("\n#").next().unwrap().lines().nth(1).unwrap().to_string()
+    };
+    assert_eq!(links(out), links("robots/kuka-lwr4.yaml"));
+    // A log with both says so where one of them is diagnosed.
+    let warnings = diagnosis("robots/kuka-lwr4.yaml", &[])["warnings"].to_string();
+    assert!(warnings.contains("--transmission"), "{warnings}");
+}
+
 /// Torque columns in another order or unit are named, and nothing else is concluded from them.
 #[test]
 fn misread_torque_columns_are_named_before_any_cause() {

@@ -69,9 +69,9 @@ struct ClockFigures {
 }
 
 impl QualityCheck {
-    /// For a log with these columns, of which `q` and `torque` (and every other quantity that is
+    /// For a log with these columns, of which `q` and `torques` (and every other quantity that is
     /// not a torque) are used.
-    pub fn new(layout: &Layout, torque: Quantity, keep: Acceptance) -> Self {
+    pub fn new(layout: &Layout, torques: &[Quantity], keep: Acceptance) -> Self {
         let names: Vec<String> = layout.roles.iter().map(|r| r.name()).collect();
         let mut findings = Vec::new();
         if !layout.ignored.is_empty() {
@@ -80,7 +80,7 @@ impl QualityCheck {
         }
         let used = |role: &Role| match role {
             Role::Time | Role::Segment => true,
-            Role::Joint(q, _) => *q == torque || matches!(q, Quantity::Q | Quantity::Dq | Quantity::Ddq),
+            Role::Joint(q, _) => torques.contains(q) || matches!(q, Quantity::Q | Quantity::Dq | Quantity::Ddq),
             Role::Wrench(_) => false,
         };
         Self {
@@ -93,8 +93,8 @@ impl QualityCheck {
                 .iter()
                 .enumerate()
                 .filter_map(|(column, role)| match *role {
-                    Role::Joint(q, joint) if q == Quantity::Q || q == torque => {
-                        let position = layout.find(Role::Joint(Quantity::Q, joint)).filter(|_| q == torque);
+                    Role::Joint(q, joint) if q == Quantity::Q || torques.contains(&q) => {
+                        let position = layout.find(Role::Joint(Quantity::Q, joint)).filter(|_| torques.contains(&q));
                         Some(Channel::new(column, position))
                     }
                     _ => None,

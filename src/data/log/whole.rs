@@ -84,7 +84,7 @@ pub fn each_block<E: From<LogError>>(
     mut sink: impl FnMut(&[Vec<f64>], &[usize]) -> Result<(), E>,
 ) -> Result<Passed, E> {
     let layout = source.layout().clone();
-    let mut check = QualityCheck::new(&layout, torque, keep);
+    let mut check = QualityCheck::new(&layout, &[torque], keep);
     let (mut block, mut verdicts) = (Block::default(), Vec::new());
     let (mut rows, mut segments) = (0, 0);
     loop {

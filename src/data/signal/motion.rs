@@ -71,6 +71,9 @@ pub struct Motion {
     /// Positions of the motors as recorded, on the joints' side of the gears, joint-major, rad;
     /// empty where they were not asked for or not recorded.
     pub motor: Vec<f64>,
+    /// Torques of the joints behind the gears, whose own torques `tau` then is, as recorded,
+    /// joint-major, N m; empty where they were not asked for.
+    pub load: Vec<f64>,
     /// External wrench as recorded, `fx .. mz` one after the other, `6 * len`, treated like the
     /// torque; empty where it was not asked for or not recorded.
     pub wrench: Vec<f64>,

@@ -148,6 +148,9 @@ pub struct Prepare {
     pub temperature: bool,
     /// Whether motions carry the motors' positions, `qm1..`, where the log has them.
     pub motor_positions: bool,
+    /// Whether the torque of motions is what the gears take: `torque` less the joints' `tau`, which
+    /// they carry as [`Motion::load`]. Both columns have to be there.
+    pub transmission: bool,
     /// Whether motions carry the external wrench, `fx .. mz`, where the log has it.
     pub wrench: bool,
 }
@@ -175,6 +178,7 @@ impl Default for Prepare {
             sums: Vec::new(),
             temperature: false,
             motor_positions: false,
+            transmission: false,
             wrench: false,
         }
     }
@@ -212,6 +216,17 @@ impl Prepare {
         }
         let torque_gains = (0..layout.dof).filter_map(constant).collect();
         Ok(Self { torque: Quantity::Current, torque_gains, ..self.clone() })
+    }
+
+    /// The torque columns that are used.
+    fn torques(&self) -> &[Quantity] {
+        match (self.torque, self.transmission) {
+            (Quantity::Current, true) => &[Quantity::Current, Quantity::Tau],
+            (_, true) => &[Quantity::Taum, Quantity::Tau],
+            (Quantity::Current, false) => &[Quantity::Current],
+            (Quantity::Taum, false) => &[Quantity::Taum],
+            (_, false) => &[Quantity::Tau],
+        }
     }
 
     /// Every how many samples, `period` apart, one is used.
@@ -308,6 +323,8 @@ pub struct Prepared {
     pub rate: f64,
     /// How far positions and torques went.
     pub reached: Vec<Reached>,
+    /// Whether the log has the torques of motors and of joints.
+    pub both_torques: bool,
 }
 
 /// Rows that are read at once.
@@ -326,25 +343,13 @@ pub(super) fn motions(
     }
     let prepare = &prepare.for_layout(&layout)?;
     let mut preparer = Preparer::new(&layout, dof, prepare)?;
-    let mut check = QualityCheck::new(&layout, prepare.torque, prepare.keep);
+    let mut check = QualityCheck::new(&layout, prepare.torques(), prepare.keep);
     let (mut block, mut verdicts) = (Block::default(), Vec::new());
     let (mut rows, mut samples) = (0, 0);
     let mut hand_on = |motions: Vec<Motion>| {
         for motion in motions {
             samples += motion.picks().len();
             sink(motion);
-        }
-    };
-    // Time that runs back or stands still makes a rate that no filter fits: the quality check's
-    // finding on the clock comes first.
-    let explained = |error: PrepareError, check: &QualityCheck, file: &str| -> PrepareError {
-        let findings = check.clone().finish();
-        let clock = |f: &Finding| f.is_fatal() && f.column.as_deref() == Some("t");
-        match findings.iter().any(clock) {
-            true => {
-                LogError::Rejected { file: file.into(), findings: findings.into_iter().filter(clock).collect() }.into()
-            }
-            false => error,
         }
     };
     loop {
@@ -377,8 +382,24 @@ pub(super) fn motions(
     if samples == 0 {
         return Err(PrepareError::NothingLeft { file: layout.file, samples: rows, trim: prepare.trim });
     }
-    let rate = preparer.nominal.map_or(0.0, f64::recip);
-    Ok(Prepared { file: layout.file, findings, rows, samples, segments: preparer.segment, rate, reached })
+    Ok(Prepared {
+        findings,
+        rows,
+        samples,
+        segments: preparer.segment,
+        rate: preparer.nominal.map_or(0.0, f64::recip),
+        reached,
+        both_torques: layout.has(Quantity::Tau) && layout.has(Quantity::Taum),
+        file: layout.file,
+    })
+}
+
+/// Time that runs back or stands still makes a rate that no filter fits: the quality check's finding on
+/// the clock comes before such an error.
+fn explained(error: PrepareError, check: &QualityCheck, file: &str) -> PrepareError {
+    let clock = |f: &Finding| f.is_fatal() && f.column.as_deref() == Some("t");
+    let findings: Vec<Finding> = check.clone().finish().into_iter().filter(clock).collect();
+    if findings.is_empty() { error } else { LogError::Rejected { file: file.into(), findings }.into() }
 }
 
 /// Rows that are used, up to the next that is left out or begins a segment.
@@ -407,6 +428,8 @@ pub struct Preparer {
     temperature: Option<usize>,
     /// Positions of the motors among the channels.
     motor: Option<usize>,
+    /// Torques of the joints among the channels, where those of the gears are wanted.
+    load: Option<usize>,
     /// Positions of the external wrench among the channels.
     wrench: Option<usize>,
     /// Whether accelerations are among the channels.
@@ -490,16 +513,14 @@ impl Preparer {
             }
         }
         let recorded_ddq = prepare.derivatives == Derivatives::Recorded && layout.has(Quantity::Ddq);
-        let mut temperature = None;
-        if prepare.temperature && layout.has(Quantity::Temperature) {
-            temperature = Some(sources.len());
-            sources.extend(layout.require_all(Quantity::Temperature, dof)?);
-        }
-        let mut motor = None;
-        if prepare.motor_positions && layout.has(Quantity::Qm) {
-            motor = Some(sources.len());
-            sources.extend(layout.require_all(Quantity::Qm, dof)?);
-        }
+        let mut further = |wanted: bool, quantity: Quantity| -> Result<Option<usize>, LogError> {
+            let columns = if wanted { layout.require_all(quantity, dof)? } else { Vec::new() };
+            sources.extend(columns);
+            Ok(wanted.then(|| sources.len() - dof))
+        };
+        let temperature = further(prepare.temperature && layout.has(Quantity::Temperature), Quantity::Temperature)?;
+        let motor = further(prepare.motor_positions && layout.has(Quantity::Qm), Quantity::Qm)?;
+        let load = further(prepare.transmission, Quantity::Tau)?;
         let mut wrench = None;
         let components: Option<Vec<usize>> = (0..6).map(|i| layout.find(Role::Wrench(i))).collect();
         if let Some(components) = components.filter(|_| prepare.wrench) {
@@ -512,6 +533,7 @@ impl Preparer {
             dof,
             temperature,
             motor,
+            load,
             wrench,
             recorded_ddq,
             time: layout.require(Role::Time)?,
@@ -537,6 +559,14 @@ impl Preparer {
         self.raw_time.extend_from_slice(&block.columns[self.time][rows.clone()]);
         for (to, &column) in self.raw.iter_mut().zip(&self.sources) {
             to.extend_from_slice(&block.columns[column][rows.clone()]);
+        }
+        let Some(load) = self.load else { return };
+        for joint in 0..self.dof {
+            let gain = self.settings.torque_gains.get(joint).copied().unwrap_or(1.0);
+            let (motors, joints) = self.raw.split_at_mut(load);
+            let from = joints[joint].len() - rows.len();
+            let own = motors[self.dof + joint][from..].iter_mut().zip(&joints[joint][from..]);
+            own.for_each(|(motor, joint)| *motor -= joint / gain);
         }
     }
 
@@ -944,15 +974,25 @@ impl Preparer {
             }
             let tau = later(tau, self.settings.torque_delay / clock.period);
             motion.tau.extend_from_slice(&tau[from..to]);
-            for (first, out) in [(self.temperature, &mut motion.temperature), (self.motor, &mut motion.motor)] {
-                out.extend(first.iter().flat_map(|first| &self.evened[first + joint][from..to]));
-            }
+            self.carry(&mut motion, joint, from..to);
         }
         if let Some(first) = self.wrench {
             let wrench = self.treated(&self.evened[first..first + 6], clock.period);
             wrench.iter().for_each(|treated| motion.wrench.extend_from_slice(&treated[from..to]));
         }
         motion
+    }
+
+    /// Adds what motions carry of a joint as recorded.
+    fn carry(&self, motion: &mut Motion, joint: usize, range: std::ops::Range<usize>) {
+        let channels = [
+            (self.temperature, &mut motion.temperature),
+            (self.motor, &mut motion.motor),
+            (self.load, &mut motion.load),
+        ];
+        for (first, out) in channels {
+            out.extend(first.iter().flat_map(|first| &self.evened[first + joint][range.clone()]));
+        }
     }
 
     /// Lets rough motion of a joint through where it is more than noise, and says the share of each

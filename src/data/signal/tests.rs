@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::*;
-use crate::data::log::{Acceptance, Clock, Kind, open};
+use crate::data::log::{Acceptance, Clock, Kind, Quantity, open};
 use crate::numerics::prng::Random;
 
 /// Two joints on motions of some frequencies up to 1.2 Hz.
@@ -159,4 +159,58 @@ fn velocity_noise_is_that_of_the_filter() {
         // The low-pass has no sharp edge.
         assert!((0.85..1.2).contains(&ratio), "{cutoff} Hz of {rate} Hz: {ratio}");
     }
+}
+
+/// Torques of gears are the motors' less the joints', of currents as of torques; the latter are the load.
+#[test]
+fn torques_on_both_sides_of_the_gears() {
+    let joints = Joints::new(&mut Random::new(12));
+    let times = even(200.0, 5.0);
+    let log = |motors: &str, gain: [f64; 2]| {
+        let mut text = format!("t,q1,q2,tau1,tau2,{motors}1,{motors}2\n");
+        for t in &times {
+            let [q, tau, gear] = [0, 2, 1].map(|d| [0, 1].map(|j| joints.at(j, *t, d)));
+            let motor = [0, 1].map(|j| (tau[j] + 0.3 * gear[j]) / gain[j]);
+            text.push_str(&format!(
+                "{t},{:.9},{:.9},{:.9},{:.9},{:.9},{:.9}\n",
+                q[0], q[1], tau[0], tau[1], motor[0], motor[1]
+            ));
+        }
+        text.into_bytes()
+    };
+    let gears = Prepare { transmission: true, raw_torque: true, ..Prepare::default() };
+    let constants = vec![Some(4.0), Some(-0.5)];
+    let cases = [
+        ("taum", [1.0, 1.0], Prepare { torque: Quantity::Taum, ..gears.clone() }),
+        ("i", [4.0, -0.5], Prepare { torque: Quantity::Current, torque_constants: constants, ..gears }),
+    ];
+    for (motors, gain, prepare) in cases {
+        let (found, prepared) = motions(&log(motors, gain), &prepare);
+        assert_eq!(prepared.both_torques, motors == "taum");
+        for motion in &found {
+            let len = motion.states.len;
+            for (j, k) in (0..2).flat_map(|j| motion.core.clone().map(move |k| (j, k))) {
+                let t = motion.time(k);
+                let at = j * len + k;
+                assert!((motion.tau[at] - 0.3 * joints.at(j, t, 1)).abs() < 1e-6, "{motors} {j} {t}");
+                assert!((motion.load[at] - joints.at(j, t, 2)).abs() < 1e-6, "{motors} {j} {t}");
+            }
+        }
+        assert!(!found.is_empty());
+    }
+    // A sensor behind the gear that was off is found out, as any other.
+    let off: Vec<u8> =
+        String::from_utf8(log("taum", [1.0; 2])).unwrap().lines().enumerate().fold(Vec::new(), |mut all, (k, line)| {
+            let mut cells: Vec<&str> = line.split(',').collect();
+            if k > 0 {
+                cells[4] = "0";
+            }
+            all.extend_from_slice(cells.join(",").as_bytes());
+            all.push(b'\n');
+            all
+        });
+    let prepare = Prepare { torque: Quantity::Taum, transmission: true, ..Prepare::default() };
+    let refused =
+        each_motion(open("off.csv", &off[..]).unwrap().as_mut(), 2, &prepare, |_| {}).unwrap_err().to_string();
+    assert!(refused.contains("`tau2`"), "{refused}");
 }

@@ -171,14 +171,15 @@ impl Session<'_> {
         let plant = model.tested.plant;
         let rotor = StandardParameter::Drive(plant.rows()[j - 1], DriveTerm::IA);
         let at = plant.standard_parameters().iter().position(|p| *p == rotor);
-        let value = at.and_then(|at| model.fitted.standard.as_ref().map(|s| s[at])).unwrap_or(0.0);
+        let value = at.and_then(|at| model.tested.scene.standard.as_ref().map(|s| s[at])).unwrap_or(0.0);
         Cause {
             cause: effects::RotorInertia::NAME,
             probability: calibration::links(gain.gain, gain.error),
             joints: vec![j],
             parameters: vec![Named::new(effects::RotorInertia::IA, value, None).of_joint(Some(j))],
             evidence: format!(
-                "joint {j}: beside other links the torque has a part in proportion to the joint's own acceleration, {} kg m^2, that the file lacks or has otherwise",
+                "joint {j}: beside {} the torque has a part in proportion to the joint's own acceleration, {} kg m^2, that the file lacks or has otherwise",
+                if plant.has_bodies() { "other links" } else { "friction" },
                 evidence::short(value)
             ),
             ..self.refitted(model, without)

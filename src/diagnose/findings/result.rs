@@ -263,6 +263,8 @@ pub struct Diagnosis {
     pub offer: Offer,
     /// Whether the file has link parameters.
     pub has_links: bool,
+    /// Whether the torques are what the gears take: the motors' less the joints'.
+    pub transmission: bool,
     /// Whether the extended model refits all base parameters.
     pub links_refitted: bool,
     /// Standard parameters of the extended model.

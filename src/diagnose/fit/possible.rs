@@ -126,8 +126,9 @@ impl ModelUnderTest<'_> {
             Some(_) => inertial(plant).into_iter().map(|b| all[b].clone()).collect(),
             None => Vec::new(),
         };
-        // Base parameters of which no body is known are of any sign.
-        let mut least = vec![None; if bodies.is_some() { 0 } else { count }];
+        // Base parameters of which no body is known are of any sign, rotors of drives alone are not.
+        let any = if plant.has_bodies() { None } else { Some(0.0) };
+        let mut least = vec![any; if bodies.is_some() { 0 } else { count }];
         for (k, file) in given_friction(plant).iter().flatten().enumerate() {
             let bounded = k % 3 < 2 && !self.frozen[k];
             least.push(bounded.then(|| -file.unwrap_or(0.0).max(0.0)));

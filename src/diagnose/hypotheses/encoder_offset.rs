@@ -24,6 +24,10 @@ impl Hypothesis for EncoderOffset {
         Kind::Measurement
     }
 
+    fn in_the_drive(&self) -> bool {
+        false
+    }
+
     fn shape(&self) -> &'static [Shape] {
         &[Shape { symbol: Symbol::Own("step"), unit: "rad", range: [-1.0, 1.0], step: None }]
     }

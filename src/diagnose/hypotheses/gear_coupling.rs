@@ -31,6 +31,10 @@ impl Hypothesis for GearCoupling {
         Kind::Transmission
     }
 
+    fn in_the_drive(&self) -> bool {
+        true
+    }
+
     fn scope(&self) -> Scope {
         Scope::Pair
     }
@@ -112,6 +116,10 @@ impl Hypothesis for CarriedAxis {
 
     fn kind(&self) -> Kind {
         Kind::Transmission
+    }
+
+    fn in_the_drive(&self) -> bool {
+        true
     }
 
     fn scope(&self) -> Scope {

@@ -46,6 +46,10 @@ impl Hypothesis for RotorInertia {
         Kind::Body
     }
 
+    fn in_the_drive(&self) -> bool {
+        true
+    }
+
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64]) -> bool {
         moves(scene, place[0])
     }

@@ -53,6 +53,10 @@ impl Hypothesis for TorqueRipple {
         Kind::Transmission
     }
 
+    fn in_the_drive(&self) -> bool {
+        true
+    }
+
     fn follows_acceleration(&self) -> bool {
         false
     }

@@ -92,7 +92,8 @@ pub fn candidates(
     wanted: &(dyn Fn(&'static dyn Hypothesis, &[usize]) -> bool + Sync),
 ) -> Vec<Candidate> {
     let mut tasks: Vec<(&'static dyn Hypothesis, Vec<usize>)> = Vec::new();
-    for cause in causes() {
+    let bodies = tested.plant.has_bodies();
+    for cause in causes().filter(|cause| bodies || cause.in_the_drive()) {
         tasks.extend(cause.places(&tested.scene).into_iter().filter(|p| wanted(cause, p)).map(|p| (cause, p)));
     }
     let best = |at: usize| {

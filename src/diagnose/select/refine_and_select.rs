@@ -1,6 +1,7 @@
 //! From what a search found to a model that holds on data which were not used.
 
 use super::beside::{Beside, Without};
+use super::drive_terms;
 use super::measure::{Measured, Meter, matters, taken_of, takes};
 use super::model_choice::LeftOut;
 use super::reduction::{backward_eliminate, drop_insignificant, fix_friction, free_friction, without};
@@ -208,7 +209,11 @@ impl<'a> Session<'a> {
         let fitted =
             backward_eliminate(self.plant, self.fit, &mut tested, &mut accepted, fitted, self.ground, &mut why);
         let fitted = polish(&mut tested, &mut accepted).unwrap_or(fitted);
-        let found = Found { rivals, why, evidence: evidence.unwrap_or_default(), suspects };
+        let evidence = match evidence {
+            None if !self.plant.has_bodies() => drive_terms::evidence(&mut tested, &chosen_of(&accepted), &fitted),
+            known => known.unwrap_or_default(),
+        };
+        let found = Found { rivals, why, evidence, suspects };
         self.validated(tested, accepted, fitted, found)
     }
 

@@ -63,6 +63,9 @@ pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
         if suspect.probability < calibration::NAMED || causes.iter().any(|c| c.is(&suspect)) {
             continue;
         }
+        if causes[..offered].iter().any(|c| has_its_level(c, &suspect)) {
+            continue;
+        }
         let joints = suspect.joints.clone();
         let mut likeliest = true;
         for rival in causes[..offered].iter_mut().filter(|c| !joints.is_empty() && c.joints == joints) {
@@ -78,6 +81,21 @@ pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
             causes.push(Cause { in_extended: false, ..suspect });
         }
     }
+}
+
+/// Whether a cause is the same plain friction as a suspect under another name: it has one of its levels,
+/// on the same joint.
+fn has_its_level(cause: &Cause, suspect: &Cause) -> bool {
+    let plain = [
+        effects::CoulombFriction::NAME,
+        effects::ViscousFriction::NAME,
+        effects::TorqueOffset::NAME,
+        effects::AsymmetricFriction::NAME,
+    ];
+    let level = |c: &Cause, symbol: &str| c.parameters.iter().any(|p| p.symbol == symbol);
+    [cause, suspect].iter().all(|c| plain.contains(&c.cause))
+        && cause.joints == suspect.joints
+        && suspect.parameters.iter().any(|p| level(cause, &p.symbol))
 }
 
 /// Takes out suspects of a joint on which the offered model has a law that no cause of that joint
@@ -96,7 +114,7 @@ pub(in crate::diagnose) fn without_neighbours(causes: &mut Vec<Cause>, joints: &
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnose::hypotheses::Named;
+    use crate::diagnose::hypotheses::{Named, Quantity};
 
     fn cause(cause: &'static str, joints: &[usize], probability: f64) -> Cause {
         Cause { joints: joints.to_vec(), probability, on: "validate", ..Cause::blank(cause, "") }
@@ -182,6 +200,23 @@ mod tests {
         let mut sure = vec![cause("presliding_hysteresis", &[6], 0.95)];
         name(&mut sure, vec![cause("viscous_friction", &[6], 0.8)]);
         assert!(sure.len() == 1 && sure[0].not_distinguished_from == ["viscous_friction"]);
+    }
+
+    /// A level of Coulomb's friction with an offset and without it is one level.
+    #[test]
+    fn a_level_has_one_name() {
+        let of = |name: &'static str, symbols: &[&str], probability| {
+            let quantity = |s: &&str| Quantity { symbol: s.to_string(), value: 1.0, std: None };
+            Cause { parameters: symbols.iter().map(quantity).collect(), ..cause(name, &[3], probability) }
+        };
+        let suspects = || vec![of("asymmetric_friction", &["FC3", "TO3"], 0.9), of("viscous_friction", &["FV3"], 0.9)];
+        for (offered, left) in
+            [(of("coulomb_friction", &["FC3"], 0.8), 2), (of("stribeck_friction", &["FC3", "FS3"], 0.8), 3)]
+        {
+            let mut causes = vec![offered];
+            name(&mut causes, suspects());
+            assert_eq!(causes.len(), left, "{causes:?}");
+        }
     }
 
     /// A law of other joints' motion stands for a suspect of its joint that came near to it, not

@@ -7,8 +7,9 @@ use crate::data::signal::Band;
 use crate::diagnose::hypotheses::{Term, hypothesis};
 use crate::diagnose::windows::recording::{Recording, Stretch};
 use crate::diagnose::windows::windowed_data::WindowedData;
-use crate::model::States;
+use crate::model::drives_alone::DrivesAlone;
 use crate::model::perturbable_robot::PerturbableRobot;
+use crate::model::{Arm, States};
 use dh_codegen::robot::EffectKind;
 
 pub(super) const PERIOD: f64 = 0.005;
@@ -31,6 +32,7 @@ pub(super) fn recording() -> Recording {
         tau: vec![1.0; 2 * LEN],
         temperature: Vec::new(),
         motor: Vec::new(),
+        load: Vec::new(),
         velocity_noise: vec![1e-6; 2],
         error: Vec::new(),
         torque_noise: vec![0.01; 2],
@@ -89,6 +91,31 @@ fn columns_are_what_their_laws_say() {
     follows(&scene, EffectKind::FrictionDrift, &[2.5], &|term, w| {
         (if term == 0 { sign(w) } else { v(w) }) * (-own.t(w) / 2.5).exp()
     });
+}
+
+/// Friction of gears that are diagnosed alone goes with the load behind them as measured, the motion's part
+/// of the torque is the rotor's, and a late motion has the load of its torque.
+#[test]
+fn a_measured_load_is_what_a_gear_transmits() {
+    let plant = DrivesAlone::new(&planar());
+    let mut recordings = [recording()];
+    let measured: Vec<f64> = (0..2 * LEN).map(|k| 3.0 * (0.01 * k as f64).cos()).collect();
+    recordings[0].stretches[0].load.clone_from(&measured);
+    let mut scene = WindowedData::new(&plant, &recordings, 1.0 / PERIOD, &[0.0; 2], false);
+    let rotor = plant.base_parameters().iter().position(|b| b.name == "IA1").unwrap();
+    let mut beta = vec![0.0; scene.beta.len()];
+    beta[rotor] = 0.7;
+    scene.set_model(beta, None);
+    scene.rotors[0] = 0.7;
+    scene.delayed_by(&recordings, 1.0 / PERIOD, &[4.0 * PERIOD, 0.0]);
+    let own = scene.own[0][0].clone();
+    let first = (scene.time[0] / PERIOD).round() as usize;
+    let load = |w: usize| measured[first + w];
+    follows(&scene, EffectKind::LoadDependentFriction, &[0.0], &|_, w| own.v[w].signum() * load(w).abs());
+    for (w, torque) in scene.by_motion(0).iter().enumerate() {
+        assert!((torque - 0.7 * own.a[w]).abs() < 1e-9, "{w}: {torque}");
+    }
+    assert!(scene.slopes(0).position.iter().flatten().all(|x| x.abs() < 1e-9));
 }
 
 #[test]

@@ -426,6 +426,7 @@ fn recordings_hold_what_was_written() {
         tau: vec![1.0, 2.0],
         temperature: Vec::new(),
         motor: Vec::new(),
+        load: Vec::new(),
         velocity_noise: vec![0.0],
         error: Vec::new(),
         torque_noise: Vec::new(),

@@ -27,7 +27,7 @@ pub(in crate::diagnose) fn budget<'r>(
     };
     let time = mean(&|s| s.clock_error * s.clock_error).sqrt();
     let rate = |j: usize| {
-        let rates = scene.rate_of(&scene.rigid[j]);
+        let rates = scene.rate_of(&scene.by_motion(j));
         (rates.iter().map(|r| r * r).sum::<f64>() / rates.len().max(1) as f64).sqrt()
     };
     ErrorBudget {

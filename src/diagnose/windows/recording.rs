@@ -44,6 +44,9 @@ pub struct Stretch {
     pub temperature: Vec<f64>,
     /// Positions of the motors as recorded, joint-major, rad; empty where there are none.
     pub motor: Vec<f64>,
+    /// Torques of the joints behind the gears, joint-major, N m, where `tau` is that of the gears
+    /// alone; else empty.
+    pub load: Vec<f64>,
     /// Standard deviation of the velocity error that the noise of the positions leaves, rad/s, per
     /// joint.
     pub velocity_noise: Vec<f64>,
@@ -131,7 +134,9 @@ pub fn unexplained<'a>(plant: &dyn PerturbableArm, recordings: &'a [Recording]) 
         let states =
             States { len, q: joined(|s| &s.states.q), dq: joined(|s| &s.states.dq), ddq: joined(|s| &s.states.ddq) };
         let mut known = vec![0.0; dof * len];
-        if !plant.known(recording.begin, &time, &states, &joined(|s| &s.temperature), &mut known) {
+        let laws = plant.known(recording.begin, &time, &states, &joined(|s| &s.temperature), &mut known);
+        let of_load = plant.add_laws_of_load(&states, &joined(|s| &s.load), &mut known);
+        if !laws && !of_load {
             return Cow::Borrowed(recordings);
         }
         let mut first = 0;
@@ -197,13 +202,20 @@ impl Stretch {
             dq: cut(&motion.states.dq),
             ddq: cut(&motion.states.ddq),
         };
+        let (mut tau, load) = (cut(&motion.tau), cut(&motion.load));
+        // A sensor behind the gear that was off says nothing of the gear.
+        let off = load.chunks_exact(core.len().max(1)).map(|load| load.iter().all(|t| *t == 0.0));
+        for (tau, _) in tau.chunks_exact_mut(core.len().max(1)).zip(off).filter(|(_, off)| *off) {
+            tau.fill(0.0);
+        }
         Self {
             start: motion.time(core.start),
             period: motion.period,
             states,
-            tau: cut(&motion.tau),
+            tau,
             temperature: cut(&motion.temperature),
             motor: cut(&motion.motor),
+            load,
             velocity_noise: motion.velocity_noise.clone(),
             error: motion.error.clone(),
             torque_noise: if motion.clock_error > 0.0 { motion.torque_noise.clone() } else { Vec::new() },
@@ -229,6 +241,7 @@ impl Stretch {
             tau: take(&self.tau),
             temperature: take(&self.temperature),
             motor: take(&self.motor),
+            load: take(&self.load),
             velocity_noise: self.velocity_noise.clone(),
             error: self.error.clone(),
             torque_noise: self.torque_noise.clone(),

@@ -243,6 +243,11 @@ impl<'r> Cut<'r> {
         average(&self.stretch.of(&self.stretch.tau, j)[self.span.clone()], self.per)
     }
 
+    /// Measured torque of a joint behind its gear, N m.
+    fn load(&self, j: usize) -> Vec<f64> {
+        average(&self.stretch.of(&self.stretch.load, j)[self.span.clone()], self.per)
+    }
+
     /// Motion of a joint whose torque is late by `delay` s.
     fn joint(&self, j: usize, delay: f64, signed: &SpeedSign) -> JointSeries<'r> {
         let (stretch, span): (&'r Stretch, _) = (self.stretch, &self.span);
@@ -301,6 +306,14 @@ impl SpeedSign {
     }
 }
 
+/// Measured torques behind the gears, by joint; nothing where they are not known throughout.
+fn loads(cuts: &[Cut<'_>], dof: usize) -> Vec<Vec<f64>> {
+    if cuts.iter().any(|cut| cut.stretch.load.is_empty()) {
+        return Vec::new();
+    }
+    (0..dof).map(|j| cuts.iter().flat_map(|cut| cut.load(j)).collect()).collect()
+}
+
 /// Motion of all joints in the windows, `delay` s earlier.
 fn states_at(cuts: &[Cut<'_>], dof: usize, delay: f64) -> States {
     let len: usize = cuts.iter().map(|c| c.windows).sum();
@@ -339,8 +352,11 @@ pub struct WindowedData<'a> {
     pub runs: Vec<std::ops::Range<usize>>,
     /// Each joint's stretches.
     pub own: Vec<Vec<JointSeries<'a>>>,
-    /// Torque of the rigid model, per joint, N m.
+    /// Torque of the rigid model, per joint, N m; with the measured one behind the gears where torques
+    /// are those of the gears alone.
     pub rigid: Vec<Arc<Vec<f64>>>,
+    /// Measured torques behind the gears, per joint, N m; empty where `y` has them.
+    load: Vec<Vec<f64>>,
     /// Torque of the whole model, per joint, N m.
     pub whole: Vec<Arc<Vec<f64>>>,
     /// The same without Coulomb's friction, which jumps.
@@ -412,6 +428,7 @@ impl<'a> WindowedData<'a> {
                 .map(|w| (w as f64 * step / PIECE.min(len as f64 * step / BLOCKS as f64)) as usize % BLOCKS)
                 .collect(),
             rigid: vec![zero.clone(); dof],
+            load: loads(&cuts, dof),
             whole: vec![zero.clone(); dof],
             smooth: vec![zero; dof],
             beta: vec![0.0; plant.base_parameters().len()],
@@ -449,7 +466,8 @@ impl<'a> WindowedData<'a> {
         let before = self.delays.clone();
         self.take_delays(&cuts(recordings, rate), delays);
         let moved: Vec<bool> = before.iter().zip(delays).map(|(a, b)| a != b).collect();
-        let fresh = self.torques_where(&self.beta, &moved, |_, _| {});
+        let mut fresh = self.torques_where(&self.beta, &moved, |_, _| {});
+        self.with_load(&mut fresh);
         for (j, torque) in fresh.into_iter().enumerate().filter(|(j, _)| moved[*j]) {
             self.rigid[j] = Arc::new(torque);
         }
@@ -733,7 +751,22 @@ impl<'a> WindowedData<'a> {
 
     /// Torque of the rigid model where each window's motion is first changed, as above.
     fn rigid_with(&self, change: impl Fn(&mut States, std::ops::Range<usize>) + Sync) -> Vec<Vec<f64>> {
-        self.torques_where(&self.beta, &vec![true; self.dof()], change)
+        let mut rows = self.torques_where(&self.beta, &vec![true; self.dof()], change);
+        self.with_load(&mut rows);
+        rows
+    }
+
+    /// Adds the measured torques behind the gears, where there are such.
+    fn with_load(&self, rows: &mut [Vec<f64>]) {
+        for (row, load) in rows.iter_mut().zip(&self.load) {
+            row.iter_mut().zip(load).for_each(|(torque, load)| *torque += load);
+        }
+    }
+
+    /// Part of the rigid model's torque that the recorded motion gives, of a joint, N m.
+    pub fn by_motion(&self, j: usize) -> Vec<f64> {
+        let load = |w: usize| self.load.get(j).map_or(0.0, |load| load[w]);
+        self.rigid[j].iter().enumerate().map(|(w, torque)| torque - load(w)).collect()
     }
 
     /// Takes base parameters (friction entries zero) for the rigid model.

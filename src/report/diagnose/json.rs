@@ -34,6 +34,7 @@ pub fn diagnose_json(found: &Diagnosis, logs: &[Prepared], warnings: &Warnings, 
             "why": found.offer.why,
         },
         "links_refitted": found.links_refitted,
+        "transmission": found.transmission,
         "own_validation": found.own_validation,
         "seconds": { "fit": found.seconds[0], "validate": found.seconds[1] },
         "next_experiment": found.next_experiment.as_ref().map(|next| json!({

@@ -140,6 +140,7 @@ fn foot(body: &mut String, found: &Diagnosis, provenance: &Provenance) {
     let links = match (found.links_refitted, found.has_links) {
         (true, true) => "all base parameters refitted",
         (true, false) => "base parameters fitted; the file has none",
+        _ if found.transmission => "play no part: torques are the motors' less the joints'",
         _ => "the file's, unchanged",
     };
     let mut rows = vec![

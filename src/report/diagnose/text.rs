@@ -28,6 +28,14 @@ pub fn diagnose_warnings(found: &Diagnosis, logs: &[Prepared]) -> Warnings {
             if joints.len() > 1 { "them" } else { "it" }
         ));
     }
+    if found.transmission {
+        warnings.push(
+            "Torques are what the gears take: the motors' less the joints', both measured. Links play no part in them.",
+        );
+    }
+    if !found.transmission && !logs.is_empty() && logs.iter().all(|log| log.both_torques) {
+        warnings.push("The logs have torques of motors and joints: --transmission diagnoses the gears by their difference, free of links.");
+    }
     if !found.own_validation {
         warnings.push("No validating log was given: the last three tenths of each stretch were kept out of the fit and measured on.");
     }
@@ -52,6 +60,10 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
         (Verdict::NothingWrong, _) if found.has_links => "Nothing is wrong beyond the noise.".to_string(),
         (Verdict::NothingWrong, _) => {
             "The file has no link parameters; with base parameters fitted to the logs nothing is wrong beyond the noise.".to_string()
+        }
+        (Verdict::Unexplained, true) if found.causes.is_empty() && found.transmission => {
+            "Rotors or friction of the file are wrong: refitted, they leave nothing beyond the noise. Which of them can't be told from these logs."
+                .to_string()
         }
         (Verdict::Unexplained, true) if found.causes.is_empty() && found.links_refitted => {
             "Links or rotors of the file are wrong: with base parameters fitted to the logs nothing is left beyond the noise. Which of them can't be told from these logs."

@@ -13,8 +13,11 @@ const ALIKE: f64 = 0.01;
 /// Errors on the validating logs, per joint, N m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WrittenCheck {
-    /// Of the written file, by its inverse dynamics; `None` where it has no links.
+    /// Of the written file, by its inverse dynamics; `None` where it has no links, or the torques are
+    /// those of its gears alone.
     pub rms: Option<Vec<f64>>,
+    /// Whether the torques are those of its gears alone.
+    pub transmission: bool,
     /// Of the model that the diagnosis offers.
     pub offered: Vec<f64>,
     /// Whether the validating data are logs of their own.
@@ -78,6 +81,7 @@ pub fn written_text(check: &WrittenCheck, file: &str) -> String {
             digits(is, 3),
             digits(offered, 3)
         ),
+        None if check.transmission => format!("wrote {file}, with what was found of its gears\n"),
         None => format!("wrote {file}; it has no links, so its inverse dynamics can't be evaluated\n"),
     }
 }
@@ -88,13 +92,19 @@ mod tests {
 
     #[test]
     fn a_file_that_is_another_model_is_refused() {
-        let check =
-            |rms: [f64; 2]| WrittenCheck { rms: Some(rms.to_vec()), offered: vec![0.5, 0.2], own_validation: true };
+        let check = |rms: [f64; 2]| WrittenCheck {
+            rms: Some(rms.to_vec()),
+            transmission: false,
+            offered: vec![0.5, 0.2],
+            own_validation: true,
+        };
         assert_eq!(check([0.501, 0.2]).refusal("x.yaml"), None);
         let words = check([0.5, 0.4]).refusal("x.yaml").unwrap();
         assert!(words.contains("x.yaml is NOT the model") && words.contains("joint 2: 0.400 and 0.200"), "{words}");
         assert!(!words.contains("joint 1:"), "{words}");
         assert!(check([f64::NAN, 0.2]).refusal("x.yaml").is_some());
-        assert_eq!(WrittenCheck { rms: None, offered: vec![0.5], own_validation: true }.refusal("x.yaml"), None);
+        let unknown = WrittenCheck { rms: None, transmission: true, offered: vec![0.5], own_validation: true };
+        assert_eq!(unknown.refusal("x.yaml"), None);
+        assert!(written_text(&unknown, "x.yaml").contains("of its gears"));
     }
 }

@@ -1,0 +1,25 @@
+//! Evidence for plain friction of drives that are diagnosed alone.
+//!
+//! Beside a robot's bodies a level of friction takes part of what a wrong link leaves, so that it must
+//! be found by the search from the file. What a gear takes has no links in it: a term without which
+//! the rest does not predict its joint has changed.
+
+use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
+use crate::diagnose::search::forward::{Evidence, PLAIN};
+
+/// Evidence for each plain term that is fitted and news: the share of its joint's squared error that
+/// it takes beside all others, `fitted` being the model with all of them.
+pub(super) fn evidence(tested: &mut ModelUnderTest<'_>, chosen: &[Chosen], fitted: &Fitted) -> Vec<Evidence> {
+    let mut found = Vec::new();
+    for k in (0..tested.frozen.len()).filter(|&k| !tested.frozen[k] && !tested.quiet[k]).collect::<Vec<_>>() {
+        let joint = k / 3;
+        tested.frozen[k] = true;
+        let without = tested.fit(&mut chosen.to_vec());
+        tested.frozen[k] = false;
+        let [with, without] = [fitted, &without].map(|f| f.solution.rss[joint]);
+        let share = if without > 0.0 { 1.0 - with / without } else { 0.0 };
+        found.push(Evidence { effect: PLAIN[k % 3].effect(), place: vec![joint], local: false, share });
+    }
+    tested.update_model(fitted);
+    found
+}
