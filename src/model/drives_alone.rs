@@ -32,7 +32,7 @@ impl DrivesAlone {
         let moving = file.moving();
         let laws = |(j, row): (usize, &usize)| -> Vec<(usize, LoadDependentFriction)> {
             let of = |effect: &Effect| match effect {
-                Effect::LoadDependentFriction(law) => Some((j, law.clone())),
+                Effect::LoadDependentFriction(law) => Some((j, *law)),
                 _ => None,
             };
             file.joints[*row].drive.effects.iter().filter_map(of).collect()
