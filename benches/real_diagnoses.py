@@ -26,6 +26,7 @@ RUNS = [
     ("KUKA LWR 4+", "kuka-lwr4plus", ["traj1"], [], []),
     ("Kinova Gen3, sensor behind the gear", "kinova-gen3", ["optitraj1"], [], []),
     ("Kinova Gen3, motor current", "kinova-gen3", ["optitraj1"], [], ["--torque", "taum"]),
+    ("Kinova Gen3, motor current less sensor", "kinova-gen3", ["optitraj1"], [], ["--transmission"]),
     ("Franka Panda, 30 Hz", "franka-panda", ["exciting"], [], []),
 ]
 FILES = {"kuka-lwr4plus": "kuka-lwr4"}

@@ -3,6 +3,7 @@
 mod battery;
 mod columns;
 mod decisions;
+mod gears;
 mod mechanisms;
 mod sizes;
 mod sums;

@@ -211,6 +211,11 @@ impl<'a> Session<'a> {
         self.own_validation && !self.worse_on(model, &refit.by_log).is_empty()
     }
 
+    /// Whether it errs more than a plain refit on every validating log, over all joints.
+    pub(in crate::diagnose) fn worse_throughout(&self, model: &Selected<'_>, refit: &Refit) -> bool {
+        self.own_validation && self.worse_as_a_whole(model, &refit.by_log)
+    }
+
     /// Says so where a model errs more with further causes than without them on a validating log:
     /// `without`, errors of the same links without any, per log and joint, N m. Logs of different
     /// robots refute no model.

@@ -187,7 +187,9 @@ impl<'a> Session<'a> {
                 vec![all, few]
             }
             (Some(few), Some(all))
-                if self.worse_than(&few, refit) && !few.left_out.less(&all.left_out, self.ground).sure() =>
+                if self.worse_than(&few, refit)
+                    && (self.worse_throughout(&few, refit)
+                        || !few.left_out.less(&all.left_out, self.ground).sure()) =>
             {
                 said.push(self.says(
                     "all base parameters refitted predict as well as the file's links with further causes, and err less on a validating log",
