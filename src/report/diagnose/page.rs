@@ -193,6 +193,9 @@ const LIKELY: f64 = 0.8;
 fn actions(found: &Diagnosis) -> Vec<String> {
     let mut all = vec![match found.offer.offered {
         Offered::File => "Keep the robot file: nothing predicts surely better on data that were left out.".to_string(),
+        Offered::Refitted if found.transmission => {
+            "Use the refitted rotors and friction: no further cause predicts better on data that were left out.".into()
+        }
         Offered::Refitted => {
             "Use the refitted parameters: no further cause predicts better on data that were left out.".into()
         }
