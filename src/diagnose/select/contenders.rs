@@ -211,9 +211,10 @@ impl<'a> Session<'a> {
         self.own_validation && !self.worse_on(model, &refit.by_log).is_empty()
     }
 
-    /// Whether it errs more than a plain refit on every validating log, over all joints.
+    /// Whether it errs more than a plain refit on every validating log by a tenth and more, root mean
+    /// square over joints.
     pub(in crate::diagnose) fn worse_throughout(&self, model: &Selected<'_>, refit: &Refit) -> bool {
-        self.own_validation && self.worse_as_a_whole(model, &refit.by_log)
+        self.own_validation && self.worse_by_a_tenth(model, &refit.by_log)
     }
 
     /// Says so where a model errs more with further causes than without them on a validating log:

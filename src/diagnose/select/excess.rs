@@ -1,7 +1,7 @@
 //! Error beyond what noise explains, and error that the validating logs have and the fitted ones
 //! have not.
 
-use super::measure::{Measured, Meter, taken_of};
+use super::measure::{Measured, Meter, root_mean_square, taken_of};
 use super::refine_and_select::{Selected, Session};
 use crate::diagnose::findings::evidence::short;
 use crate::diagnose::findings::result::Cause;
@@ -143,6 +143,20 @@ impl Session<'_> {
         let own = by_log(self.plant, self.validate, &model.tested, &model.fitted, &chosen_of(&model.accepted));
         own.iter().zip(other).all(|(own, other)| taken_of(own, other, self.scale) > WORSE)
     }
+
+    /// The same by a tenth and more, root mean square over joints.
+    pub(super) fn worse_by_a_tenth(&self, model: &Selected<'_>, other: &[Vec<f64>]) -> bool {
+        let own = by_log(self.plant, self.validate, &model.tested, &model.fitted, &chosen_of(&model.accepted));
+        by_a_tenth(&own, other)
+    }
+}
+
+/// Errors by another model's above which it is worse whatever the joint: a tenth is what logs differ by.
+const TENTH: f64 = 1.1;
+
+/// Whether errors `own` exceed others by a tenth on every log, root mean square over joints.
+fn by_a_tenth(own: &[Vec<f64>], other: &[Vec<f64>]) -> bool {
+    own.iter().zip(other).all(|(own, other)| root_mean_square(own) > TENTH * root_mean_square(other))
 }
 
 /// Whether errors `own` are more than those of a refit, N m per joint.
@@ -167,6 +181,15 @@ mod tests {
         let found = here_and_there(&of(50, true), &[0.1]);
         assert!(found.len() == 1 && found[0].description.contains("in 0.500 s between 10.00 and 10.49 s"), "{found:?}");
         assert!(here_and_there(&of(25, true), &[0.1]).is_empty() && here_and_there(&of(50, false), &[0.1]).is_empty());
+    }
+
+    #[test]
+    fn a_tenth_on_every_log_is_worse() {
+        let refit = [vec![1.0, 0.1], vec![2.0, 0.1]];
+        assert!(by_a_tenth(&[vec![1.2, 0.1], vec![2.3, 0.1]], &refit));
+        assert!(!by_a_tenth(&[vec![1.2, 0.1], vec![2.1, 0.1]], &refit));
+        // A joint of small torque decides nothing.
+        assert!(!by_a_tenth(&[vec![1.0, 0.3], vec![2.0, 0.3]], &refit));
     }
 
     #[test]
