@@ -1,7 +1,7 @@
 //! Models among which one is offered: with the file's links, with all base parameters refitted, and
 //! the plain refit beside which both have to hold on each validating log.
 
-use super::excess::{by_log, excess, with_excess};
+use super::excess::{TENTH, by_log, excess, with_excess};
 use super::measure::{Measured, Meter};
 use super::model_choice::LeftOut;
 use super::prune::Pruned;
@@ -211,10 +211,12 @@ impl<'a> Session<'a> {
         self.own_validation && !self.worse_on(model, &refit.by_log).is_empty()
     }
 
-    /// Whether it errs more than a plain refit on every validating log by a tenth and more, root mean
-    /// square over joints.
+    /// Whether it errs more on every validating log than a plain refit, by a tenth and more, and than the
+    /// unchanged file: what its causes say of the fitted logs makes it worse elsewhere.
     pub(in crate::diagnose) fn worse_throughout(&self, model: &Selected<'_>, refit: &Refit) -> bool {
-        self.own_validation && self.worse_by_a_tenth(model, &refit.by_log)
+        self.own_validation
+            && self.errs_more(model, &refit.by_log, TENTH)
+            && self.file_by_log().is_ok_and(|file| self.errs_more(model, &file, 1.0))
     }
 
     /// Says so where a model errs more with further causes than without them on a validating log:

@@ -144,19 +144,21 @@ impl Session<'_> {
         own.iter().zip(other).all(|(own, other)| taken_of(own, other, self.scale) > WORSE)
     }
 
-    /// The same by a tenth and more, root mean square over joints.
-    pub(super) fn worse_by_a_tenth(&self, model: &Selected<'_>, other: &[Vec<f64>]) -> bool {
+    /// Whether it errs so many times as much as another on every validating log, root mean square over
+    /// joints.
+    pub(super) fn errs_more(&self, model: &Selected<'_>, other: &[Vec<f64>], times: f64) -> bool {
         let own = by_log(self.plant, self.validate, &model.tested, &model.fitted, &chosen_of(&model.accepted));
-        by_a_tenth(&own, other)
+        exceed(&own, other, times)
     }
 }
 
 /// Errors by another model's above which it is worse whatever the joint: a tenth is what logs differ by.
-const TENTH: f64 = 1.1;
+pub(super) const TENTH: f64 = 1.1;
 
-/// Whether errors `own` exceed others by a tenth on every log, root mean square over joints.
-fn by_a_tenth(own: &[Vec<f64>], other: &[Vec<f64>]) -> bool {
-    own.iter().zip(other).all(|(own, other)| root_mean_square(own) > TENTH * root_mean_square(other))
+/// Whether errors `own` are so many `times` the others on every log, and more, root mean square over
+/// joints.
+fn exceed(own: &[Vec<f64>], other: &[Vec<f64>], times: f64) -> bool {
+    own.iter().zip(other).all(|(own, other)| root_mean_square(own) > times * root_mean_square(other))
 }
 
 /// Whether errors `own` are more than those of a refit, N m per joint.
@@ -186,10 +188,10 @@ mod tests {
     #[test]
     fn a_tenth_on_every_log_is_worse() {
         let refit = [vec![1.0, 0.1], vec![2.0, 0.1]];
-        assert!(by_a_tenth(&[vec![1.2, 0.1], vec![2.3, 0.1]], &refit));
-        assert!(!by_a_tenth(&[vec![1.2, 0.1], vec![2.1, 0.1]], &refit));
+        assert!(exceed(&[vec![1.2, 0.1], vec![2.3, 0.1]], &refit, TENTH));
+        assert!(!exceed(&[vec![1.2, 0.1], vec![2.1, 0.1]], &refit, TENTH));
         // A joint of small torque decides nothing.
-        assert!(!by_a_tenth(&[vec![1.0, 0.3], vec![2.0, 0.3]], &refit));
+        assert!(!exceed(&[vec![1.0, 0.3], vec![2.0, 0.3]], &refit, TENTH));
     }
 
     #[test]
