@@ -1,14 +1,13 @@
 //! Drives alone: what gears take, made up here, with a load that no file knows.
 
+use super::columns::{self, PERIOD};
 use super::mechanisms::planar;
-use crate::data::signal::Band;
 use crate::diagnose::windows::recording::{Recording, Stretch};
 use crate::diagnose::{Settings, Verdict, diagnose};
 use crate::model::States;
 use crate::model::drives_alone::DrivesAlone;
 use crate::numerics::prng::Random;
 
-const PERIOD: f64 = 0.005;
 const LEN: usize = 3000;
 
 /// Two joints on sines of three frequencies each; `gear`: torque that each takes by position, velocity,
@@ -31,8 +30,6 @@ fn recording(seed: u64, gear: impl Fn(usize, [f64; 3], f64) -> f64) -> Recording
     let mut tau = series(&|j, k| gear(j, at(j, k), load(j, k)));
     tau.iter_mut().for_each(|t| *t += 0.02 * (0..12).map(|_| random.uniform(-0.5, 0.5)).sum::<f64>());
     let stretch = Stretch {
-        start: 0.0,
-        period: PERIOD,
         states: States {
             len: LEN,
             q: series(&|j, k| at(j, k)[0]),
@@ -40,15 +37,9 @@ fn recording(seed: u64, gear: impl Fn(usize, [f64; 3], f64) -> f64) -> Recording
             ddq: series(&|j, k| at(j, k)[2]),
         },
         tau,
-        temperature: Vec::new(),
-        motor: Vec::new(),
         load: series(&load),
-        velocity_noise: vec![1e-6; 2],
-        error: Vec::new(),
         torque_noise: vec![0.02; 2],
-        clock_error: 0.0,
-        stuck: Vec::new(),
-        band: Band::default(),
+        ..columns::recording().stretches.remove(0)
     };
     Recording { name: "gears".into(), begin: 0.0, stretches: vec![stretch] }
 }
