@@ -126,7 +126,7 @@ impl Session<'_> {
             _ => false,
         };
         let chosen = chosen_of(&model.accepted);
-        let stretches = model.tested.stretches(&chosen);
+        let stretches = model.tested.stretches(fitted);
         let (counts, local) = (stretches.counts(), local(&chosen, fitted));
         let (mut file, mut fixed) = (fitted.solution.clone(), local.clone());
         for (at, b) in inertial(plant).into_iter().enumerate().filter(|(_, b)| own(base[*b].leader)) {

@@ -494,7 +494,9 @@ impl<'a> ModelUnderTest<'a> {
     }
 
     fn fit_once(&self, chosen: &[Chosen], weights: Option<&[f64]>) -> Fitted {
-        let (moments, first, terms) = self.equations(chosen, false);
+        let threads = threads_for(self.scene.len * self.scene.dof());
+        let terms = parallel(threads, chosen.len(), |i| self.terms(&chosen[i]));
+        let (moments, first) = self.equations(&terms, false);
         let friction = self.base.len();
         let solution = moments.solve(weights);
         let residual = moments.residual(&solution.x);
@@ -509,26 +511,24 @@ impl<'a> ModelUnderTest<'a> {
         parallel(threads, residual.len(), |j| autocorrelation_time(&residual[j], &self.scene.live[j]))
     }
 
-    /// Equations in the rigid arm's unknowns, friction's and those of the chosen causes, in pieces
-    /// or in stretches; where the causes' begin; their terms.
-    fn equations(&self, chosen: &[Chosen], stretches: bool) -> (Moments, Vec<usize>, Vec<Arc<Vec<Term>>>) {
+    /// Equations in the rigid arm's unknowns, friction's and those of the causes with these terms, in
+    /// pieces or in stretches; index of each cause's first unknown.
+    fn equations(&self, terms: &[Arc<Vec<Term>>], stretches: bool) -> (Moments, Vec<usize>) {
         let ground = self.ground[usize::from(stretches)].get_or_init(|| {
             let columns: Vec<&Column> = self.base.iter().chain(&self.friction).collect();
             let len = self.scene.len.max(1);
             let spans: Vec<usize> = (0..self.scene.len).map(|w| w * BLOCKS / len).collect();
             Moments::new(&self.scene, if stretches { &spans } else { &self.scene.block }, &self.y, &columns)
         });
-        let threads = threads_for(self.scene.len * self.scene.dof());
-        let terms = parallel(threads, chosen.len(), |i| self.terms(&chosen[i]));
         let (mut columns, mut first) = (Vec::new(), Vec::new());
-        for term in &terms {
+        for term in terms {
             first.push(ground.unknowns + columns.len());
             columns.extend(term.iter().map(|t| &t.column));
         }
         let free = |k: usize| k.checked_sub(self.base.len()).is_some_and(|k| self.frozen.get(k) == Some(&true));
         let mut moments = ground.without(free).with(&columns);
         moments.regularised_by(self.holding());
-        (moments, first, terms)
+        (moments, first)
     }
 
     /// Parameters that are fixed while some friction is fixed.
@@ -569,7 +569,7 @@ impl<'a> ModelUnderTest<'a> {
         let weights = &free.solution.weights;
         let thinned: Vec<f64> = weights.iter().zip(&free.memory).map(|(w, m)| w / m).collect();
         let (full, thinned) = (free.moments.information(weights), free.moments.information(&thinned));
-        let mut stretches = self.stretches(chosen);
+        let mut stretches = self.stretches(&free);
         let counts = stretches.counts();
         let ground: Vec<f64> = torque.iter().map(|t| 0.004 * t).collect();
         let mut best: Option<(Regulariser, LeftOut)> = None;
@@ -585,14 +585,16 @@ impl<'a> ModelUnderTest<'a> {
         best.map_or_else(Regulariser::none, |b| b.0)
     }
 
-    /// The equations in stretches that can be left out: eighths of the data, each in one piece.
-    pub fn stretches(&self, chosen: &[Chosen]) -> Moments {
-        self.equations(chosen, true).0
+    /// The equations of a fit in stretches that can be left out: eighths of the data, each in one
+    /// piece. Their terms are those that were fitted: with the model that came of it a law that rests
+    /// on the model may have fewer.
+    pub fn stretches(&self, fitted: &Fitted) -> Moments {
+        self.equations(&fitted.terms, true).0
     }
 
     /// Errors of the fitted model on stretches that were left out in turn.
     pub fn left_out(&self, chosen: &[Chosen], fitted: &Fitted) -> LeftOut {
-        let stretches = self.stretches(chosen);
+        let stretches = self.stretches(fitted);
         let fixed = local(chosen, fitted);
         let bodies = self.changed_bodies(chosen, fitted);
         let sums = if bodies.is_empty() {

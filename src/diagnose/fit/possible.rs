@@ -106,7 +106,7 @@ impl ModelUnderTest<'_> {
         fitted: &Fitted,
     ) -> Result<LeftOut, ConsistentError> {
         let mut limits = self.limits(chosen, fitted);
-        let (stretches, mut fixed) = (self.stretches(chosen), local(chosen, fitted));
+        let (stretches, mut fixed) = (self.stretches(fitted), local(chosen, fitted));
         fixed.extend(units(chosen, fitted));
         let first = limits.base.len();
         let weights = limits.weights.clone();

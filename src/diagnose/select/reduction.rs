@@ -68,7 +68,7 @@ pub(in crate::diagnose) fn backward_eliminate(
     for round in 0..12 {
         let chosen = chosen_of(accepted);
         let items = items(tested, accepted, &fitted);
-        let stretches = tested.stretches(&chosen);
+        let stretches = tested.stretches(&fitted);
         let mut worst: Option<(&Item, Paired)> = None;
         for item in items.iter().filter(|i| !i.hypothesis.local()) {
             let paired = if item.hypothesis.moves_time() {

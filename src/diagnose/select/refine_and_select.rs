@@ -272,7 +272,7 @@ impl<'a> Session<'a> {
             rivals,
             noise: self.noise,
             own_validation: self.own_validation,
-            stretches: &tested.stretches(&chosen),
+            stretches: &tested.stretches(&fitted),
             evidence,
         };
         let [here, there] = [&after_fit, &after].map(Measured::figures);

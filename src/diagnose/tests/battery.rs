@@ -5,9 +5,10 @@ use dh_codegen::robot::{Robot, no_files};
 use super::world::{Hidden, World, record};
 use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};
 use crate::diagnose::hypotheses::causes;
+use crate::diagnose::select::model_choice::LeftOut;
 use crate::diagnose::{Diagnosis, Settings, diagnose};
-use crate::model::PerturbableArm;
 use crate::model::perturbable_robot::PerturbableRobot;
+use crate::model::{Arm, PerturbableArm};
 use crate::numerics::prng::Random;
 
 fn robot(name: &str) -> Robot {
@@ -104,6 +105,27 @@ fn a_law_whose_size_is_in_its_shape_is_not_scaled() {
     let fitted = tested.possible(&mut chosen, &free).unwrap();
     assert_eq!(fitted.solution.x[fitted.first[0]], 1.0);
     assert_eq!(chosen[0].x, [1.0]);
+}
+
+/// The model that comes of a fit may leave a law that rests on it nothing to act on: a link of no
+/// inertia has no swing. Left-out stretches are those of the fit all the same.
+#[test]
+fn stretches_have_the_terms_that_were_fitted() {
+    let robot = robot("ur10e");
+    let noise = vec![0.05; robot.dof()];
+    let world = World { robot: &robot, hidden: Vec::new(), noise: &noise, rate: 500.0, sizes: Default::default() };
+    let log = [record("fit", &world.log(6.0, &mut Random::new(5)), robot.dof())];
+    let plant = PerturbableRobot::new(&robot);
+    let mut tested = ModelUnderTest::new(&plant, &log, 100.0, Mode::Refitted, &plant.delays(), false);
+    let cause = causes().find(|c| c.unit()).unwrap();
+    let mut chosen = vec![Chosen { cause, place: vec![1], shape: vec![8e3, 40.0], x: Vec::new() }];
+    let fitted = tested.fit(&mut chosen);
+    let [possible, free] =
+        [&tested.possible_left_out(&chosen, &fitted).unwrap(), &tested.left_out(&chosen, &fitted)].map(LeftOut::rms);
+    tested.scene.set_model(vec![0.0; plant.base_parameters().len()], None);
+    assert!(fitted.terms[0].len() == 1 && tested.terms(&chosen[0]).is_empty());
+    assert_eq!(tested.possible_left_out(&chosen, &fitted).unwrap().rms(), possible);
+    assert_eq!(tested.left_out(&chosen, &fitted).rms(), free);
 }
 
 #[test]
