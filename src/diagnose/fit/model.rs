@@ -166,8 +166,8 @@ impl Known {
         self.held = self.terms.values().map(|terms| size(terms)).sum();
     }
 
-    /// Maximum number of stored values: 16 MB. The first entries stay, because a search evaluates all
-    /// candidates in each round.
+    /// Maximum number of stored values: 16 MB. The first entries stay, because a search evaluates
+    /// all candidates in each round.
     const MOST: usize = 2 << 20;
 
     fn keep(&mut self, key: Key, terms: &Arc<Vec<Term>>) {
