@@ -24,7 +24,7 @@ const FEW: usize = 10_000;
 /// Count of numbers above which memory is the limit: each thread has its own allocations.
 const MANY: usize = 120_000;
 
-/// Number of threads for a pass over so many numbers.
+/// Number of threads for a pass over `numbers` numbers.
 pub(crate) fn threads_for(numbers: usize) -> usize {
     if (FEW..=MANY).contains(&numbers) { threads() } else { 1 }
 }

@@ -1,7 +1,7 @@
 //! Gain in log-likelihood with autoregressive errors.
 //!
 //! The residual of a joint is mostly slow: it correlates with nothing measured, and lasts for
-//! hundreds of windows in a row. Counting so many windows as one is right for a cause that is as
+//! hundreds of windows in a row. Counting such a run as one window is right for a cause that is as
 //! slow, and wrong for a fast one. A step of friction stands out of a slow background at once.
 //! Errors are therefore modelled as an autoregression (Yule-Walker equations by Levinson's
 //! recursion). The gain is that of its innovations: the part of each window that the previous

@@ -88,7 +88,7 @@ fn wald(covariance: &DMatrix<f64>, first: usize, x: &DVector<f64>) -> f64 {
     x.dot(&(pseudo_inverse(&own) * x))
 }
 
-/// Linear approximation of the 99 % quantile of chi-squared with so many degrees of freedom.
+/// Linear approximation of the 99 % quantile of chi-squared with `unknowns` degrees of freedom.
 fn once_in_a_hundred(unknowns: f64) -> f64 {
     4.2 + 2.1 * unknowns
 }

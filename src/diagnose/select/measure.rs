@@ -56,7 +56,7 @@ impl Measured {
         [self, other].map(|m| moving(&m.error[joint], &self.moves[joint]))
     }
 
-    /// Number of samples in so many seconds.
+    /// Number of samples in `seconds`.
     fn samples_of(&self, seconds: f64) -> usize {
         (seconds / self.step()) as usize
     }
@@ -79,8 +79,8 @@ impl Measured {
         Some(one?.min(other?))
     }
 
-    /// Begin and end, s, and root mean square error, N m, of stretches of so many seconds in which
-    /// a joint moves throughout.
+    /// Begin and end, s, and root mean square error, N m, of the stretches of length `seconds` in
+    /// which a joint moves throughout.
     pub(in crate::diagnose) fn stretches(&self, joint: usize, seconds: f64) -> impl Iterator<Item = ([f64; 2], f64)> {
         let length = self.samples_of(seconds).max(1);
         let starts = self
@@ -407,7 +407,7 @@ pub(in crate::diagnose) fn bootstrap_within(span: Range<usize>, without: &Measur
 const BLOCK: f64 = 0.5;
 const LEAST_BLOCKS: usize = 8;
 
-/// 90 % interval of the share of a squared error that is removed, by blocks of so many samples.
+/// 90 % interval of the share of a squared error that is removed, by blocks of `block` samples.
 fn interval(before: &[f64], after: &[f64], block: usize) -> [f64; 2] {
     let square = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>();
     let both = before.chunks_exact(block.max(1)).zip(after.chunks_exact(block.max(1)));

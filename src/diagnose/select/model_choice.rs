@@ -40,7 +40,7 @@ impl Paired {
         self.gain > self.error
     }
 
-    /// Whether the gain of a refit justifies giving up the file's links with so many causes beside
+    /// Whether the gain of a refit justifies giving up the file's links with `causes` causes beside
     /// them. It must be a twentieth, and one and a half standard errors, with a smaller error as a
     /// whole. A refit has many unknowns, which fit something in autocorrelated errors. Causes have
     /// a cost, too: beside more than [`MANY`] the refit may even be slightly worse, joints counted

@@ -138,7 +138,7 @@ impl Held {
 }
 
 impl Holding {
-    /// An empty store for a diagnosis of this arm with so many windows per second.
+    /// An empty store for a diagnosis of this arm with `rate` windows per second.
     pub fn new(arm: &dyn Arm, rate: f64) -> Self {
         let window = WINDOW * arm.dof() + ENTRY * arm.base_pattern().len();
         Self { rate, window, most: MOST, limit: None, fit: Vec::new(), validate: Vec::new() }
@@ -221,7 +221,7 @@ mod tests {
 
     const PERIOD: f64 = 0.01;
 
-    /// A store for so many samples of joints, ten of which are a window.
+    /// A store for `most` samples of joints, ten of which are a window.
     fn holding(most: usize) -> Holding {
         Holding { rate: 10.0, window: 20 * 50, most: 200 * most, limit: None, fit: Vec::new(), validate: Vec::new() }
     }
@@ -255,7 +255,7 @@ mod tests {
         }
     }
 
-    /// Reads a log of so many samples in chunks.
+    /// Reads a log of `len` samples in chunks.
     fn read(held: &mut Holding, of: Use, len: usize, chunk: usize) -> bool {
         let mut coming = held.begin(of, "a log");
         for from in (0..len).step_by(chunk) {

@@ -5,7 +5,7 @@ pub(in crate::report) fn figure(x: f64) -> String {
     digits(x, 4)
 }
 
-/// Rounded to so many decimals, for data of pages.
+/// Rounds to `digits` decimals, for data of pages.
 pub(in crate::report) fn short(x: f64, digits: i32) -> f64 {
     let scale = 10f64.powi(digits);
     (x * scale).round() / scale
