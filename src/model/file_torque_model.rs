@@ -64,8 +64,7 @@ impl FileTorqueModel {
     }
 
     /// Torques along recorded motion without any delay. The clock of the drives started at `begun`
-    /// and is `late`, s.
-    /// `late`.
+    /// and is `late` s late.
     fn remembered(&self, [begun, late]: [f64; 2], time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) {
         let (n, len, p) = (self.dof(), states.len, self.standard.len());
         let memory: Vec<Memory> = self.laws.iter().map(Laws::memory).collect();

@@ -6,7 +6,6 @@
 //! second. The impact lasts for milliseconds, above the band of the recorded motion, so no column
 //! computed from that motion contains it. It appears as a spike of the torques, at an instant that
 //! the load predicts.
-//! load predicts.
 
 use std::ops::Range;
 
