@@ -1,4 +1,4 @@
-//! An arm as traits, and their implementations: interpreted tapes, rigid-body recursions, edited
+//! Traits of an arm, and their implementations: interpreted tapes, rigid-body recursions, edited
 //! robot files.
 
 pub mod arm;

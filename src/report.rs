@@ -1,5 +1,5 @@
-//! The only module that formats results: plain data in, text, JSON or a page out. Writes no file
-//! and no terminal.
+//! Formats results: plain data in, text, JSON or an HTML page out. The only module that does so;
+//! writes to no file and no terminal.
 
 pub use check::{json::check_json, text::check_text};
 pub use diagnose::calibrate::{Identified, calibrate_text, calibrate_verdict};

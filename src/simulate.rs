@@ -1,11 +1,11 @@
-//! The robot as it might be: bodies, drives with all their effects, a controller, sensors; and the
-//! log that it leaves.
+//! Simulates a robot: true bodies, drives with all their effects, a controller and sensors. In:
+//! robot file, effects and motion; out: a log and the true motion.
 //!
 //! `Robot + Effects -> Simulator` (true bodies, a [`Drive`] for each joint) `-> Plant` (an
 //! ordinary differential equation) `-> Rosenbrock or Dormand-Prince -> Truth -> Sensors -> Log`.
 //!
-//! The log's `tau` is the torque of the motor at the joint's side of the gear, so `tau = M ddq + c
-//! + g + rotor + friction + ...`. With [`Side::Link`] it is the torque that the gear transmits, and
+//! `tau` in the log is the motor's torque on the joint side of the gear, so `tau = M ddq + c + g +
+//! rotor + friction + ...`. With [`Side::Link`] it is the torque that the gear transmits, and
 //! `taum` is the motor's.
 //!
 //! ```
@@ -32,8 +32,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! Never says file; prints nothing. Angles in rad, torques in N m (m and N for a prismatic joint),
-//! time in s.
+//! No file access, no printing. Angles in rad, torques in N m (m and N for a prismatic joint), time
+//! in s.
 
 mod bristle;
 mod contact;
@@ -76,11 +76,11 @@ use control::Table;
 use plant::{Parts, Plant};
 use robot::{Settled, SimulatedRobot, without_coulomb};
 
-/// Why nothing could be simulated.
+/// Errors of building or running a simulation.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SimulateError {
-    /// No inertial parameters.
+    /// A link without inertial parameters.
     #[error(
         "{robot} can't be simulated: {}; add a `links:` list with the inertial parameters of every joint's link, or identify them (`denavit identify`)",
         missing.map_or("the robot file has no `links`".to_string(), |row| format!("link {} is not known", row + 1))
@@ -88,72 +88,73 @@ pub enum SimulateError {
     NoLinks {
         /// Name of the robot.
         robot: String,
-        /// The first row whose link is not known, from 0; `None`: there are none.
+        /// First row whose link is unknown, from 0; `None`: the file has no links.
         missing: Option<usize>,
     },
-    /// Joints do not agree.
+    /// Different numbers of joints in the trajectory and the robot.
     #[error(
         "the number of joints is {found} in the trajectory (counted by its columns q1 ..) and {expected} in the robot file; take the trajectory or the robot file that belongs to it"
     )]
     Joints {
-        /// Of the trajectory.
+        /// Joints of the trajectory.
         found: usize,
-        /// Of the robot.
+        /// Joints of the robot.
         expected: usize,
     },
-    /// A law with an impossible parameter.
+    /// An effect parameter outside its range.
     #[error("{effect}{}: {key} is {value}; it must {must}", joint.map_or(String::new(), |joint| format!(" of joint {joint}")))]
     Effect {
         /// The effect.
         effect: EffectKind,
-        /// Number of the joint; `None`: of the whole robot.
+        /// Number of the joint, from 1; `None`: the effect concerns the whole robot.
         joint: Option<usize>,
-        /// Its key.
+        /// Key of the parameter.
         key: String,
         /// Given value.
         value: f64,
         /// Condition on the value.
         must: String,
     },
-    /// A contact that ends before it begins.
+    /// A contact whose end is not later than its start.
     #[error("{}.end is {end}; it must be later than start", EffectKind::ExternalContact)]
     Contact {
-        /// s
+        /// End of the contact, s.
         end: f64,
     },
-    /// A wall with a stiffness alone, or with a normal alone.
+    /// A wall with a stiffness but no normal, or the reverse.
     #[error("{}: {}", EffectKind::ExternalContact, if *.stiff { "k makes a wall, but it has no normal; write nx, ny, nz" } else { "nx, ny, nz are the normal of a wall, but it has no stiffness; write k in N/m" })]
     Wall {
-        /// Whether it has a stiffness.
+        /// Whether it has a stiffness (and no normal).
         stiff: bool,
     },
-    /// An effect of a link that is not there.
+    /// A link error on a link that does not exist.
     #[error("{}: {}; write the number of a link, 1 to {last}", EffectKind::LinkInertiaError, number.map_or("no `link` is named".to_string(), |n| format!("there is no link {n}")))]
     Link {
-        /// Given value.
+        /// Given number of the link, from 1; `None`: no link is named.
         number: Option<usize>,
         /// Number of links.
         last: usize,
     },
-    /// A law in closed form that was made for another arm.
+    /// A closed-form law that reads a joint the robot does not have.
     #[error("the law of joint {joint} asks for joint {number}, and there are {last}; make it for this robot")]
     Law {
-        /// Number of the joint that has it.
+        /// Number of the joint with the law, from 1.
         joint: usize,
-        /// Number of the joint that is not there, of those that move.
+        /// Number of the missing joint, counted among the movable joints, from 1.
         number: usize,
-        /// How many move.
+        /// Number of movable joints.
         last: usize,
     },
-    /// A law of accelerations where they are not known beforehand.
+    /// A law that reads accelerations in a mode other than exact, where they follow from the
+    /// torques.
     #[error(
         "the law of joint {0} asks for accelerations, which follow from the torques where a controller moves the arm; only `--control exact` plays it"
     )]
     LawOfAcceleration(usize),
-    /// A setting that makes no sense.
+    /// A setting out of range.
     #[error("{what} is {value}; it must {must}")]
     Setting {
-        /// The key.
+        /// Key of the setting.
         what: &'static str,
         /// Given value.
         value: f64,
@@ -163,25 +164,25 @@ pub enum SimulateError {
     /// A list of the wrong length.
     #[error("{what} has {found} values; write one, or one for each of the {expected} joints")]
     List {
-        /// The key.
+        /// Key of the list.
         what: &'static str,
         /// Number of values.
         found: usize,
-        /// Of the robot.
+        /// Number of joints of the robot.
         expected: usize,
     },
-    /// Torque control without torques.
+    /// Torque control with a trajectory without torques.
     #[error(
         "control in torque mode plays the columns tau1..tau{0} of the trajectory, and it has none; add them, or control by position"
     )]
     NoTorques(usize),
-    /// Numbers grew out of all bounds.
+    /// A value that is not finite.
     #[error("the simulation gave values that are not finite; look for effects or gains of an impossible size")]
     NotFinite,
-    /// The motion.
+    /// An invalid trajectory.
     #[error(transparent)]
     Trajectory(#[from] TrajectoryError),
-    /// The integration.
+    /// A failure of the integration.
     #[error("{0}")]
     Integration(#[from] Breakdown),
 }
@@ -189,57 +190,57 @@ pub enum SimulateError {
 /// All settings of a run.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Request {
-    /// Control of the arm.
+    /// Controller settings.
     pub control: Control,
-    /// Recorded quantities.
+    /// Recorded quantities and their accuracy.
     pub sensors: Sensors,
-    /// How it is integrated.
+    /// Settings of the integrator.
     pub solver: Solver,
-    /// Of the noise.
+    /// Seed of the sensor noise.
     pub seed: u64,
 }
 
-/// A run's results.
+/// Results of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
     /// Sensor readings, in the format of docs/logs.md.
     pub log: Log,
     /// True motion and torques.
     pub truth: Truth,
-    /// The drives with defaults resolved.
+    /// Drives with all defaults resolved.
     pub drives: Vec<Drive>,
-    /// How the integration went; `None` in exact mode.
+    /// Integration statistics; `None` in exact mode.
     pub integration: Option<Integration>,
 }
 
 impl Recording {
-    /// The log that other sensors, or the same ones with other noise, would have left of the same
-    /// run. Rate, jitter and sides stay those of the run's instants.
+    /// Records the same run with other sensors, or with other noise. Rate, jitter and sides stay
+    /// those of the run's instants.
     pub fn seen_by(&self, sensors: &Sensors, seed: u64) -> Log {
         sensors::record(&self.truth, &self.drives, sensors, seed)
     }
 }
 
-/// How an integration went.
+/// Statistics of an integration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Integration {
-    /// Method in use, never [`Method::Auto`].
+    /// Method used, never [`Method::Auto`].
     pub method: Method,
-    /// Steps that were taken.
+    /// Number of accepted steps.
     pub steps: usize,
-    /// Steps that were too long and were taken again.
+    /// Number of rejected steps: too long, and repeated shorter.
     pub rejected: usize,
 }
 
-/// A robot made ready; runs as often as wanted.
+/// A robot prepared for simulation; can be run any number of times.
 pub struct Simulator {
     built: SimulatedRobot,
 }
 
 impl Simulator {
-    /// The robot with the effects of its file and these. A law of the latter replaces the file's
-    /// law of the same name; plain friction, inertias and offsets add up. The slow part: run it
-    /// more than once.
+    /// Builds a simulator from the robot, the effects of its file and `effects`. A law in `effects`
+    /// replaces the file's law of the same name; plain friction, inertias and offsets add up.
+    /// Building is the slow part: reuse the simulator for several runs.
     pub fn new(robot: &Robot, effects: &Effects) -> Result<Self, SimulateError> {
         Ok(Self { built: SimulatedRobot::new(robot, effects)? })
     }
@@ -249,13 +250,12 @@ impl Simulator {
         self.built.drives.len()
     }
 
-    /// The drives with everything that the files say of them; what depends on a motion is not
-    /// settled.
+    /// Drives as the files describe them; defaults that depend on the motion are not resolved.
     pub fn drives(&self) -> &[Drive] {
         &self.built.drives
     }
 
-    /// Plays the motion. `progress` receives the time in the motion, s, now and then.
+    /// Plays the motion. `progress` receives the current time of the motion, s, at intervals.
     pub fn run(
         &self,
         trajectory: &Trajectory,
@@ -265,7 +265,7 @@ impl Simulator {
         self.run_against(trajectory, request, &[], progress)
     }
 
-    /// Plays the motion against something outside.
+    /// Plays the motion with external interactions such as walls.
     pub fn run_against(
         &self,
         trajectory: &Trajectory,
@@ -335,8 +335,8 @@ impl Simulator {
         let Sensors { rate, latency, jitter, colour_corner, .. } = request.sensors;
         setting("sensors.rate", rate, rate > 0.0 && rate <= 1e5, "be greater than 0, and at most 100000 Hz")?;
         setting("sensors.latency", latency, (0.0..10.0).contains(&latency), "be from 0 to 10 s")?;
-        // A standard deviation; no sample overtakes its neighbour (sensors.rs), and more than this
-        // would hardly be what was asked for.
+        // Jitter is a standard deviation, and sensors.rs limits each shift to 0.45 periods. A
+        // larger one is probably a mistake.
         let share = jitter * rate;
         setting("sensors.jitter", jitter, (0.0..=0.45).contains(&share), "be from 0 s to 0.45 sampling periods")?;
         setting("sensors.torque_noise_color.corner", colour_corner, colour_corner > 0.0, "be greater than 0")?;
@@ -378,11 +378,11 @@ impl Simulator {
         Ok(())
     }
 
-    /// Feedforward torques, the largest torques of the given model, and the gains.
+    /// Feedforward torques, peak torques of the given model (N m), and the gains `[kp, kd]`.
     fn prepare_control(&self, trajectory: &Trajectory, request: &Request) -> (Table, Vec<f64>, [Vec<f64>; 2]) {
         let n = self.dof();
         let span = trajectory.span();
-        // Fine enough for the cubic through it: a part in 1e6 of a motion of 5 Hz.
+        // Table step 2 ms: the cubic's error is 1e-6 of the amplitude of a 5 Hz motion.
         let len = (((span.end - span.start) / 2e-3).ceil() as usize).clamp(2, 2_000_000) + 1;
         let step = (span.end - span.start) / (len - 1) as f64;
         let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
@@ -401,7 +401,7 @@ impl Simulator {
         for j in 0..n {
             peak[j] = torques[j * len..(j + 1) * len].iter().fold(0.0, |a: f64, t| a.max(t.abs()));
         }
-        // Forty places along the motion show the load of a joint.
+        // Forty postures along the motion are enough for a joint's peak inertia.
         let mut inertia = vec![0.0; n];
         let mut bodies = given.bodies(standard);
         let mut mass = vec![0.0; n * n];
@@ -432,7 +432,7 @@ fn positions(trajectory: &Trajectory, n: usize, t: f64) -> Vec<f64> {
     points.iter().map(|p| p[0]).collect()
 }
 
-/// From sample to sample; what is there at each.
+/// Integrates from sample to sample and records the true quantities at each.
 fn integrate(
     plant: &mut Plant<'_>,
     solver: Solver,

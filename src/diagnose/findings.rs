@@ -1,4 +1,4 @@
-//! What is reported: causes with their evidence, effects that no torque model shows, error maps,
+//! Reported results: causes with their evidence, effects that no torque model contains, error maps,
 //! remaining structure.
 
 pub(super) mod attribution;

@@ -1,4 +1,4 @@
-//! Least squares of a model under test: moments, regulariser, physical limits, uncertainty and
+//! Least-squares fit of a model under test: moments, regulariser, physical limits, uncertainty and
 //! likelihood.
 
 pub(super) mod body_limits;

@@ -1,8 +1,8 @@
-//! The hypotheses: one cause of the vocabulary, one file.
+//! The hypotheses: one file per cause of the vocabulary.
 //!
-//! A cause names places (joints, or the whole robot) where it may act, and for each place a family
-//! of columns. They are linear in its coefficients; a few further numbers (`shape`: a speed, an
-//! order, a time) are searched on a grid and then refined.
+//! A hypothesis defines the places (joints, or the whole robot) where its cause may act, and for
+//! each place a family of torque columns. The columns are linear in its coefficients. A few further
+//! numbers (`shape`: a speed, an order, a time) are searched on a grid and then refined.
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects::Key;
@@ -40,22 +40,22 @@ pub use asymmetric_friction::AsymmetricFriction;
 pub use plain::{COULOMB, OFFSET, VISCOUS};
 pub use point_mass::inertia as point_inertia;
 
-/// Kind of a cause: causes of one kind on one joint look alike.
+/// Kind of a cause. Causes of one kind on one joint resemble each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
     /// Torque against the motion.
     Friction,
     /// Between motor and link.
     Transmission,
-    /// How signals are measured.
+    /// Errors of sensors and signals.
     Measurement,
     /// Masses and geometry.
     Body,
-    /// From outside.
+    /// External forces.
     Outside,
 }
 
-/// On what a cause acts.
+/// Scope of a cause.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Scope {
     /// One joint.
@@ -64,14 +64,14 @@ pub enum Scope {
     Pair,
     /// The whole robot.
     Robot,
-    /// Either.
+    /// One joint or the whole robot.
     JointOrRobot,
 }
 
-/// Range of a coefficient under which the cause deserves its name.
+/// Range of a coefficient within which the cause is meaningful.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Sign {
-    /// Anywhere.
+    /// Any sign.
     Any,
     /// Above zero.
     Positive,
@@ -82,12 +82,12 @@ pub enum Sign {
 pub enum Symbol {
     /// A key of the robot file.
     Key(Key),
-    /// A number of the hypothesis alone, which no file has.
+    /// A number used by the hypothesis alone, which no file has.
     Own(&'static str),
 }
 
 impl Symbol {
-    /// As reports write it, without the joint.
+    /// Name in reports, without the joint.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Key(key) => key.name(),
@@ -107,9 +107,9 @@ impl From<Key> for Symbol {
 pub struct Term {
     /// Symbol, as in a robot file: `FL`.
     pub symbol: Symbol,
-    /// Torque of one unit of it.
+    /// Torque per unit of the coefficient.
     pub column: Column,
-    /// Its range.
+    /// Admissible range.
     pub sign: Sign,
 }
 
@@ -120,7 +120,7 @@ impl Term {
     }
 }
 
-/// A number of the family in which it is not linear.
+/// A nonlinear number of the family.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Shape {
     /// Symbol: `VS`.
@@ -135,7 +135,7 @@ pub struct Shape {
 }
 
 impl Shape {
-    /// Whether it is a parameter of the robot file and not one of the search.
+    /// Whether it is a parameter of the robot file and not only of the search.
     pub fn named(&self) -> bool {
         matches!(self.symbol, Symbol::Key(_))
     }
@@ -148,17 +148,17 @@ pub struct Named {
     pub symbol: Symbol,
     /// Value.
     pub value: f64,
-    /// Standard deviation; `None` where it was not estimated.
+    /// Standard deviation; `None` if not estimated.
     pub std: Option<f64>,
 }
 
 impl Named {
-    /// A number of this symbol.
+    /// A number with this symbol.
     pub fn new(symbol: impl Into<Symbol>, value: f64, std: Option<f64>) -> Self {
         Self { symbol: symbol.into(), value, std }
     }
 
-    /// The same for the report, with the number of its (first) joint, from 1, if it has one.
+    /// Converts it for the report, with the number of its (first) joint, from 1, if it has one.
     pub fn of_joint(self, joint: Option<usize>) -> Quantity {
         let Self { symbol, value, std } = self;
         let joint = joint.map(|joint| joint.to_string()).unwrap_or_default();
@@ -173,27 +173,27 @@ pub struct Quantity {
     pub symbol: String,
     /// Value.
     pub value: f64,
-    /// Standard deviation; `None` where it was not estimated.
+    /// Standard deviation; `None` if not estimated.
     pub std: Option<f64>,
 }
 
 /// Estimate of a cause in its place.
 pub struct Estimate<'a> {
-    /// The data.
+    /// The windowed data.
     pub scene: &'a WindowedData<'a>,
-    /// The place.
+    /// Joints on which it acts, from 0; empty for the whole robot.
     pub place: &'a [usize],
-    /// The numbers in which it is not linear.
+    /// Nonlinear numbers of the cause.
     pub shape: &'a [f64],
-    /// Their standard deviations, where they were estimated.
+    /// Their standard deviations, where estimated.
     pub shape_std: Vec<Option<f64>>,
-    /// Its terms.
+    /// Terms of the cause.
     pub terms: &'a [Term],
-    /// Their coefficients.
+    /// Coefficients of the terms.
     pub x: &'a [f64],
-    /// `FV`, `FC`, `FO` of its joint, the file's and what was found.
+    /// `FV`, `FC`, `FO` of its joint: the file's values plus the fitted changes.
     pub levels: [f64; 3],
-    /// Covariance of the coefficients and, behind them, of the levels.
+    /// Covariance of the coefficients, followed by the levels.
     pub covariance: DMatrix<f64>,
 }
 
@@ -203,7 +203,7 @@ impl Estimate<'_> {
         self.covariance[(k, k)].max(0.0).sqrt()
     }
 
-    /// Of the sum of a coefficient and a level.
+    /// Standard deviation of the sum of a coefficient and a level.
     pub fn std_with(&self, k: usize, level: usize) -> f64 {
         let at = self.x.len() + level;
         let c = &self.covariance;
@@ -221,14 +221,14 @@ impl Estimate<'_> {
     }
 }
 
-/// Over what a cause shows best.
+/// Quantity over which the effect of a cause is displayed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Over {
     /// The joint's position.
     Position,
-    /// Its velocity.
+    /// The joint's velocity.
     Velocity,
-    /// Its acceleration.
+    /// The joint's acceleration.
     Acceleration,
     /// The torque of the model.
     Torque,
@@ -239,20 +239,20 @@ pub enum Over {
 /// A law of an effect, with the shapes to try.
 pub type Law = (&'static dyn Hypothesis, Vec<Vec<f64>>);
 
-/// A hypothesis of the vocabulary.
+/// A hypothesis of the vocabulary: a cause with its places, columns and conditions.
 pub trait Hypothesis: Sync {
-    /// The effect that it looks for.
+    /// The effect that it models.
     fn effect(&self) -> EffectKind;
 
-    /// Its name in files and reports.
+    /// Name in files and reports.
     fn name(&self) -> &'static str {
         self.effect().name()
     }
 
-    /// Its kind.
+    /// Kind of the cause.
     fn kind(&self) -> Kind;
 
-    /// On what it acts.
+    /// Scope of the cause.
     fn scope(&self) -> Scope {
         Scope::Joint
     }
@@ -269,23 +269,23 @@ pub trait Hypothesis: Sync {
         }
     }
 
-    /// The numbers in which the family is not linear.
+    /// Nonlinear numbers of the family.
     fn shape(&self) -> &'static [Shape] {
         &[]
     }
 
-    /// Values of the shape to try.
+    /// Shapes on which the search starts.
     fn grid(&self, _scene: &WindowedData<'_>, _place: &[usize], _residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
         vec![Vec::new()]
     }
 
-    /// Whether this data can show it. A model that has it says what it says on any data.
+    /// Whether it is observable in these data. A model that has it evaluates it on any data.
     fn shows(&self, _scene: &WindowedData<'_>, _place: &[usize], _shape: &[f64]) -> bool {
         true
     }
 
-    /// Index of the shape number that is an integer, by its nature (periods a turn) or by
-    /// preference: as such it is no unknown.
+    /// Index of the shape number that is an integer, by nature (periods per turn) or by preference.
+    /// An integer value does not count as an unknown.
     fn integer_shape(&self) -> Option<usize> {
         None
     }
@@ -295,7 +295,7 @@ pub trait Hypothesis: Sync {
         None
     }
 
-    /// How many numbers of this shape are unknown.
+    /// Number of unknowns in this shape.
     fn free(&self, shape: &[f64]) -> usize {
         let numbers = self.shape().iter().enumerate().filter(|(_, s)| s.step.is_some());
         numbers
@@ -303,89 +303,88 @@ pub trait Hypothesis: Sync {
             .count()
     }
 
-    /// The family's columns; none where they do not exist.
+    /// Columns of the family; empty if they do not exist.
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term>;
 
-    /// Law to which a shape belongs, if refining one never leads to another.
+    /// Index of the law to which a shape belongs; refinement never changes it.
     fn law(&self, _shape: &[f64]) -> usize {
         0
     }
 
     /// Laws of the same effect with fewer unknowns, the simplest first, each with the shapes to
-    /// try: this law where its further terms are nothing but noise.
+    /// try. They apply if the further terms of this law only fit noise.
     fn simpler(&self, _scene: &WindowedData<'_>, _place: &[usize], _shape: &[f64]) -> Vec<Law> {
         Vec::new()
     }
 
-    /// Whether the columns are difference quotients about zero: the shape's first number is their
-    /// step, which follows the coefficient.
+    /// Whether the columns are difference quotients about zero. Their step is then the first number
+    /// of the shape, which is set to the coefficient.
     fn finite_difference(&self) -> bool {
         false
     }
 
-    /// Shape that these coefficients of its terms ask for, where the shape follows them.
+    /// Shape implied by these coefficients, for a shape that depends on them.
     fn follows(&self, _terms: &[Term], _x: &[f64]) -> Option<Vec<f64>> {
         None
     }
 
-    /// Whether its columns go with accelerations, so that errors of derivatives look like it.
+    /// Whether its columns correlate with accelerations, so that errors of derivatives resemble it.
     fn follows_acceleration(&self) -> bool {
         matches!(self.kind(), Kind::Body | Kind::Transmission)
     }
 
-    /// Whether it acts between the motor's torque and the joint's: where both are measured it shows in
-    /// their difference.
+    /// Whether it acts between the motor's and the joint's torque, so that it is visible in their
+    /// difference where both are measured.
     fn in_the_drive(&self) -> bool {
         matches!(self.kind(), Kind::Friction | Kind::Measurement)
     }
 
-    /// Whether it can follow any error that turns with the motion or drifts, and so takes a part of
-    /// what plain friction would explain.
+    /// Whether it can fit any error that reverses with the motion or drifts, and so absorbs a part
+    /// of plain friction.
     fn follows_reversals(&self) -> bool {
         false
     }
 
-    /// Whether its size is in its shape, and its one coefficient is 1 where its law holds: known to
-    /// [`UNIT`].
+    /// Whether its size is in its shape, so that its single coefficient is 1 within [`UNIT`] where
+    /// its law holds.
     fn unit(&self) -> bool {
         false
     }
 
-    /// Whether it may act in one part of the data only, so that the other parts can't vouch for it.
+    /// Whether it may act in one part of the data only, so that other parts cannot confirm it.
     fn local(&self) -> bool {
         false
     }
 
-    /// Of what acts in one part of the data: its start and end, s of used data.
+    /// Start and end of a local cause, s of used data; `None` for others.
     fn acts(&self, _shape: &[f64]) -> Option<[f64; 2]> {
         None
     }
 
-    /// Of what touches the robot wherever that is in a place: in which windows it does. Empty for all
-    /// others.
+    /// Windows with contact, for a contact that depends on the position of the robot; empty for all
+    /// other causes.
     fn touches(&self, _scene: &WindowedData<'_>, _shape: &[f64]) -> Vec<bool> {
         Vec::new()
     }
 
-    /// How many instances may act in one place (ripple of several orders, pushes one after the
-    /// other).
+    /// Maximum number of instances in one place (ripple of several orders, successive pushes).
     fn most(&self) -> usize {
         1
     }
 
-    /// Whether it is taken out by moving the torques in time: then its coefficient goes into the
-    /// delays of the scene.
+    /// Whether it is compensated by shifting the torques in time. Its coefficient is then added to
+    /// the delays of the scene.
     fn moves_time(&self) -> bool {
         false
     }
 
-    /// Whether it only says that link parameters are others: not to be seen where all base
+    /// Whether it only changes link parameters, so that it is not identifiable where all base
     /// parameters are unknown.
     fn within_links(&self) -> bool {
         false
     }
 
-    /// Whether a constant torque on its joint belongs to it.
+    /// Whether a constant torque on its joint is part of it.
     fn has_constant(&self) -> bool {
         false
     }
@@ -395,22 +394,22 @@ pub trait Hypothesis: Sync {
         &[]
     }
 
-    /// Causes that are the same here, on paper or in what this data can show.
+    /// Causes that are equivalent here, in theory or for these data.
     fn indistinguishable(&self, _scene: &WindowedData<'_>, _place: &[usize]) -> &'static [&'static str] {
         self.same_on_paper()
     }
 
-    /// Whether the columns depend on the rigid model and so must be recomputed when that changes.
+    /// Whether the columns depend on the rigid model and must be recomputed when it changes.
     fn rests_on_model(&self) -> bool {
         false
     }
 
-    /// Whether they also depend on the friction found so far.
+    /// Whether the columns also depend on the friction found so far.
     fn rests_on_friction(&self) -> bool {
         false
     }
 
-    /// Whether estimated coefficients make sense beyond the sign of each.
+    /// Whether estimated coefficients are plausible, beyond their signs.
     fn plausible(&self, _scene: &WindowedData<'_>, _place: &[usize], _shape: &[f64], _x: &[f64]) -> bool {
         true
     }
@@ -420,19 +419,19 @@ pub trait Hypothesis: Sync {
         x.to_vec()
     }
 
-    /// Its parameters under the names of a robot file.
+    /// Parameters under the names of a robot file.
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
         let shapes = self.shape().iter().enumerate().filter(|(_, number)| number.named());
         let shapes = shapes.map(|(k, number)| Named::new(number.symbol, found.shape[k], found.shape_std[k]));
         found.all_terms().chain(shapes).collect()
     }
 
-    /// Over what it shows best.
+    /// Quantity over which its effect is displayed.
     fn over(&self) -> Over {
         if self.kind() == Kind::Friction { Over::Velocity } else { Over::Position }
     }
 
-    /// The cause of the whole robot that has the same columns and explains these coefficients.
+    /// The cause of the whole robot with the same columns that explains these coefficients.
     fn equivalent_robot_cause(
         &self,
         _scene: &WindowedData<'_>,
@@ -443,16 +442,16 @@ pub trait Hypothesis: Sync {
         None
     }
 
-    /// By how much the values of the file that its coefficients change may be off, one each;
-    /// `None`: it changes none.
+    /// Prior standard deviations of the file's values that its coefficients change, one each;
+    /// `None` if it changes none.
     fn prior_std(&self, _scene: &WindowedData<'_>, _place: &[usize], _terms: &[Term]) -> Option<Vec<f64>> {
         None
     }
 
-    /// Its effect, for the sentence of the evidence.
+    /// Description of the effect, for the sentence of the evidence.
     fn says(&self) -> &'static str;
 
-    /// The same of one shape.
+    /// Description of the effect with one shape.
     fn says_of(&self, _shape: &[f64]) -> &'static str {
         self.says()
     }
@@ -460,14 +459,14 @@ pub trait Hypothesis: Sync {
     /// Experiment that would separate it from others, or show it better.
     fn shown_by(&self) -> &'static str;
 
-    /// What would tell it here from those that it is [`Hypothesis::indistinguishable`] from, where no
-    /// motion does.
+    /// Information that would separate it here from the causes in
+    /// [`Hypothesis::indistinguishable`], where no motion does.
     fn decided_by(&self, _scene: &WindowedData<'_>, _place: &[usize]) -> Option<&'static str> {
         None
     }
 }
 
-/// The hypothesis that looks for an effect.
+/// The hypothesis that models an effect.
 pub fn hypothesis(effect: EffectKind) -> &'static dyn Hypothesis {
     match effect {
         EffectKind::ViscousFriction => &VISCOUS,
@@ -498,7 +497,7 @@ pub fn hypothesis(effect: EffectKind) -> &'static dyn Hypothesis {
     }
 }
 
-/// A further law by which an effect may act: the same keys, other columns.
+/// A further law of an effect: the same keys, other columns.
 fn further(effect: EffectKind) -> Option<&'static dyn Hypothesis> {
     match effect {
         EffectKind::GearCoupling => Some(&gear_coupling::CarriedAxis),
@@ -510,30 +509,30 @@ fn further(effect: EffectKind) -> Option<&'static dyn Hypothesis> {
     }
 }
 
-/// All laws by which an effect may act.
+/// All laws of an effect.
 pub(in crate::diagnose) fn laws(effect: EffectKind) -> impl Iterator<Item = &'static dyn Hypothesis> {
     core::iter::once(hypothesis(effect)).chain(further(effect))
 }
 
-/// All hypotheses that add columns, in the order of the vocabulary: those of the baseline friction
-/// have theirs already.
+/// All hypotheses that add columns, in the order of the vocabulary. Baseline friction is excluded,
+/// since its columns are always present.
 pub fn causes() -> impl Iterator<Item = &'static dyn Hypothesis> {
     let plain = [EffectKind::ViscousFriction, EffectKind::CoulombFriction, EffectKind::TorqueOffset];
     let wanted = EffectKind::ALL.iter().filter(move |effect| !plain.contains(effect));
     wanted.flat_map(|&effect| laws(effect))
 }
 
-/// The hypothesis of this name.
+/// The hypothesis with this name.
 pub fn by_name(name: &str) -> Option<&'static dyn Hypothesis> {
     EffectKind::of(name).map(hypothesis)
 }
 
-/// To what the coefficient of a [`Hypothesis::unit`] is known to be 1: filters and windows leave so
-/// much of a law open.
+/// Tolerance of the coefficient of a [`Hypothesis::unit`] about 1: filters and windows leave so
+/// much of a law undetermined.
 pub(super) const UNIT: f64 = 0.05;
 
-/// Whether a number of a shape has run to the end of its search range: then it is no estimate, and
-/// another law is meant. 0 is a number that is not in use.
+/// Whether a number of a shape has reached the end of its search range. It is then no estimate, and
+/// another law applies. 0 marks a number that is not in use.
 pub(super) fn at_edge(cause: &dyn Hypothesis, shape: &[f64]) -> bool {
     let preferred = |k: usize| cause.integer_prior_std().is_some() && cause.integer_shape() == Some(k);
     let numbers = cause.shape().iter().zip(shape).enumerate().filter(|(k, _)| !preferred(*k)).map(|(_, both)| both);
@@ -544,16 +543,16 @@ pub(super) fn at_edge(cause: &dyn Hypothesis, shape: &[f64]) -> bool {
     })
 }
 
-/// Distance from the end within which a number has run there, as a share of itself.
+/// Distance from the end of the range that counts as reached, as a share of the number.
 const EDGE: f64 = 0.02;
 
-/// Values from `first` to `last`, `count` of them, evenly spaced in their logarithms.
+/// Values from `first` to `last`, `count` of them, in geometric progression.
 fn geometric(first: f64, last: f64, count: usize) -> Vec<f64> {
     let steps = count.saturating_sub(1).max(1) as f64;
     (0..count).map(|i| first * (last / first).powf(i as f64 / steps)).collect()
 }
 
-/// Whether joint `j` moves at all: beyond what its noise looks like.
+/// Whether joint `j` moves significantly: beyond its velocity noise and by more than 0.02 rad.
 fn moves(scene: &WindowedData<'_>, j: usize) -> bool {
     let [low, high] = scene.travel[j];
     high - low > 0.02 && scene.fastest[j] > 3.0 * scene.velocity_noise_limit[j]

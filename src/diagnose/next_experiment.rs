@@ -1,10 +1,10 @@
-//! The next experiment: the motion, inside the limits, on which two causes that this data could not
-//! separate would differ most.
+//! Designs the next experiment: the motion, within the limits, on which two causes that these data
+//! could not separate differ most.
 //!
-//! Each cause is the columns by which it acts on the torques at the state of each sample.
-//! [`discriminate`] maximises the part of either that the other and friction (and the base
-//! parameters, if the diagnosis refitted them) can't explain. Causes that are the same on paper, or
-//! that act through their past, have no such motion.
+//! Each cause is represented by the columns by which it acts on the torques, at the state of each
+//! sample. [`discriminate`] maximises the part of each that the other and friction (and the base
+//! parameters, if the diagnosis refitted them) cannot explain. No such motion exists for causes
+//! that are equivalent in theory, or that depend on the history of the motion.
 
 use std::sync::atomic::AtomicBool;
 
@@ -27,31 +27,31 @@ use super::hypotheses::{Scope, by_name};
 /// A motion that separates two causes.
 #[derive(Debug, Clone)]
 pub struct Separation {
-    /// The causes: what was found, and what looks like it.
+    /// The causes: the one found, and its alternative.
     pub between: [&'static str; 2],
     /// Joints of each, from 1; empty for the whole robot.
     pub joints: [Vec<usize>; 2],
-    /// The motion.
+    /// Motion to be played.
     pub motion: Trajectory,
-    /// Residual of the first, of the size that was found, after a fit of the second together with
-    /// all unknowns: root mean square on each joint, N m.
+    /// Residual of the first cause, with the size that was found, after a fit of the second
+    /// together with all unknowns: root mean square on each joint, N m.
     pub left: Vec<f64>,
-    /// The same as a part of the whole of it, from 0 (nothing: they stay alike) to 1.
+    /// The same as a share of the whole signal, from 0 (indistinguishable) to 1.
     pub share: f64,
-    /// The same on the joint that shows it best, in standard deviations of that joint's torque
-    /// noise.
+    /// The residual of the joint with the largest one relative to its noise, in standard deviations
+    /// of that joint's torque noise.
     pub in_noise: f64,
 }
 
-/// Length of the motion, s.
+/// Duration of the motion, s.
 const DURATION: f64 = 10.0;
-/// Samples per second that are counted.
+/// Sampling rate of the evaluation, Hz.
 const RATE: f64 = 50.0;
-/// Share of what a cause does that must be left for a motion to be worth playing.
+/// Least share of a cause's signal that must remain for a motion to be worth playing.
 const WORTH: f64 = 0.1;
 
-/// Designs the motion for the first cause with a rival from which it can be separated; `None` if
-/// there is none, or limits are missing.
+/// Designs the motion for the first cause with a rival from which it can be separated. `None` if
+/// there is no such pair, or limits are missing.
 pub fn discriminating_motion(robot: &Robot, found: &Diagnosis, progress: &dyn Fn(&str)) -> Option<Separation> {
     let plant = PerturbableRobot::new(robot);
     let open = found.causes.iter().filter(|c| !c.not_distinguished_from.is_empty() && c.cause != "unknown");
@@ -75,7 +75,7 @@ pub fn discriminating_motion(robot: &Robot, found: &Diagnosis, progress: &dyn Fn
         progress(&format!("a motion that separates {} from {rival}", cause.cause));
         let family = |columns: &[Column]| Family::new(&plant, &standard, &turn, columns.to_vec());
         let (first, second) = (family(&own), family(&other));
-        // A friction term that is a hypothesis is none of the unknowns beside it.
+        // A friction term that is a hypothesis is not among the nuisance parameters.
         let ours: Vec<StandardParameter> = own.iter().chain(&other).filter_map(|c| c.base_parameter(&plant)).collect();
         let base = plant.base_parameters();
         task.base = (0..base.len())
@@ -108,21 +108,21 @@ pub fn discriminating_motion(robot: &Robot, found: &Diagnosis, progress: &dyn Fn
     None
 }
 
-/// Standard parameters of the diagnosed arm without friction.
+/// Standard parameters of the diagnosed arm, with zero friction.
 fn bodies(plant: &PerturbableRobot, found: &Diagnosis) -> Option<Vec<f64>> {
     let standard = found.standard.as_deref().or(plant.given())?;
     let pairs = plant.standard_parameters().iter().zip(standard);
     Some(pairs.map(|(p, v)| if p.is_friction() { 0.0 } else { *v }).collect())
 }
 
-/// Pairs that no motion separates.
+/// Whether a pair is equivalent in theory, so that no motion separates it.
 fn on_paper(a: &str, b: &str) -> bool {
     let says = |a: &str, b: &str| by_name(a).is_some_and(|cause| cause.same_on_paper().contains(&b));
     says(a, b) || says(b, a)
 }
 
-/// Causes of the whole robot have no joints; one of a joint, where the whole robot's was found, is
-/// looked for where that acts most.
+/// Joints of the rival, from 0. Causes of the whole robot have none. If the found cause is of the
+/// whole robot, a rival of one joint is placed where that cause acts most.
 fn rival_place(rival: &str, cause: &Cause) -> Vec<usize> {
     let gain = |j: &usize| cause.rms_before[*j].powi(2) - cause.rms_after[*j].powi(2);
     let most = || (0..cause.rms_before.len()).max_by(|a, b| gain(a).total_cmp(&gain(b)));
@@ -143,24 +143,25 @@ fn key_of(cause: &Cause, key: Key) -> Option<f64> {
     cause.keys.iter().find(|named| named.symbol == key.into()).map(|named| named.value)
 }
 
-/// How one unknown of a cause acts.
+/// Torque column of one unknown of a cause.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Column {
-    /// On joint `.0` alone, by its key.
+    /// A law on joint `.0` alone, with the key of its size.
     OwnJoint(usize, Law, Key),
-    /// Joint `.0` turns by this much more than was measured: `QO`.
+    /// Offset of the measured angle of joint `.0`: `QO`.
     Zero(usize),
-    /// Joint `.0` winds: `1 / KE`.
+    /// Deflection of joint `.0`: `1 / KE`.
     Deflection(usize),
-    /// The torque of this joint, or of all, is late: `TD`.
+    /// Delay of the torque of this joint, or of all: `TD`.
     Late(Option<usize>),
-    /// A change of the arm's geometry, divided by this.
+    /// A change of the arm's geometry, its step, and the key of its size.
     Changed(Change, f64, Key),
-    /// A motor that turns with another joint: motor, other, ratio, which of its terms.
+    /// A motor coupled to another joint: joint of the motor, other joint, ratio, and which of its
+    /// terms.
     Coupled(usize, usize, f64, CouplingTerm),
 }
 
-/// Laws of one joint; `s` is the sign of its velocity, made smooth.
+/// Laws of one joint; `s` is the smoothed sign of its velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Law {
     /// v
@@ -190,7 +191,7 @@ enum Law {
 }
 
 impl Law {
-    /// The drive parameter with the same column.
+    /// The drive parameter with the same column, if any.
     fn drive_term(self) -> Option<DriveTerm> {
         match self {
             Self::Viscous => Some(DriveTerm::FV),
@@ -202,7 +203,7 @@ impl Law {
     }
 }
 
-/// The laws by which an effect acts on its own joint alone, each with the key of its size; none for
+/// Laws by which an effect acts on its own joint alone, each with the key of its size; empty for
 /// other effects.
 fn joint_laws(effect: EffectKind, gear_ratio: Option<f64>, key: &dyn Fn(Key) -> Option<f64>) -> Vec<(Law, Key)> {
     let or = |name: Key, value: f64| key(name).unwrap_or(value);
@@ -237,7 +238,8 @@ fn joint_laws(effect: EffectKind, gear_ratio: Option<f64>, key: &dyn Fn(Key) -> 
     }
 }
 
-/// The unknowns of a cause at this place; `None` where it is none of a state alone.
+/// Columns of the unknowns of a cause at this place; `None` if it is not a function of the state
+/// alone.
 fn columns(
     plant: &dyn PerturbableArm,
     cause: &str,
@@ -286,7 +288,7 @@ fn columns(
             let ratio = key(effects::GearCoupling::KC).unwrap_or(1.0);
             CouplingTerm::ALL.map(|term| Some(Column::Coupled(m, k, ratio, term))).to_vec()
         }
-        // With memory, with a limit, of some time or of one log: not functions of the state alone.
+        // With memory, a limit, or tied to a time or a log: not functions of the state alone.
         EffectKind::PreslidingHysteresis
         | EffectKind::FrictionDrift
         | EffectKind::Backlash
@@ -299,13 +301,13 @@ fn columns(
 }
 
 impl Column {
-    /// The base parameter that is the same column.
+    /// The base parameter with the same column, if any.
     fn base_parameter(self, plant: &dyn PerturbableArm) -> Option<StandardParameter> {
         let Self::OwnJoint(j, law, _) = self else { return None };
         Some(StandardParameter::Drive(*plant.rows().get(j)?, law.drive_term()?))
     }
 
-    /// How much of it the diagnosis found beyond the file.
+    /// Size of this unknown that the diagnosis found beyond the file.
     fn found(self, plant: &dyn PerturbableArm, cause: &Cause) -> Option<f64> {
         let given = |law: Law, j: usize| {
             let wanted =
@@ -331,11 +333,11 @@ impl Column {
     }
 }
 
-/// The columns of a cause at given states.
+/// Evaluates the columns of a cause at given states.
 struct Family<'a> {
     plant: &'a PerturbableRobot,
     standard: &'a [f64],
-    /// Speed over which a sign turns over, per joint, rad/s.
+    /// Speed over which the smoothed sign changes, per joint, rad/s.
     turn: &'a [f64],
     columns: Vec<Column>,
     pattern: Vec<(usize, usize)>,
@@ -353,7 +355,7 @@ impl<'a> Family<'a> {
         tau
     }
 
-    /// Difference quotient of the load: the motion moved by `by` times the step.
+    /// Difference quotient of the load for a change `by` of the motion, divided by `step`.
     fn moved(&self, states: &States, load: &[f64], step: f64, by: impl Fn(&mut States), out: &mut [f64]) {
         let mut moved = states.clone();
         by(&mut moved);
@@ -460,8 +462,8 @@ impl Extra for Family<'_> {
     }
 }
 
-/// Part of the first family's signal that the unknowns beside it and the second family can't
-/// explain: per joint, and as a share of the whole.
+/// Part of the first family's signal that the nuisance parameters and the second family cannot
+/// explain: root mean square per joint, N m, and share of the whole.
 fn remains(
     task: &Task<'_>,
     states: &States,
@@ -508,7 +510,7 @@ mod tests {
 
     use super::*;
 
-    /// Columns of laws are what the file's laws add, apart from the smooth sign.
+    /// Columns of laws equal the torques of the file's laws, apart from the smoothed sign.
     #[test]
     fn columns_are_derivatives_of_the_predicted_torques() {
         use crate::model::TorqueModel;

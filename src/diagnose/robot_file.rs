@@ -7,16 +7,16 @@ use dh_codegen::arm::param::{self, DriveTerm, Inertial, Parameter};
 use dh_codegen::robot::effects::{self, Key};
 use dh_codegen::robot::{Effect, EffectKind, Inertia, Robot, Term, TorqueLaw};
 
-/// Place of a key among the ten parameters of a body.
+/// Index of a key among the ten parameters of a body.
 fn body_place(key: Key) -> Option<usize> {
     effects::Payload::BODY.iter().position(|which| *which == key)
 }
 
-/// The robot with everything in it that a diagnosis found.
+/// The robot with all findings of a diagnosis.
 ///
-/// A diagnosis adds what it finds to the rigid torque at the sensor, against the measured angle;
-/// the file's laws act on the true torque and the true angle. So where a joint's gain or zero was
-/// found wrong too, its laws are written as what they are before the sensor.
+/// A diagnosis models its findings as torques at the sensor, as functions of the measured angle.
+/// The file's laws act on the true torque and the true angle. If the gain or the encoder offset of
+/// a joint was found wrong too, its laws are therefore converted to values before the sensor.
 pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
     let robot = without(robot, &found.forgotten);
     let mut robot = match &found.standard {
@@ -24,7 +24,7 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
         Some(standard) if found.links_refitted => {
             // A refit has rotors that the file does not have.
             let robot = with_rotors(robot);
-            // The diagnosis keeps friction apart; the file's own stays unless a cause changes it.
+            // Friction is reported separately; the file's own stays unless a cause changes it.
             let names = param::standard(&robot);
             let values: Vec<f64> = names
                 .iter()
@@ -36,7 +36,7 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
                     _ => *v,
                 })
                 .collect();
-            // They are those of the present bodies.
+            // The values include the present bodies, so these effects are removed.
             let mut robot = with_values(robot, &values);
             let body = |e: &Effect| matches!(e, Effect::Payload(_) | Effect::LinkInertiaError(_));
             robot.effects.retain(|e| !body(e));
@@ -65,7 +65,7 @@ pub fn extended(robot: Robot, found: &Diagnosis) -> Robot {
     robot
 }
 
-/// The robot with the rotors of these standard parameters.
+/// The robot with the rotor inertias of these standard parameters.
 fn with_rotors_of(robot: Robot, standard: &[f64]) -> Robot {
     let mut robot = with_rotors(robot);
     for (parameter, value) in param::standard(&robot).into_iter().zip(standard) {
@@ -76,7 +76,7 @@ fn with_rotors_of(robot: Robot, standard: &[f64]) -> Robot {
     robot
 }
 
-/// Adds a torque in closed form to a joint's law. One that the file's rules refuse is left out.
+/// Adds a torque in closed form to a joint's law. Skipped if the file's rules reject it.
 fn write_law(robot: &mut Robot, row: usize, law: &str, sensor: Sensor) {
     let kinds = robot.moving_kinds();
     let Ok(found) = TorqueLaw::parse(law, &kinds) else { return };
@@ -94,16 +94,16 @@ fn write_law(robot: &mut Robot, row: usize, law: &str, sensor: Sensor) {
     }
 }
 
-/// Relation between a joint's laws and their recording.
+/// Sensor errors of a joint: relation between its laws and the recording.
 #[derive(Clone, Copy)]
 struct Sensor {
-    /// `GT`.
+    /// Gain of the torque sensor, `GT`.
     gain: f64,
-    /// `QO`, rad.
+    /// Offset of the encoder, `QO`, rad.
     zero: f64,
 }
 
-/// Keys that are torques per something: those of a law are in proportion to the sensor's gain.
+/// Keys with a unit of torque per something, which scale with the gain of the sensor.
 const SIZES: [Key; 17] = [
     effects::AsymmetricFriction::FCA,
     effects::AsymmetricFriction::FVA,
@@ -125,7 +125,8 @@ const SIZES: [Key; 17] = [
 ];
 
 impl Sensor {
-    /// A law's keys before the sensor. `coulomb`: the joint's level, which `FS` includes.
+    /// Converts a law's keys to values before the sensor. `coulomb`: the joint's level, N m, which
+    /// `FS` includes.
     fn before(self, effect: EffectKind, keys: &mut [(Key, f64)], coulomb: f64) {
         let Self { gain, zero } = self;
         for (key, value) in keys.iter_mut().filter(|(key, _)| SIZES.contains(key)) {
@@ -153,17 +154,17 @@ impl Sensor {
     }
 }
 
-/// Value of a key.
+/// Value of a key; `None` if it is absent.
 fn value_of(keys: &[(Key, f64)], wanted: Key) -> Option<f64> {
     keys.iter().find(|(key, _)| *key == wanted).map(|(_, value)| *value)
 }
 
-/// Changes the value of a key, where it is there.
+/// Changes the value of a key, if it is present.
 fn change(keys: &mut [(Key, f64)], wanted: Key, by: impl Fn(&mut f64)) {
     keys.iter_mut().filter(|(key, _)| *key == wanted).for_each(|(_, value)| by(value));
 }
 
-/// `c cos(n q) + s sin(n q)` over an angle that is larger by `zero`.
+/// Rotates the coefficients of `c cos(n q) + s sin(n q)` to an angle that is larger by `zero`.
 fn turn(keys: &mut [(Key, f64)], [order, cosine, sine]: [Key; 3], zero: f64) {
     let of = |key: Key, default: f64| value_of(keys, key).unwrap_or(default);
     let (n, c, s) = (of(order, 1.0), of(cosine, 0.0), of(sine, 0.0));
@@ -172,7 +173,7 @@ fn turn(keys: &mut [(Key, f64)], [order, cosine, sine]: [Key; 3], zero: f64) {
     change(keys, sine, |value| *value = c * sin + s * cos);
 }
 
-/// Values found of an effect, under the keys of the file.
+/// Converts the values found for an effect to the conventions of the file.
 fn in_terms_of_the_file(
     robot: &Robot,
     row: Option<usize>,
@@ -194,8 +195,8 @@ fn in_terms_of_the_file(
             let offset = keys.iter_mut().filter(|(key, _)| *key == effects::TorqueOffset::TO);
             offset.for_each(|(key, _)| *key = effects::AsymmetricFriction::FCA);
         }
-        // The spring's rest takes the place of the whole offset; the file's own part of it stays
-        // where it is.
+        // The spring's rest position replaces the whole offset; the file's own part of the offset
+        // stays in the file.
         EffectKind::JointSpring if !keys.iter().any(|(key, _)| [Spring::SIDE, Spring::KQ].contains(key)) => {
             let own = drive.and_then(|d| d.offset).unwrap_or(0.0);
             let stiffness = value_of(keys, Spring::KS).unwrap_or(0.0);
@@ -203,12 +204,12 @@ fn in_terms_of_the_file(
                 change(keys, Spring::QS, |rest| *rest += own / stiffness);
             }
         }
-        // The file would take a mass without a tensor for a point mass.
+        // Without an inertia tensor, the file would treat the mass as a point mass.
         EffectKind::Payload if !keys.iter().any(|(key, _)| body_place(*key) >= Some(Inertial::XX as usize)) => {
             keys.push((effects::Payload::XX, 0.0))
         }
-        // A delay of one joint is counted from nothing, and the file adds it to that of all; that
-        // of all is counted on the first joint.
+        // A joint's delay is counted from zero, and the file adds it to the common one; the common
+        // delay is counted on the first joint.
         EffectKind::TimeDelay => {
             let delay = |e: &Effect| if let Effect::TimeDelay(e) = e { e.delay } else { None };
             let first = moving.first().map(|row| robot.joints[*row].drive.effects.iter());
@@ -222,8 +223,8 @@ fn in_terms_of_the_file(
     }
 }
 
-/// Corrects the offset of a drive that has one: beside it an effect of the same constant would
-/// say twice, with two signs, what is one number.
+/// Adds the found value to a drive's non-zero offset: an effect with the same constant would be a
+/// second, redundant parameter. Returns whether this was done.
 fn corrects_offset(robot: &mut Robot, row: Option<usize>, keys: &[(Key, f64)], gain: f64) -> bool {
     let Some(drive) = row.map(|row| &mut robot.joints[row].drive) else { return false };
     let given = drive.effects.iter().any(|e| e.kind() == EffectKind::TorqueOffset);
@@ -236,8 +237,7 @@ fn corrects_offset(robot: &mut Robot, row: Option<usize>, keys: &[(Key, f64)], g
     }
 }
 
-/// Adds to a link's parameters. Those that the motion does not show become what makes it a possible
-/// body.
+/// Adds to a link's parameters. Unidentifiable ones are completed to a possible body.
 fn write_link(robot: &mut Robot, row: usize, more: &[(Key, f64)]) {
     let given = robot.links.get(row).copied().flatten().map_or([0.0; 10], Inertia::to_array);
     let added: Vec<(usize, f64)> = more.iter().filter_map(|(key, by)| Some((body_place(*key)?, *by))).collect();
@@ -250,11 +250,11 @@ fn write_link(robot: &mut Robot, row: usize, more: &[(Key, f64)]) {
 }
 
 fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &Cause, sensor: Sensor) {
-    // A structure that no effect explains can not be written.
+    // A structure that no effect explains cannot be written.
     let Some(kind) = EffectKind::of(cause.cause) else { return };
     let mut left: Vec<(Key, f64)> = Vec::new();
     for named in &cause.keys {
-        // Other values stand in the comments and the JSON.
+        // Other values are written to the comments and the JSON.
         let Symbol::Key(key) = named.symbol else { continue };
         match (key, row.map(|row| &mut robot.joints[row].drive)) {
             (effects::ViscousFriction::FV, Some(drive)) => drive.viscous_friction = Some(named.value),
@@ -280,12 +280,12 @@ fn write_cause(robot: &mut Robot, row: Option<usize>, moving: &[usize], cause: &
     if kind == EffectKind::TorqueOffset && corrects_offset(robot, row, &left, sensor.gain) {
         return;
     }
-    // A cause may name levels beside its own keys.
+    // A cause may list levels beside its own keys.
     left.retain(|(key, _)| kind.description().key(key.name()).is_some());
     if left.is_empty() {
         return;
     }
-    // A coupling without its other joint can not be written.
+    // A coupling without its other joint cannot be written.
     let Ok(effect) = Effect::of_kind(kind, &left) else { return };
     let effects = match row {
         Some(row) => &mut robot.joints[row].drive.effects,

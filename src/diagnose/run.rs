@@ -1,4 +1,4 @@
-//! The diagnosis from end to end: recordings in, [`Diagnosis`] out.
+//! Runs the diagnosis: recordings in, [`Diagnosis`] out.
 
 use super::findings::attribution::curve;
 use super::findings::calibration;
@@ -25,50 +25,50 @@ use crate::model::PerturbableArm;
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects::FrictionDrift;
 
-/// How to diagnose.
+/// Settings of a diagnosis.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Settings {
-    /// Windows per second. Default: 100; of more than half a minute of fitted motion fewer, down
+    /// Windows per second. Default: 100. For more than half a minute of fitted motion fewer, down
     /// to 50, so that there are as many as in half a minute.
     pub rate: Option<f64>,
-    /// How strict the search is.
+    /// Thresholds of the search.
     pub search: SearchSettings,
 }
 
-/// Windows per second of logs that are not long; what is more than so many seconds of them is long.
-/// Time and memory go with the number of windows.
+/// Windows per second of short logs, and the duration, s, above which logs are long. Time and
+/// memory are proportional to the number of windows.
 const RATE: f64 = 100.0;
 const LONG: f64 = 30.0;
 
 impl Settings {
-    /// Windows per second of logs of any length: the most.
+    /// Largest number of windows per second, for logs of any length.
     pub fn most_windows_per_second(&self) -> f64 {
         self.rate.unwrap_or(RATE)
     }
 
-    /// Windows per second of these logs. Twice as long ones still resolve a reversal.
+    /// Windows per second of these logs. At twice the window length reversals are still resolved.
     fn rate_of(&self, recordings: &[Recording]) -> f64 {
         let seconds: f64 = recordings.iter().map(Recording::seconds).sum();
         self.rate.unwrap_or_else(|| (RATE * LONG / seconds.max(LONG)).max(0.5 * RATE))
     }
 }
 
-/// Why there is no diagnosis.
+/// Reasons for which there is no diagnosis.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum DiagnoseError {
     /// Too little data.
     #[error("{seconds:.1} s of usable motion are too little to separate causes; record at least 3 s")]
     TooShort {
-        /// Seconds.
+        /// Seconds of usable motion.
         seconds: f64,
     },
     /// Torques that are zero throughout.
     #[error("the torques of all joints are zero throughout; take logs in which they were measured")]
     NoTorque,
-    /// No model inside what is physically possible.
+    /// No physically possible model was found.
     #[error("no model of possible bodies was found: {0}")]
     Impossible(#[from] ConsistentError),
-    /// Infinite numbers.
+    /// Infinite numbers in the equations.
     #[error("the equations contain infinite numbers; look for absurd values in the logs or the robot file")]
     NotFinite,
 }
@@ -83,8 +83,8 @@ pub fn misses(plant: &dyn PerturbableArm, recordings: &[Recording], settings: &S
     [measured.rms, measured.steady]
 }
 
-/// Diagnoses `fit`, and measures on `validate`; where that is empty, on the last three tenths of
-/// each stretch of `fit`.
+/// Diagnoses `fit`, and evaluates on `validate`; if that is empty, on the last three tenths of each
+/// stretch of `fit`.
 pub fn diagnose(
     plant: &dyn PerturbableArm,
     fit: &[Recording],
@@ -92,13 +92,13 @@ pub fn diagnose(
     settings: &Settings,
     progress: &(dyn Fn(&str) + Sync),
 ) -> Result<Diagnosis, DiagnoseError> {
-    // A refit that has no rotor to change puts what the rotors do into bodies and gears.
+    // Without rotor inertias to change, a refit assigns their effect to bodies and gears.
     let driven = plant.with_rotors();
     let plant = driven.as_deref().unwrap_or(plant);
     let mut found = consistent_with_file(plant, fit, validate, settings, progress)?;
     if !found.changed.is_empty() {
         progress("what changed between the logs");
-        // Of the logs that are not as the model says by themselves, where they are long enough.
+        // Diagnose the logs that deviate from the model by themselves, if they are long enough.
         let others = if found.file_holds { fit } else { validate };
         if let Ok(other) = once(plant, others, &[], settings, progress) {
             // A cause that no offered model has is one of the logs that differ.
@@ -108,7 +108,7 @@ pub fn diagnose(
             found.causes.retain(|c| c.in_extended || !changes.iter().any(|k| k.is(c)));
         }
         if found.file_holds && !found.changes.is_empty() {
-            // What the fitted logs show has a name.
+            // The structure of the fitted logs now has a name.
             found.causes.retain(|c| c.cause != "unknown");
             found.causes.extend(faded(&found.changes));
         }
@@ -119,8 +119,8 @@ pub fn diagnose(
     Ok(found)
 }
 
-/// Causes of the fitted logs alone that the validating ones do not refute: friction that fades is gone
-/// where these began with warm gears.
+/// Causes of the fitted logs alone that the validating logs do not refute: fading friction has
+/// vanished there if they began with warm gears.
 fn faded(changes: &[Cause]) -> impl Iterator<Item = Cause> {
     let fades = |c: &&Cause| c.cause == FrictionDrift::NAME;
     let note = "; the validating logs do not show it, as with gears that were warm by then";
@@ -128,7 +128,7 @@ fn faded(changes: &[Cause]) -> impl Iterator<Item = Cause> {
     changes.iter().filter(fades).map(cause)
 }
 
-/// The diagnosis with the effects of the file, those left out that the data contradict.
+/// The diagnosis with the effects of the file, except those that the data contradict.
 fn consistent_with_file(
     plant: &dyn PerturbableArm,
     fit: &[Recording],
@@ -137,8 +137,8 @@ fn consistent_with_file(
     progress: &(dyn Fn(&str) + Sync),
 ) -> Result<Diagnosis, DiagnoseError> {
     let mut found = once(plant, fit, validate, settings, progress)?;
-    // If a found effect is already in the file, the data contradict the file's; two of a kind are
-    // not written beside each other. So that one is taken out and searched for again.
+    // A found effect that the file also has contradicts the file's. Two of a kind cannot be
+    // written, so the file's is removed and the search repeated.
     let mut forgotten: Vec<(EffectKind, Option<usize>)> = Vec::new();
     let baseline = found.baseline.clone();
     for _ in 0..2 {
@@ -168,11 +168,11 @@ fn consistent_with_file(
 /// Share of each stretch that is fitted where there is no validating log.
 pub(super) const KEPT: f64 = 0.7;
 
-/// Effects of which what is found can be written into the file beside what it has: totals,
-/// differences of bodies, further orders.
+/// Effects whose findings can be written into the file beside its own: totals, differences of
+/// bodies, further orders.
 const ADDS_UP: [EffectKind; 3] = [EffectKind::TimeDelay, EffectKind::LinkInertiaError, EffectKind::TorqueRipple];
 
-/// Root mean square of each joint's torque, N m, behind the first `share` of each stretch.
+/// Root mean square of each joint's torque, N m, without the first `share` of each stretch.
 fn torque_rms(recordings: &[Recording], share: f64, dof: usize) -> Vec<f64> {
     let stretches = || recordings.iter().flat_map(|r| &r.stretches);
     let behind = |s: &Stretch| (share * s.states.len as f64).round() as usize;
@@ -189,21 +189,22 @@ fn least(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a.min(*b)).collect()
 }
 
-/// Causes that no column of the recorded motion has, and the structure that they do not explain.
+/// Causes that are not columns of the recorded motion (deflections, impacts), and the structure
+/// that they do not explain.
 fn without_columns(model: &Selected<'_>, left: Vec<Structure>, noise: &[f64]) -> (Vec<Structure>, Vec<Cause>) {
     let mut causes = deflections(model, noise);
     let left = explained(left, &causes);
     let impacts = if left.is_empty() { None } else { impacts(model) };
     let left = impacts.iter().fold(left, |left, i| i.explain(left, &model.after_fit, noise));
     causes.extend(impacts.map(|i| i.cause(&model.after_fit, noise)));
-    // A cause that the model has already is not named twice.
+    // A cause that the model already has is not named twice.
     let known = |c: &Cause| model.causes.iter().any(|k| k.is(c));
     causes.retain(|c| !known(c) && c.probability >= calibration::NAMED_BY_SIZE);
     (left, causes)
 }
 
-/// By whether a cause of the offered model was found, and whether structure is left. `refitted`:
-/// errors of the file and of a model that has other links or rotors.
+/// The verdict, by whether the offered model has causes, and whether structure remains. `refitted`:
+/// errors of the file and of a model with other links or rotors.
 fn verdict(causes: &[Cause], left: &[Structure], refitted: Option<[&Errors; 2]>) -> Verdict {
     let wrong = refitted.is_some_and(|[file, offered]| {
         file.validate.iter().zip(&offered.validate).any(|(file, offered)| *file > WRONG * offered)
@@ -217,11 +218,11 @@ fn verdict(causes: &[Cause], left: &[Structure], refitted: Option<[&Errors; 2]>)
     }
 }
 
-/// From this many times the error of refitted links on, the file's are wrong, even where none of
-/// them stands out.
+/// Ratio of the file's error to that of refitted links above which the file's links are wrong, even
+/// if none of them stands out.
 const WRONG: f64 = 1.3;
 
-/// What would separate the first cause that these data leave open from the others.
+/// The experiment that would separate the first ambiguous cause from its alternatives.
 fn next_experiment(causes: &[Cause]) -> Option<NextExperiment> {
     let separable = |c: &&Cause| !c.not_distinguished_from.is_empty() && c.decided_by.is_none();
     let open = causes.iter().filter(|c| c.cause != "unknown").find(separable)?;
@@ -232,14 +233,14 @@ fn next_experiment(causes: &[Cause]) -> Option<NextExperiment> {
     })
 }
 
-/// What is fitted and what is measured on, where there is no validating log.
+/// The fitted and the validating part of recordings without a validating log.
 fn halves(recordings: &[Recording]) -> [Vec<Recording>; 2] {
     let (first, rest) = recordings.iter().map(|r| <(_, _)>::from(r.split(KEPT))).unzip();
     [first, rest]
 }
 
-/// The offered model without what a law stands for, causes of it and beside it, and the structure
-/// that none of them explains. `why`: what is said of the model.
+/// The offered model without causes that a law replaces, its causes and those named beside it, and
+/// the structure that none of them explains. `why`: sentences on the model.
 fn named<'a>(
     session: &Session<'a>,
     mut model: Selected<'a>,
@@ -267,17 +268,18 @@ fn named<'a>(
     Ok((model, causes, left))
 }
 
-/// Whether the file says more of the links than nothing.
+/// Whether the file has non-zero link parameters.
 fn has_links(plant: &dyn PerturbableArm) -> bool {
     plant.has_bodies() && plant.given().is_some_and(|given| given.iter().any(|v| *v != 0.0))
 }
 
-/// Whether a refit changes what the file says of links, or of drives that are diagnosed alone.
+/// Whether a refit changes values of the file: those of links, or of drives that are diagnosed
+/// alone.
 fn has_values(plant: &dyn PerturbableArm) -> bool {
     has_links(plant) || !plant.has_bodies()
 }
 
-/// Whether there is enough motion, numbers are finite and some torque was measured.
+/// Checks that there is enough motion, that numbers are finite and that some torque was measured.
 fn usable(start: &ModelUnderTest<'_>) -> Result<(), DiagnoseError> {
     let fit = start.recordings;
     let seconds: f64 = fit.iter().map(Recording::seconds).sum();
@@ -293,7 +295,7 @@ fn usable(start: &ModelUnderTest<'_>) -> Result<(), DiagnoseError> {
     Ok(())
 }
 
-/// [`diagnose`] with the effects of the file kept.
+/// [`diagnose`] with all effects of the file kept.
 fn once(
     plant: &dyn PerturbableArm,
     fit: &[Recording],
@@ -324,7 +326,7 @@ fn once(
     let (noise, motion) = (&budget.floor()[..], &budget.of_motion()[..]);
     let ground: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.max(0.004 * t)).collect::<Vec<f64>>();
     let file_out = start.file_left_out();
-    // The searches have models of their own, and memory is short.
+    // The searches have models of their own, and memory is limited.
     drop((start, refitted));
 
     // Unit of a gain: the noise, or a fiftieth of the torque where the noise is less.
@@ -379,8 +381,8 @@ fn once(
 mod tests {
     use super::*;
 
-    /// Other links that predict much better than the file's are an error, whether or not one of them
-    /// has a name.
+    /// Other links that predict much better than the file's are an error, whether or not one of
+    /// them has a name.
     #[test]
     fn links_that_miss_are_not_nothing() {
         let errors = |validate: f64| Errors { validate: vec![0.05, validate], ..Errors::default() };

@@ -1,11 +1,14 @@
-//! Searches the causes one after the other, each against all others, until nothing more is
+//! Forward selection of causes: each candidate is compared with all others, until none is
 //! supported.
 //!
 //! A candidate is a cause in a place. Its gain is the logarithm of the ratio of the joints'
-//! residual sums of squares without and with it, all other unknowns refitted. Windows count by the
-//! autocorrelation time of residuals. A candidate is accepted under three conditions. Its gain pays
-//! for its unknowns and for the number of candidates, parts of the data that were not used to fit
-//! it confirm it, and it is large enough to matter beside the noise.
+//! residual sums of squares without and with it, all other unknowns refitted. Windows are counted
+//! in units of the autocorrelation time of the residuals. A candidate is accepted under three
+//! conditions:
+//!
+//! - Its gain exceeds the cost of its unknowns and of the number of candidates.
+//! - Parts of the data that were not used to fit it confirm it.
+//! - Its effect is large enough beside the noise.
 
 pub(super) mod alone;
 pub(super) mod baseline_friction;
@@ -32,18 +35,18 @@ use merge_couplings::merge_couplings;
 use simplest_laws::simplest_laws;
 use stepwise_exchange::stepwise_exchange;
 
-/// How strict the search is.
+/// Thresholds of the search.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SearchSettings {
-    /// The most causes.
+    /// Maximum number of causes.
     pub most: usize,
-    /// Least effect, as a share of the joint's raw torque noise.
+    /// Least effect of a cause, as a share of the joint's raw torque noise.
     pub least_effect: f64,
-    /// Least share of a joint's residual variance that a cause takes, in fit and in
+    /// Least share of a joint's residual variance that a cause must remove, in the fit and in
     /// cross-validation.
     pub least_gain: f64,
-    /// Least share of the variance that an earlier cause of the same kind on the same joint took:
-    /// less is what that cause's law does not fit.
+    /// Least share of the variance removed by an earlier cause of the same kind on the same joint.
+    /// A smaller gain is taken for the misfit of that earlier cause's law.
     pub least_share: f64,
 }
 
@@ -53,19 +56,18 @@ impl Default for SearchSettings {
     }
 }
 
-/// Autocorrelation time, in windows, above which an error counts as slow: a tenth of a
-/// second.
+/// Autocorrelation time, in windows, above which a residual counts as slow: 10 windows, 0.1 s.
 const SLOW: f64 = 10.0;
 
-/// Candidates that are tried, the best first, wherever they act.
+/// Number of best candidates that are tried, on whatever joints they act.
 const BEST: usize = 4;
 
-/// Whether what is left of one of these joints is slow.
+/// Whether the residual of one of these joints is slow.
 fn slow(fitted: &Fitted, joints: &[usize]) -> bool {
     joints.iter().any(|&j| fitted.memory[j] > SLOW)
 }
 
-/// Searches until nothing more is supported.
+/// Forward selection from an empty model, followed by exchange and simplification of the causes.
 pub fn search(
     tested: &mut ModelUnderTest<'_>,
     noise: &[f64],
@@ -115,7 +117,7 @@ pub fn search(
                     break;
                 }
                 None if delays != tested.scene.delays => {
-                    // Undo a delay that was tried.
+                    // Undo the delay of the rejected trial.
                     tested.set_delays(&delays);
                     fitted = tested.fit(&mut chosen);
                 }
@@ -148,8 +150,8 @@ pub fn search(
     accepted
 }
 
-/// The order in which candidates are tried: the best, then the best of each further joint. What is
-/// slow and large on one joint says nothing of the others.
+/// The order in which candidates are tried: the best ones, then the best on each further joint. A
+/// large slow residual on one joint carries no information on the others.
 fn in_turn(ranked: &[Candidate]) -> Vec<(usize, &Candidate)> {
     let mut order: Vec<(usize, &Candidate)> = ranked.iter().enumerate().take(BEST).collect();
     for (rank, candidate) in ranked.iter().enumerate().skip(BEST) {
@@ -158,7 +160,7 @@ fn in_turn(ranked: &[Candidate]) -> Vec<(usize, &Candidate)> {
             order.push((rank, candidate));
         }
     }
-    // A body whose ten parameters do not hold may be one with fewer.
+    // If a body with ten parameters is rejected, one with fewer may be accepted.
     let simpler = |of: &Candidate| {
         let fewer = |c: &Candidate| {
             c.cause.name() == of.cause.name() && c.place == of.place && c.gain.x.len() < of.gain.x.len()
@@ -176,8 +178,8 @@ fn in_turn(ranked: &[Candidate]) -> Vec<(usize, &Candidate)> {
     all
 }
 
-/// Bodies that are one body, delays that are one delay, couplings that are one motor, and laws that
-/// are a simpler one.
+/// Merges bodies into one body, delays into one delay and couplings into one motor, and replaces
+/// laws by simpler ones.
 fn simplify(tested: &mut ModelUnderTest<'_>, accepted: &mut Vec<Accepted>, fitted: &mut Fitted) {
     merge_bodies(tested, accepted, fitted);
     merge_common_delay(tested, accepted, fitted);
@@ -185,9 +187,9 @@ fn simplify(tested: &mut ModelUnderTest<'_>, accepted: &mut Vec<Accepted>, fitte
     simplest_laws(tested, accepted, fitted);
 }
 
-/// Two causes that share a joint, neither of which is supported alone: the residual without the
-/// other is autocorrelated for so long that the windows count for few. Each must be worth having
-/// beside the other.
+/// Finds two causes that share a joint, neither of which is supported alone: without the other, the
+/// residual is autocorrelated for so long that few windows count as independent. Each must be
+/// accepted in the presence of the other.
 fn together(
     tested: &mut ModelUnderTest<'_>,
     chosen: &[Chosen],
@@ -242,7 +244,7 @@ fn together(
     None
 }
 
-/// The equivalent cause of the whole robot, where there is one.
+/// The equivalent cause of the whole robot; `None` where there is none.
 pub(super) fn equivalent_robot_cause(
     tested: &ModelUnderTest<'_>,
     chosen: &Chosen,
@@ -252,7 +254,8 @@ pub(super) fn equivalent_robot_cause(
     Some(Chosen { cause, place: Vec::new(), ..chosen.clone() })
 }
 
-/// Wrong links can't be seen where all base parameters are unknown.
+/// Whether a cause is identifiable in this mode: link errors are not where all base parameters are
+/// unknown.
 pub(super) fn makes_sense(tested: &ModelUnderTest<'_>, cause: &dyn Hypothesis) -> bool {
     tested.mode == Mode::Trusted || !cause.within_links()
 }

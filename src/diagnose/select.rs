@@ -1,4 +1,5 @@
-//! From accepted causes to the offered model: measured on recordings, reduced, refined, chosen.
+//! From accepted causes to the offered model: measurement on recordings, reduction, refinement,
+//! choice.
 
 pub(super) mod beside;
 pub(super) mod beside_other_links;

@@ -1,4 +1,4 @@
-//! Hidden effects must be found; nothing hidden must be called nothing.
+//! Tests of the diagnosis: hidden effects must be found, and none reported where nothing is hidden.
 
 mod battery;
 mod columns;

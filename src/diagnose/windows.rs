@@ -1,5 +1,4 @@
-//! From recordings to windows: data at the rate at which causes are distinguished, their noise and
-//! the errors of their motion.
+//! From recordings to windows: averaged data, their noise, and the errors of the recorded motion.
 
 pub(super) mod earlier;
 pub(super) mod holding;

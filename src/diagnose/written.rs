@@ -1,5 +1,5 @@
-//! Errors on logs of a robot file with the offered model in it, by the file's ordinary inverse
-//! dynamics: a route that shares neither columns nor windows with the diagnosis.
+//! Errors on logs of a robot file that contains the offered model, by the file's ordinary inverse
+//! dynamics. This path shares neither columns nor windows with the diagnosis.
 
 use super::run::KEPT;
 use super::select::measure::root_mean_square;
@@ -8,11 +8,11 @@ use super::windows::windowed_data::{dead_zones, edge};
 use crate::model::{States, TorqueModel};
 
 /// Root mean square error of each joint's torque, N m, over the samples on which a diagnosis
-/// measures. Both ends of each stretch are left out, and where the validating part is
-/// `own_validation == false` all but the last three tenths of each stretch.
+/// evaluates. Both ends of each stretch are left out. Where `own_validation == false`, all but the
+/// last three tenths of each stretch are left out, too.
 ///
-/// The sign of a velocity inside its noise is 0 where the joint rests throughout, as in the
-/// diagnosis. A joint whose sensor was off misses nothing.
+/// The sign of a velocity inside its noise is 0 for a joint at rest most of the time, as in the
+/// diagnosis. A joint whose sensor was off has no error.
 pub fn written_errors(model: &dyn TorqueModel, recordings: &[Recording], own_validation: bool) -> Vec<f64> {
     let dof = model.dof();
     let share = if own_validation { 0.0 } else { KEPT };
@@ -37,7 +37,7 @@ pub fn written_errors(model: &dyn TorqueModel, recordings: &[Recording], own_val
     (0..dof).map(|j| if off(j) { 0.0 } else { root_mean_square(&errors[j]) }).collect()
 }
 
-/// Samples of a stretch on which a diagnosis measures.
+/// Samples of a stretch on which a diagnosis evaluates.
 fn counted(stretch: &Stretch, share: f64) -> std::ops::Range<usize> {
     let n = stretch.states.len;
     let first = (share * n as f64).round() as usize;
@@ -45,7 +45,8 @@ fn counted(stretch: &Stretch, share: f64) -> std::ops::Range<usize> {
     first + edge..(n.saturating_sub(edge)).max(first + edge)
 }
 
-/// Torques along all stretches of a recording, so that drives warm on; joint-major.
+/// Torques along all stretches of a recording, joint-major, N m, so that the drives continue to
+/// warm up.
 fn along(model: &dyn TorqueModel, recording: &Recording, zones: &[(f64, bool)]) -> Vec<f64> {
     let (dof, stretches) = (model.dof(), &recording.stretches);
     let time: Vec<f64> =

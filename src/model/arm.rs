@@ -1,10 +1,10 @@
-//! View of a robot for methods that work on data: its regressor and its torques.
+//! The arm as a data-driven method sees it: its regressor and its torques.
 
 use dh_codegen::arm::param::DriveTerm;
 
 use super::parameter::StandardParameter;
 
-/// Joint motion of a block of samples, joint-major: sample `s` of joint `j` stands at `j * len +
+/// Joint motion of a block of samples, joint-major: sample `s` of joint `j` is at index `j * len +
 /// s`.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct States {
@@ -25,7 +25,7 @@ impl States {
         (0..self.q.len().checked_div(self.len).unwrap_or(0)).map(row).collect()
     }
 
-    /// Samples `from..to`; parts that are empty stay so.
+    /// Samples `from..to`; empty parts stay empty.
     #[must_use]
     pub fn part(&self, from: usize, to: usize) -> Self {
         let of = |all: &[f64]| part(all, self.len, from, to);
@@ -38,17 +38,17 @@ pub(super) fn part(all: &[f64], len: usize, from: usize, to: usize) -> Vec<f64> 
     all.chunks_exact(len.max(1)).map(|row| &row[from..to]).collect::<Vec<_>>().concat()
 }
 
-/// A sum of two velocities: that of a motor that turns with two joints.
+/// A weighted sum of two joint velocities: that of a motor coupled to two joints.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct VelocitySum {
     /// Degrees of freedom.
     pub joints: [usize; 2],
-    /// Factor of the second one's velocity.
+    /// Factor of the second joint's velocity.
     pub ratio: f64,
 }
 
 impl VelocitySum {
-    /// Of velocities by joint, rad/s; zero where there is no such joint.
+    /// The sum for velocities by joint, rad/s; a missing joint counts as zero.
     pub fn at<'a>(&self, dq: impl Fn(usize) -> Option<&'a [f64]>) -> Vec<f64> {
         let [a, b] = self.joints.map(dq);
         let len = a.or(b).map_or(0, <[f64]>::len);
@@ -57,12 +57,12 @@ impl VelocitySum {
     }
 }
 
-/// Entries of a regressor that are multiples of the sign of a sum of velocities.
+/// Entries of a regressor that are proportional to the sign of a sum of velocities.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SummedSign {
-    /// The sum.
+    /// The sum of velocities.
     pub sum: VelocitySum,
-    /// Index into [`Arm::base_pattern`], and factor.
+    /// Index into [`Arm::base_pattern`], and factor, of each entry.
     pub entries: Vec<(usize, f64)>,
 }
 
@@ -77,19 +77,19 @@ pub struct BaseParameter {
     pub grouping: String,
     /// Index into the standard parameters, and factor.
     pub coefficients: Vec<(usize, f64)>,
-    /// Unit.
+    /// Unit of its value.
     pub unit: String,
 }
 
 impl BaseParameter {
-    /// Whether it is a drive's own of this kind. Its column then stands in the row of its own joint
-    /// alone.
+    /// Whether it is a drive parameter of this kind. Its column then has entries in the row of its
+    /// own joint only.
     pub fn is_drive_term(&self, term: DriveTerm) -> bool {
         matches!(self.leader, StandardParameter::Drive(_, own) if own == term)
     }
 }
 
-/// Meaning of an arm's numbers.
+/// Sizes, names and structural zeros of an arm.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Description {
     /// The robot's name.
@@ -109,7 +109,7 @@ pub struct Description {
 /// Torques are those of the actuators on the links, N m (N for a prismatic joint), positive in the
 /// direction in which `q` grows.
 pub trait Arm: Sync {
-    /// Sizes, names and zeros.
+    /// Sizes, names and structural zeros.
     fn description(&self) -> &Description;
 
     /// The robot's name.
@@ -127,7 +127,7 @@ pub trait Arm: Sync {
         &self.description().standard
     }
 
-    /// Their names.
+    /// Names of the standard parameters.
     fn standard_names(&self) -> Vec<String> {
         self.standard_parameters().iter().map(StandardParameter::to_string).collect()
     }
@@ -146,8 +146,8 @@ pub trait Arm: Sync {
     /// `out[k * len + s]`. `tau = W_b beta` (Khalil and Dombre, equation 12.21).
     fn base_regressor(&self, states: &States, out: &mut [f64]);
 
-    /// Torques from base parameters (`B`), N m (N for a prismatic joint), joint-major like the states:
-    /// `W_b beta` (Khalil and Dombre, equation 12.21).
+    /// Torques from base parameters (`B`), N m (N for a prismatic joint), joint-major like the
+    /// states: `W_b beta` (Khalil and Dombre, equation 12.21).
     fn base_torques(&self, states: &States, base: &[f64], out: &mut [f64]) {
         let pattern = self.base_pattern();
         let mut entries = vec![0.0; pattern.len() * states.len];
@@ -159,8 +159,8 @@ pub trait Arm: Sync {
         }
     }
 
-    /// Entries that have the sign of a sum of velocities in them, as the Coulomb columns have that
-    /// of one velocity. Who filters a recording filters these signs too (see
+    /// Entries that contain the sign of a sum of velocities, as the Coulomb columns contain that of
+    /// one velocity. A filtered recording must filter these signs too (see
     /// [`crate::data::signal::Prepare::sums`]).
     fn summed_signs(&self) -> Vec<SummedSign> {
         Vec::new()

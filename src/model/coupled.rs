@@ -1,8 +1,8 @@
-//! An arm with a motor that turns with another joint: what `gear_coupling` in the robot file adds
-//! to the regressor.
+//! An arm with motors coupled to a second joint: the regressor columns of `gear_coupling` in the
+//! robot file.
 //!
-//! Motor m turns with `w = dq_m + KC dq_k`. Beside the drive of joint m itself, three parameters
-//! act on both joints:
+//! Motor m turns with `w = dq_m + KC dq_k`. In addition to the drive of joint m itself, three
+//! parameters act on both joints:
 //!
 //! | | on joint k | on joint m |
 //! |---|---|---|
@@ -10,18 +10,18 @@
 //! | `FVM`, N m s/rad | `KC dq_m` | `KC dq_k` |
 //! | `FCM`, N m | `KC sign(w)` | `sign(w)` |
 //!
-//! They stand behind the arm's own parameters, named after the row of the motor: `IAM6`, `FVM6`,
-//! `FCM6`. Rigid bodies give none of these columns, so each is a base parameter of its own; the fit
-//! shows whether a motion separates it from the rest.
+//! They follow the arm's own parameters, and are named after the row of the motor: `IAM6`, `FVM6`,
+//! `FCM6`. Rigid bodies have none of these columns, so each is a base parameter of its own. Whether
+//! a motion separates it from the others is decided by the fit.
 
 use dh_codegen::robot::effects::{self, Key};
 
 use crate::model::{Arm, BaseParameter, Description, StandardParameter, States, SummedSign, VelocitySum};
 
-/// A motor that turns with another joint.
+/// A motor coupled to a second joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coupling {
-    /// Row of the motor's joint, from 0: its name.
+    /// Row of the motor's joint, from 0, used in the parameter names.
     pub row: usize,
     /// Degree of freedom of the motor's joint, m.
     pub motor: usize,
@@ -31,7 +31,7 @@ pub struct Coupling {
     pub ratio: f64,
 }
 
-/// A parameter of the motor.
+/// A parameter of a coupled motor.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum CouplingTerm {
     /// Rotor inertia, kg m^2.
@@ -43,10 +43,10 @@ pub enum CouplingTerm {
 }
 
 impl CouplingTerm {
-    /// All, in the order of the regressor's columns.
+    /// All terms, in the order of the regressor's columns.
     pub const ALL: [Self; 3] = [Self::IAM, Self::FVM, Self::FCM];
 
-    /// Its key in a robot file.
+    /// Key of the term in a robot file.
     pub fn key(self) -> Key {
         match self {
             Self::IAM => effects::GearCoupling::IAM,
@@ -55,12 +55,12 @@ impl CouplingTerm {
         }
     }
 
-    /// The symbol.
+    /// Symbol of the term.
     pub fn name(self) -> &'static str {
         self.key().name()
     }
 
-    /// Unit.
+    /// Unit of the term.
     pub fn unit(self) -> &'static str {
         match self {
             Self::IAM => "kg m^2",
@@ -71,12 +71,12 @@ impl CouplingTerm {
 }
 
 impl Coupling {
-    /// The velocity of its motor, on the joint's side of the gear.
+    /// Velocity of the motor, on the joint's side of the gear.
     pub fn velocity(&self) -> VelocitySum {
         VelocitySum { joints: [self.motor, self.other], ratio: self.ratio }
     }
 
-    /// Torque of one unit of a parameter on joint k or m, at every sample.
+    /// Torque per unit of a parameter on joint k or m, at every sample.
     fn column(&self, term: CouplingTerm, on_motor: bool, states: &States, out: &mut [f64]) {
         let of = |all: &'_ [f64], joint: usize, s: usize| all[joint * states.len + s];
         let far = if on_motor { self.other } else { self.motor };
@@ -94,16 +94,16 @@ impl Coupling {
     }
 }
 
-/// Source of an entry of the pattern.
+/// Source of an entry of the base pattern.
 #[derive(Clone, Copy)]
 enum Entry {
-    /// That of the arm with this index.
+    /// Entry of the uncoupled arm, with its index.
     Arm(usize),
-    /// Coupling, term, and whether it is the motor's joint.
+    /// Coupling index, term, and whether the entry is on the motor's joint.
     Coupling(usize, CouplingTerm, bool),
 }
 
-/// An arm and its couplings; an arm without couplings is itself.
+/// An arm with its couplings; without any it is equivalent to the arm.
 pub struct Coupled<'a> {
     arm: &'a dyn Arm,
     couplings: Vec<Coupling>,
@@ -112,7 +112,7 @@ pub struct Coupled<'a> {
 }
 
 impl<'a> Coupled<'a> {
-    /// Puts the couplings' parameters behind those of the arm.
+    /// Appends the couplings' parameters to those of the arm.
     pub fn new(arm: &'a dyn Arm, couplings: Vec<Coupling>) -> Self {
         let mut description = arm.description().clone();
         let Description { standard, base, .. } = &mut description;
@@ -206,9 +206,8 @@ mod tests {
     use super::*;
     use crate::identify::planar::Planar;
 
-    /// The power that goes into a coupled rotor alone is the change of `IAM/2 (w^2 - dq_m^2 - KC^2
-    /// dq_k^2)`, and friction at the motor dissipates `FCM |w|`. The regressor gives the same as
-    /// the torques.
+    /// The power into a coupled rotor alone is the rate of `IAM/2 (w^2 - dq_m^2 - KC^2 dq_k^2)`,
+    /// and friction at the motor dissipates `FCM |w|`. The regressor agrees with the torques.
     #[test]
     fn energy_and_columns_agree() {
         let planar = Planar::new();

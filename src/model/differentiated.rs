@@ -1,5 +1,5 @@
-//! A [`Differentiable`] arm whose tapes and their adjoints are run: any robot file, without
-//! compiling.
+//! A [`Differentiable`] arm from interpreted tapes and their adjoints: works for any robot file
+//! without compiling.
 
 use std::sync::OnceLock;
 
@@ -11,8 +11,8 @@ use dh_codegen::robot::Robot;
 use crate::model::interpreted::Interpreted;
 use crate::model::{Arm, Description, Differentiable, FrameKinematics, Gradient, Payload, States};
 
-/// An [`Interpreted`] arm with the adjoints of what an exciting motion needs. Those of torques,
-/// frames and payload are built when they are first asked for: not every motion has such limits.
+/// An [`Interpreted`] arm with the adjoints that exciting motions need. Those of torques, frames
+/// and payload are built at their first use, since not every motion has such limits.
 pub struct Differentiated {
     arm: Interpreted,
     base: Pullback,
@@ -47,7 +47,7 @@ impl Differentiated {
         }
     }
 
-    /// The adjoint of all entries of a function that are not zero, in their order.
+    /// The adjoint of all structurally nonzero entries of a function, in order.
     fn adjoint<'a>(&self, slot: &'a OnceLock<Pullback>, function: Function) -> &'a Pullback {
         slot.get_or_init(|| {
             let kernel = self.arm.model().kernel(function);
@@ -59,7 +59,7 @@ impl Differentiated {
         })
     }
 
-    /// The arm without adjoints.
+    /// The underlying arm without adjoints.
     pub fn interpreted(&self) -> &Interpreted {
         &self.arm
     }

@@ -1,5 +1,5 @@
-//! The drives of a robot without its bodies: what a diagnosis tests where motor and joint torque are
-//! both measured, so that their difference is what the gears take.
+//! The drives of a robot without its bodies. A diagnosis tests them where motor and joint torque
+//! are both measured, so that their difference is the loss of the gears.
 
 use dh_codegen::arm::param::{self, DriveTerm};
 use dh_codegen::robot::effects::LoadDependentFriction;
@@ -11,8 +11,8 @@ use super::perturbable::{Change, PerturbableArm};
 use super::perturbable_robot::PerturbableRobot;
 use super::robot_edit;
 
-/// Rotors, friction and the drives' laws of a robot file. Standard parameters are those of the
-/// whole robot, those of its links 0; base parameters are the drives' own.
+/// Rotors, friction and drive laws of a robot file. The standard parameters are those of the whole
+/// robot, with zero links; the base parameters are the drives' own.
 pub struct DrivesAlone {
     file: Robot,
     whole: PerturbableRobot,
@@ -20,13 +20,13 @@ pub struct DrivesAlone {
     /// Joint (from 0), term and index into the standard parameters of each base parameter.
     terms: Vec<(usize, DriveTerm, usize)>,
     given: Vec<f64>,
-    /// Laws of the transmitted torque, with their joints (from 0). [`DrivesAlone::whole`] is without
+    /// Laws of the transmitted torque, with their joints (from 0). [`DrivesAlone::whole`] lacks
     /// them, since its load is that of the file's links.
     of_load: Vec<(usize, LoadDependentFriction)>,
 }
 
 impl DrivesAlone {
-    /// Of this robot, with a rotor at every joint.
+    /// The drives of this robot, with a rotor at every joint.
     pub fn new(robot: &Robot) -> Self {
         let file = robot_edit::with_rotors(robot.clone());
         let moving = file.moving();
@@ -81,7 +81,7 @@ impl DrivesAlone {
     }
 }
 
-/// Torque of a term of size 1, N m, from a joint's velocity and acceleration.
+/// Torque per unit of a drive parameter, N m, from a joint's velocity and acceleration.
 fn of_one(term: DriveTerm, dq: f64, ddq: f64) -> f64 {
     match term {
         DriveTerm::IA => ddq,
@@ -169,7 +169,7 @@ impl PerturbableArm for DrivesAlone {
         Some(Box::new(Self::new(&robot_edit::without(self.file.clone(), effects))))
     }
 
-    /// No geometry changes what a drive takes.
+    /// Geometry does not affect the drives.
     fn changed_dynamics(&self, _: &Change, states: &States, standard: &[f64], out: &mut [f64]) {
         self.inverse_dynamics(states, standard, out);
     }
@@ -188,7 +188,7 @@ mod tests {
     use super::*;
     use dh_codegen::robot::no_files;
 
-    /// Of the measured load, whatever the file's links weigh.
+    /// Friction follows the measured load, whatever the file's links weigh.
     #[test]
     fn friction_under_the_measured_load() {
         let text = include_str!("../../robots/planar2r.yaml");
@@ -204,7 +204,7 @@ mod tests {
         assert!(!drives.known(0.0, &[0.0; 3], &states, &[], &mut out));
     }
 
-    /// Beside the whole robot with massless links, which shares nothing but the parameters.
+    /// Agreement with the whole robot with massless links, which shares nothing but the parameters.
     #[test]
     fn drives_of_a_robot_without_mass() {
         let robot = Robot::from_yaml(include_str!("../../robots/staubli-tx40.yaml"), &no_files).unwrap().robot;

@@ -1,4 +1,4 @@
-//! The bodies of an arm, one state at a time: the requirements of a simulation.
+//! Dynamics of an arm's bodies, one state at a time, as a simulation needs them.
 
 /// The tool frame of an arm at one position.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -9,8 +9,8 @@ pub struct ToolState {
     pub jacobian: Vec<f64>,
 }
 
-/// The bodies of an arm with given inertial parameters, one state at a time: what a simulation
-/// needs. No drives: neither rotors nor friction.
+/// Dynamics of an arm's bodies with given inertial parameters, one state at a time. Without drives:
+/// neither rotors nor friction.
 pub trait Dynamics {
     /// Degrees of freedom, `n`.
     fn dof(&self) -> usize;
@@ -21,6 +21,6 @@ pub trait Dynamics {
     /// `c(q, dq) + g(q)`, `n`.
     fn bias(&mut self, q: &[f64], dq: &[f64], bias: &mut [f64]);
 
-    /// Frame and Jacobian of the tool, of the last frame where there is none.
+    /// Frame and Jacobian of the tool, or of the last frame without a tool.
     fn tool(&mut self, q: &[f64], tool: &mut ToolState);
 }

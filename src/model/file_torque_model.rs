@@ -1,5 +1,5 @@
-//! [`TorqueModel`] by the tapes of a robot file with its effects: the numbers that its generated
-//! code gives.
+//! [`TorqueModel`] of a robot file with its effects, by interpreted tapes: the same results as its
+//! generated code.
 
 use dh_codegen::arm::param::Parameter;
 use dh_codegen::arm::{Function, param};
@@ -12,7 +12,7 @@ use crate::model::interpreted::Interpreted;
 use crate::model::walls::Walls;
 use crate::model::{Arm, States, TorqueModel};
 
-/// A robot that has no inertial parameters.
+/// A robot without inertial parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error(
     "the inertial parameters of every link are needed; add a `links:` list with one entry per joint, or identify them (`denavit identify`)"
@@ -24,13 +24,13 @@ pub struct FileTorqueModel {
     arm: Interpreted,
     standard: Vec<f64>,
     laws: Vec<Laws>,
-    /// `standard` without what belongs to drives.
+    /// `standard` with zero drive parameters.
     bodies: Vec<f64>,
     walls: Option<Walls>,
 }
 
 impl FileTorqueModel {
-    /// Of this robot.
+    /// The model of this robot.
     pub fn new(robot: &Robot) -> Result<Self, NoLinks> {
         let standard = param::standard_values(&robot.effective()).ok_or(NoLinks)?;
         let laws = robot.laws();
@@ -47,8 +47,7 @@ impl FileTorqueModel {
         })
     }
 
-    /// The same among the walls that the file names, whose forces a model of the robot alone does not
-    /// have.
+    /// The same with the walls of the file, whose forces a model of the robot alone lacks.
     #[must_use]
     pub fn among_walls(self, robot: &Robot) -> Self {
         Self { walls: Walls::of(robot), ..self }
@@ -64,8 +63,8 @@ impl FileTorqueModel {
         &self.laws
     }
 
-    /// Along recorded motion without any delay; the clock of the drives began at `begun` and is
-    /// `late`.
+    /// Torques along recorded motion without any delay. The clock of the drives started at `begun`
+    /// and is `late` s late.
     fn remembered(&self, [begun, late]: [f64; 2], time: &[f64], states: &States, temperature: &[f64], out: &mut [f64]) {
         let (n, len, p) = (self.dof(), states.len, self.standard.len());
         let memory: Vec<Memory> = self.laws.iter().map(Laws::memory).collect();
@@ -108,7 +107,7 @@ impl FileTorqueModel {
                     self.arm.run_one(Function::RigidDynamics, &state, &mut kernel, out);
                 };
                 // At the first step the links are at their quasi-static deflection; from the second
-                // on they swing.
+                // on they oscillate.
                 let dt = time[s] - time[s - 1];
                 match s - start {
                     1 => drive::quasi_static(&springs, &mut deflection, &mut work[..n], &mut bodies),
@@ -125,7 +124,7 @@ impl FileTorqueModel {
     }
 }
 
-/// Function that gives the torques along a motion.
+/// Function that computes the torques along a motion.
 fn along(laws: &[Laws]) -> Function {
     match laws.iter().any(Laws::reads_clock) {
         true => Function::ClockedDriveTorques,
@@ -181,9 +180,9 @@ impl TorqueModel for FileTorqueModel {
     }
 }
 
-/// The motion `late` seconds before each sample: cubics through positions and velocities, and
-/// through velocities and accelerations; lines between accelerations. Before the first sample of a
-/// recording (or after its last, where torques are early) the motion is that sample's.
+/// The motion `late` seconds before each sample: Hermite cubics of positions and velocities, and of
+/// velocities and accelerations; linear interpolation of accelerations. Before the first sample of
+/// a recording (or after its last, where torques are early) that sample's motion is used.
 fn earlier(time: &[f64], states: &States, late: f64, n: usize) -> States {
     let len = states.len;
     let mut out = states.clone();

@@ -1,11 +1,10 @@
-//! Frames and Jacobians in batches: the requirements of planning in space.
+//! Frames and Jacobians in batches, for motion planning in space.
 
 use super::arm::{Arm, States};
 
-/// An arm whose frames and Jacobian are asked for in batches: what it takes to plan a motion in
-/// space.
+/// An arm with frames and Jacobian in batches, as planning a motion in space needs them.
 pub trait FrameKinematics: Arm {
-    /// Number of frames: the rows of the DH table and, where there is a tool, its frame.
+    /// Number of frames: the rows of the DH table and, if there is a tool, its frame.
     fn frame_count(&self) -> usize;
 
     /// Top three rows of each frame's homogeneous matrix in the world frame, lengths in m: entry

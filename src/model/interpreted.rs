@@ -1,4 +1,4 @@
-//! An [`Arm`] whose tapes are run: any robot file, without compiling.
+//! An [`Arm`] by interpreted tapes: works for any robot file without compiling.
 
 mod bodies;
 
@@ -12,7 +12,7 @@ use super::arm::part;
 use crate::model::{Arm, BaseParameter, Description, FrameKinematics, LinkExtents, Payload, States};
 use crate::numerics::parallel::{parallel, threads};
 
-/// A robot made ready to be evaluated in batches.
+/// A robot prepared for evaluation in batches.
 pub struct Interpreted {
     description: Description,
     model: Model,
@@ -24,15 +24,14 @@ pub struct Interpreted {
 }
 
 impl Interpreted {
-    /// Builds the tapes that an [`Arm`] needs, and those of `more`. Effects of the file are left
-    /// out.
+    /// Builds the tapes that an [`Arm`] needs, and those of `more`. Ignores effects of the file.
     pub fn new(robot: &Robot, more: &[Function]) -> Self {
         Self::of(robot, Model::new(robot), more)
     }
 
-    /// The same with all effects of the file, like its generated code. Zeros, rows and base are the
-    /// true ones, and inverse dynamics, which is no longer linear in the parameters, contains the
-    /// laws of the drives. The parameters that go with it are those of [`Robot::effective`].
+    /// The same with all effects of the file, like its generated code. Encoder zeros, DH rows and
+    /// base are the true ones. Inverse dynamics contains the laws of the drives, and is no longer
+    /// linear in the parameters. Its parameters are those of [`Robot::effective`].
     pub fn with_effects(robot: &Robot, more: &[Function]) -> Self {
         if !robot.has_effects() {
             return Self::new(robot, more);
@@ -78,13 +77,13 @@ impl Interpreted {
         }
     }
 
-    /// The engine's model, for groupings and operation counts.
+    /// The underlying model, for groupings and operation counts.
     pub fn model(&self) -> &Model {
         &self.model
     }
 
-    /// Any function that was asked for, over a batch: entry `o` of the row-major result at sample
-    /// `s` goes to `out[o * len + s]`.
+    /// Evaluates a requested function over a batch: entry `o` of the row-major result at sample `s`
+    /// goes to `out[o * len + s]`.
     ///
     /// # Panics
     /// Like [`Interpreted::evaluate`].
@@ -92,8 +91,8 @@ impl Interpreted {
         self.interpreter.run(function, &batch(states, tau, parameters), out);
     }
 
-    /// Row-major result of any function that was asked for, one vector per state, for these
-    /// standard parameters (empty where the function takes none).
+    /// Row-major result of a requested function, one vector per state, for these standard
+    /// parameters (empty where the function takes none).
     ///
     /// # Panics
     /// If the function was not among those given to [`Interpreted::new`].
@@ -101,8 +100,8 @@ impl Interpreted {
         self.evaluate_on(threads(), function, states, tau, standard)
     }
 
-    /// The same on so many threads. A state's result does not depend on its neighbours, so the bits
-    /// are those of one thread.
+    /// The same on a given number of threads. Each state is independent of its neighbours, so the
+    /// result is bitwise equal to that of one thread.
     fn evaluate_on(
         &self,
         threads: usize,
@@ -134,7 +133,7 @@ impl Interpreted {
         (0..states.len).map(|s| (0..size).map(|o| out[o * states.len + s]).collect()).collect()
     }
 
-    /// One state of any function that was asked for, without allocation once `scratch` has grown;
+    /// Evaluates a requested function for one state, without allocation once `scratch` has grown;
     /// see [`Interpreter::run_one`].
     ///
     /// # Panics
@@ -143,21 +142,21 @@ impl Interpreted {
         self.interpreter.run_one(function, state, scratch, out);
     }
 
-    /// Extents of a function's result.
+    /// Shape of a function's result.
     pub fn shape(&self, function: Function) -> Vec<usize> {
         self.interpreter.shape(function).unwrap_or_default().to_vec()
     }
 }
 
-/// States that are evaluated together: their results stay in the second cache.
+/// Number of states evaluated together: their results fit into the second-level cache.
 const BLOCK: usize = 512;
 
 fn batch<'a>(states: &'a States, tau: &'a [f64], parameters: &'a [f64]) -> Batch<'a> {
     Batch { len: states.len, q: &states.q, dq: &states.dq, ddq: &states.ddq, tau, parameters }
 }
 
-/// Per row: the next row's origin in this row's frame (modified), or the origin of the row before
-/// (standard), sliding joints at their zero.
+/// Per row: origin of the next row in this row's frame (modified), or of the previous row
+/// (standard), with prismatic joints at zero, m.
 fn ends(robot: &Robot) -> Vec<[f64; 3]> {
     let rows: Vec<[f64; 4]> = robot
         .joints
@@ -182,7 +181,7 @@ fn ends(robot: &Robot) -> Vec<[f64; 3]> {
         .collect()
 }
 
-/// Positions and speed of the moving joints.
+/// Position range and maximum speed of each moving joint.
 fn ranges(robot: &Robot) -> Vec<[f64; 3]> {
     let moving = robot.joints.iter().filter(|joint| joint.kind != JointKind::Fixed);
     moving
@@ -219,11 +218,11 @@ impl Arm for Interpreted {
 }
 
 impl Interpreted {
-    /// Request in [`Interpreted::new`] that [`FrameKinematics`] needs.
+    /// Functions to request in [`Interpreted::new`] for [`FrameKinematics`].
     pub const PLACED: [Function; 3] = [Function::Frames, Function::ToolPose, Function::Jacobian];
 }
 
-/// Of those made with [`Interpreted::PLACED`]; the others panic.
+/// Panics unless the arm was built with [`Interpreted::PLACED`].
 impl FrameKinematics for Interpreted {
     fn frame_count(&self) -> usize {
         self.ends.len() + usize::from(self.has_tool)
@@ -242,7 +241,7 @@ impl FrameKinematics for Interpreted {
     }
 }
 
-/// Of those made with [`Function::PayloadRegressor`]; the others carry nothing.
+/// Without [`Function::PayloadRegressor`] at construction, the payload regressor is empty.
 impl Payload for Interpreted {
     fn payload_pattern(&self) -> &[(usize, usize)] {
         &self.payload

@@ -1,4 +1,4 @@
-//! Inverse kinematics of any robot file, without compiling: the text that generated crates carry,
+//! Inverse kinematics of any robot file without compiling: the source text of the generated crates,
 //! run by the interpreter.
 
 use dh_codegen::arm::{Inverse, Model};
@@ -12,13 +12,13 @@ pub use dh_codegen::ik::PoseError;
 pub struct Posture {
     /// Positions, rad or m, `dof` entries.
     pub q: Vec<f64>,
-    /// The posture.
+    /// Branch of the posture.
     pub branch: Branch,
     /// Distance of the last frame's origin from the pose's, m.
     pub position_error: f64,
     /// Angle between the last frame and the pose, rad.
     pub rotation_error: f64,
-    /// Does it respect the limits?
+    /// Whether it respects the limits.
     pub within_limits: bool,
     /// Distance to the nearest limit, rad or m; infinite where no joint has one.
     pub margin: f64,
@@ -31,46 +31,45 @@ pub struct Posture {
 pub struct Postures {
     /// Outcome for the pose.
     pub status: Status,
-    /// In the order of their branches, or by distance from the near posture.
+    /// Postures in the order of their branches, or by distance from the near posture.
     pub list: Vec<Posture>,
-    /// Of an unreachable pose: how far off the nearest posture that was found is, m and rad.
+    /// For an unreachable pose: error of the nearest posture found, m and rad.
     pub distance: [f64; 2],
-    /// How many branches fewer were found than the nominal arm has, and at least one where their
-    /// number is odd.
+    /// Number of branches missing relative to the nominal arm; at least one if the number found is
+    /// odd.
     pub lost: u32,
-    /// May one be missing beside those? Some posture of an arm that is only nearly of its family
-    /// lies beside a singularity.
+    /// Whether further ones may be missing: some posture of an arm that only nearly belongs to its
+    /// family is close to a singularity.
     pub uncertain: bool,
     /// The swivel angle, rad, or position of the locked joint that was used.
     pub redundancy: f64,
-    /// Was the second reference plane used?
+    /// Whether the second reference plane was used.
     pub second_plane: bool,
 }
 
 /// Intervals of the swivel angle of one branch.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SwivelRange {
-    /// Index among the eight.
+    /// Branch, one of eight.
     pub branch: Branch,
-    /// From and to, rad, ascending within `[-pi, pi]`; one that goes on beyond pi is given in two
-    /// parts.
+    /// From and to, rad, ascending within `[-pi, pi]`; an interval across pi is split in two.
     pub intervals: Vec<[f64; 2]>,
-    /// The angle at which the branch stays farthest from its limits, and that distance, rad.
+    /// The angle with the largest distance from the joint limits, and that distance, rad.
     pub best: Option<(f64, f64)>,
 }
 
-/// Options of a query beside the pose.
+/// Options of a query in addition to the pose.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Ask {
-    /// Of a redundant arm: swivel angle, rad, or position of the locked joint, rad or m.
+    /// For a redundant arm: swivel angle, rad, or position of the locked joint, rad or m.
     pub redundancy: f64,
-    /// From where the swivel angle is counted.
+    /// Reference of the swivel angle.
     pub reference: Reference,
-    /// A posture: free joints and whole turns are taken near it, and nearest solutions stand first.
+    /// A posture near which free joints and whole turns are chosen; nearest solutions come first.
     pub near: Option<Vec<f64>>,
     /// Tolerated pose error, m and rad.
     pub tolerance: f64,
-    /// Newton's steps at most on a branch that is not exact at first: see [`Query::steps`].
+    /// Maximum number of Newton steps on a branch that is not exact at first: see [`Query::steps`].
     pub steps: usize,
 }
 
@@ -86,22 +85,22 @@ impl Default for Ask {
 pub struct LockedRange {
     /// From and to, rad or m, ascending.
     pub intervals: Vec<[f64; 2]>,
-    /// Where some posture stays farthest from its limits, and that distance, rad or m.
+    /// The position with the largest distance from the joint limits, and that distance, rad or m.
     pub best: Option<(f64, f64)>,
 }
 
-/// Postures of a pose, and where the redundancy may be.
+/// Postures of a pose, and the admissible ranges of the redundancy.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
-    /// At one redundancy.
+    /// Postures at one value of the redundancy.
     pub postures: Postures,
-    /// Of an arm with a swivel angle.
+    /// Ranges of an arm with a swivel angle.
     pub swivel: Option<Vec<SwivelRange>>,
-    /// Of an arm with a locked joint.
+    /// Ranges of an arm with a locked joint.
     pub locked: Option<LockedRange>,
 }
 
-/// Arms of each size as one type.
+/// Solvers of all joint numbers behind one type.
 trait Solver: Send + Sync {
     fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError>;
     fn redundancy(&self, q: &[f64], reference: &Reference) -> f64;
@@ -169,17 +168,17 @@ impl<const N: usize> Solver for Arm<N> {
     }
 }
 
-/// The inverse of one robot.
+/// Inverse kinematics of one robot.
 pub struct Kinematics {
     inverse: Inverse,
     solver: Box<dyn Solver>,
 }
 
-/// The most joints that are solved for.
+/// Maximum number of joints.
 pub const MOST: usize = 8;
 
 impl Kinematics {
-    /// Of a robot; `None` where it has more than [`MOST`] joints.
+    /// The inverse of a robot; `None` if it has more than [`MOST`] joints.
     pub fn new(robot: &Robot, model: &Model) -> Option<Self> {
         let inverse = Inverse::new(model.chain());
         let limits: Vec<_> = robot.moving().iter().map(|&i| robot.joints[i].limits.position).collect();
@@ -200,7 +199,7 @@ impl Kinematics {
         Some(Self { inverse, solver })
     }
 
-    /// Class and reason.
+    /// Kinematic class, and the reason for it.
     pub fn inverse(&self) -> &Inverse {
         &self.inverse
     }
@@ -209,7 +208,7 @@ impl Kinematics {
     /// matrix, m.
     ///
     /// # Errors
-    /// If an entry is not finite or the rotation is none.
+    /// If an entry is not finite or the rotation is not a rotation matrix.
     pub fn solve(&self, pose: &[[f64; 4]; 3], ask: &Ask) -> Result<Postures, PoseError> {
         self.solver.solve(pose, ask)
     }
@@ -220,7 +219,7 @@ impl Kinematics {
     }
 
     /// Positions of the locked joint at which some posture respects the limits; `None` for an arm
-    /// without one. See [`Arm::locked_ranges`] for what is narrow.
+    /// without one. See [`Arm::locked_ranges`] for narrow ranges.
     ///
     /// # Errors
     /// Like [`Kinematics::solve`].
@@ -229,8 +228,8 @@ impl Kinematics {
     }
 
     /// Intervals of the swivel angle of each of the eight branches under the joint limits, and its
-    /// best value; `None` for an arm without one. Of an arm that is only nearly of the family:
-    /// those of the nominal arm.
+    /// best value; `None` for an arm without one. For an arm that only nearly belongs to the
+    /// family: those of the nominal arm.
     ///
     /// # Errors
     /// Like [`Kinematics::solve`].

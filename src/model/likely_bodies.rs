@@ -1,4 +1,4 @@
-//! The bodies that links are pulled to where the data say nothing.
+//! Prior bodies of links, used where the data do not determine them.
 
 use crate::model::pseudo_inertia::{Yardstick, is_body};
 
@@ -7,11 +7,11 @@ use crate::model::pseudo_inertia::{Yardstick, is_body};
 pub enum Source {
     /// The robot file's body.
     File,
-    /// The robot file's body is flat or a line; a thousandth of the geometric one was added to it.
+    /// The robot file's body is flat or a line; a thousandth of the geometric one was added.
     Thickened,
-    /// None stands in the robot file: a guess from the geometry.
+    /// The robot file has none: a guess from the geometry.
     Geometric,
-    /// The link of the robot file is no possible body: a guess from the geometry replaces it.
+    /// The robot file's link is not a possible body: replaced by a guess from the geometry.
     Impossible,
 }
 
@@ -27,7 +27,7 @@ impl Source {
 pub struct PriorBody {
     /// `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the link's frame, about its origin.
     pub body: [f64; 10],
-    /// Its source.
+    /// Source of the body.
     pub source: Source,
 }
 
@@ -36,10 +36,10 @@ const THIN: f64 = 0.04;
 /// Density of a guessed link, kg/m^3: aluminium, motors and air.
 const DENSITY: f64 = 1000.0;
 
-/// A guess for each link: a solid capsule-like cylinder of the density of water from the frame's
-/// origin to the link's end, one radius longer at both ends. The radius is a sixteenth of the arm's
-/// reach (the sum of the links' lengths), at least 40 mm. Right to a factor of a few; it is there
-/// to give the unseen combinations the size of a robot's link, and weighs accordingly
+/// A guess for each link: a solid cylinder of the density of water from the frame's origin to the
+/// link's end, one radius longer at both ends. The radius is a sixteenth of the arm's reach (the
+/// sum of the links' lengths), at least 40 mm. Correct within a factor of a few: it gives
+/// unidentifiable combinations the size of a robot's link, and has a correspondingly small weight
 /// ([`ConsistentSettings::geometric_share`](crate::identify::ConsistentSettings)).
 pub fn geometric_bodies(ends: &[[f64; 3]]) -> Vec<[f64; 10]> {
     let length = |p: &[f64; 3]| p.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -51,7 +51,7 @@ pub fn geometric_bodies(ends: &[[f64; 3]]) -> Vec<[f64; 10]> {
             let m = DENSITY * std::f64::consts::PI * radius * radius * long;
             let c = end.map(|x| x / 2.0);
             let axis = if length(end) > 0.0 { end.map(|x| x / length(end)) } else { [0.0, 0.0, 1.0] };
-            // Second moments: across the axis m r^2 / 4, along it m l^2 / 12; and those of the
+            // Second moments: across the axis m r^2 / 4, along it m l^2 / 12; plus those of the
             // centre.
             let (across, along) = (m * radius * radius / 4.0, m * long * long / 12.0);
             let second = |i: usize, j: usize| {

@@ -1,4 +1,4 @@
-//! Standard parameters of an arm as a type: what each one is, and of which row.
+//! Standard parameters of an arm as a type: kind and row.
 
 use std::fmt::{Display, Formatter};
 
@@ -6,19 +6,19 @@ use dh_codegen::arm::param::{DriveTerm, Inertial, Parameter};
 
 use super::coupled::CouplingTerm;
 
-/// A standard parameter: what it is, and of which row of the DH table (from 0). Fixed rows count,
-/// so a row is not a degree of freedom.
+/// A standard parameter: its kind, and its row of the DH table (from 0). Fixed rows count, so a row
+/// is not a degree of freedom.
 ///
 /// It prints as its name, with rows from 1: `XX2`, `FV3`, `IAM6`, `ML`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum StandardParameter {
-    /// Of the link of this row.
+    /// Inertial parameter of the link of this row.
     Link(usize, Inertial),
-    /// Of the drive of this row.
+    /// Parameter of the drive of this row.
     Drive(usize, DriveTerm),
-    /// Of the motor of this row, which turns with another joint, too.
+    /// Parameter of the motor of this row that is coupled to another joint.
     Coupling(usize, CouplingTerm),
-    /// Of a body in the hand.
+    /// Inertial parameter of a body in the hand.
     Payload(Inertial),
 }
 
@@ -43,27 +43,27 @@ impl Display for StandardParameter {
 }
 
 impl StandardParameter {
-    /// Of a drive or a coupling, and not of a body.
+    /// Whether it belongs to a drive or a coupling, not to a body.
     pub fn is_drive(self) -> bool {
         matches!(self, Self::Drive(..) | Self::Coupling(..))
     }
 
-    /// A rotor inertia or a friction level, which is not negative.
+    /// Whether it is a rotor inertia or a friction level, which must not be negative.
     pub fn is_level(self) -> bool {
         self.is_drive() && !matches!(self, Self::Drive(_, DriveTerm::FO))
     }
 
-    /// A rotor inertia.
+    /// Whether it is a rotor inertia.
     pub fn is_rotor(self) -> bool {
         matches!(self, Self::Drive(_, DriveTerm::IA) | Self::Coupling(_, CouplingTerm::IAM))
     }
 
-    /// Friction, or the offset that stands beside it.
+    /// Whether it is friction or the torque offset.
     pub fn is_friction(self) -> bool {
         self.is_drive() && !self.is_rotor()
     }
 
-    /// A Coulomb level, whose column is the sign of a velocity.
+    /// Whether it is a Coulomb level, whose column is the sign of a velocity.
     pub fn is_coulomb(self) -> bool {
         matches!(self, Self::Drive(_, DriveTerm::FC) | Self::Coupling(_, CouplingTerm::FCM))
     }

@@ -1,4 +1,4 @@
-//! The regressor of a body in the hand.
+//! Regressor of a body in the hand.
 
 use super::arm::{Arm, States};
 
@@ -6,7 +6,7 @@ use super::arm::{Arm, States};
 pub trait Payload: Arm {
     /// Rows and columns of the structural nonzeros of the payload regressor, sorted by row, then
     /// column. Columns are the body's ten parameters `M MSX MSY MSZ XX YY ZZ XY XZ YZ` in the tool
-    /// frame, about its origin. Without a tool they hold in the last DH frame.
+    /// frame, about its origin. Without a tool the frame is the last DH frame.
     fn payload_pattern(&self) -> &[(usize, usize)];
 
     /// The payload regressor at every sample: entry `k` of [`Payload::payload_pattern`] at sample

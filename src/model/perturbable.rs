@@ -1,4 +1,4 @@
-//! An arm whose geometry can be changed: the requirements of a diagnosis.
+//! An arm with changeable geometry, as a diagnosis needs it.
 
 use dh_codegen::robot::EffectKind;
 
@@ -8,16 +8,16 @@ use super::likely_bodies::PriorBody;
 /// A change of an arm that none of its parameters can express.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Change {
-    /// The base is turned by `RotY(pitch) RotX(roll)`, rad, against where its file says it stands.
+    /// Rotation of the base by `RotY(pitch) RotX(roll)`, rad, relative to the file.
     Base {
         /// About x, rad.
         roll: f64,
         /// About y, rad.
         pitch: f64,
     },
-    /// A row of the DH table is longer or more twisted than its file says.
+    /// Change of a row of the DH table relative to the file.
     Row {
-        /// Number of the row, from 0.
+        /// Index of the row, from 0.
         row: usize,
         /// Added to `alpha`, rad.
         alpha: f64,
@@ -30,17 +30,17 @@ pub enum Change {
     },
 }
 
-/// Bodies that an arm's links are likely to have.
+/// Prior bodies of an arm's links.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LikelyBodies {
-    /// One per link, without what is fixed to it.
+    /// One per link, without bodies that are fixed to it.
     pub prior: Vec<PriorBody>,
-    /// Known bodies that are fixed to links (from 0), in the link's frame: a tool. The standard
-    /// parameters contain them.
+    /// Known bodies that are fixed to links (index from 0), in the link's frame: a tool. The
+    /// standard parameters include them.
     pub carried: Vec<(usize, [f64; 10])>,
 }
 
-/// An arm whose geometry can be questioned: what a diagnosis needs beyond [`Arm`].
+/// An arm with changeable geometry: what a diagnosis needs beyond [`Arm`].
 pub trait PerturbableArm: Arm {
     /// Row of each joint, from 0, base to tip.
     fn rows(&self) -> &[usize];
@@ -48,15 +48,15 @@ pub trait PerturbableArm: Arm {
     /// Motor turns per joint turn, if the file has them.
     fn gear_ratios(&self) -> &[Option<f64>];
 
-    /// Values of the standard parameters in the file (`P`); `None` where it has no links.
+    /// Values of the standard parameters in the file (`P`); `None` if it has no links.
     fn given(&self) -> Option<&[f64]>;
 
     /// Value of a drive parameter (index into the standard parameters) in the file, whether or not
-    /// it has links.
+    /// the file has links.
     fn given_drive(&self, index: usize) -> f64;
 
-    /// Whether it has links and carries anything; else it is the drives of a robot alone, and torques
-    /// are what their gears take.
+    /// Whether it has links and carries a load. Otherwise it consists of the drives of a robot
+    /// alone, and torques are the losses of their gears.
     fn has_bodies(&self) -> bool {
         true
     }
@@ -66,40 +66,40 @@ pub trait PerturbableArm: Arm {
         vec![None; self.dof()]
     }
 
-    /// The same arm with a rotor inertia at every joint, 0 where its file has none: what a refit
-    /// looks for. `None`: it has them all.
+    /// The same arm with a rotor inertia at every joint, 0 where its file has none, so that a refit
+    /// can estimate it. `None` if it has all of them.
     fn with_rotors(&self) -> Option<Box<dyn PerturbableArm>> {
         None
     }
 
-    /// Effects of the file beyond rotors, `FV`, `FC` and `FO`: name and joint (from 0; `None`: the
-    /// whole robot). Those of geometry and bodies are in the arm itself, delays in
+    /// Effects of the file beyond rotors, `FV`, `FC` and `FO`: kind and joint (from 0; `None` for
+    /// the whole robot). Those of geometry and bodies are part of the arm itself, delays are in
     /// [`PerturbableArm::delays`], the rest in [`PerturbableArm::known`].
     fn effects(&self) -> Vec<(EffectKind, Option<usize>)> {
         Vec::new()
     }
 
-    /// How late the file says each joint's torque is, s.
+    /// Delay of each joint's torque according to the file, s.
     fn delays(&self) -> Vec<f64> {
         vec![0.0; self.dof()]
     }
 
-    /// Contribution of the file's effects to the recorded torques beside the plain arm (which is as
-    /// late), N m, joint-major like the states, along recorded motion as in
-    /// [`TorqueModel::torques_since`](super::TorqueModel::torques_since). `false`: none, and `out`
-    /// is unchanged.
+    /// Contribution of the file's effects to the recorded torques in addition to the plain arm
+    /// (with the same delays), N m. Joint-major like the states, along recorded motion as in
+    /// [`TorqueModel::torques_since`](super::TorqueModel::torques_since). Returns `false` if there
+    /// is none, with `out` unchanged.
     fn known(&self, _begun: f64, _time: &[f64], _states: &States, _temperature: &[f64], _out: &mut [f64]) -> bool {
         false
     }
 
-    /// Adds the file's laws of the transmitted torque, where that is measured: `load`, N m, joint-major
-    /// like the states, or empty. Whether there are such.
+    /// Adds the file's laws of the transmitted torque where that is measured. `load`: N m,
+    /// joint-major like the states, or empty. Returns whether there are such laws.
     fn add_laws_of_load(&self, _states: &States, _load: &[f64], _out: &mut [f64]) -> bool {
         false
     }
 
-    /// By how much each joint has to travel, rad or m, until it does not matter in which state the
-    /// file's friction with memory began.
+    /// Travel of each joint, rad or m, after which the initial state of the file's friction with
+    /// memory has no effect.
     fn settling(&self) -> Vec<f64> {
         vec![0.0; self.dof()]
     }
@@ -114,12 +114,12 @@ pub trait PerturbableArm: Arm {
         None
     }
 
-    /// [`Arm::inverse_dynamics`] of the arm with a change. It gives torques, N m (N for a prismatic
-    /// joint), of all joints, joint-major like the states, from the standard parameters (`P`, SI)
-    /// of the unchanged arm's frames.
+    /// [`Arm::inverse_dynamics`] of the arm with a change: torques, N m (N for a prismatic joint),
+    /// of all joints, joint-major like the states. The standard parameters (`P`, SI) are given in
+    /// the frames of the unchanged arm.
     fn changed_dynamics(&self, change: &Change, states: &States, standard: &[f64], out: &mut [f64]);
 
-    /// `J'`: the torque on joint `j` of a unit of component `c` of a wrench on the tool at sample
+    /// `J'`: the torque on joint `j` per unit of component `c` of a wrench on the tool at sample
     /// `s` goes to `out[(c * n + j) * len + s]`. Components are `fx fy fz mx my mz`, at the origin
     /// of the tool's frame (of the last frame without a tool), in its axes or in the base's.
     fn wrench_columns(&self, states: &States, base: bool, out: &mut [f64]);

@@ -1,5 +1,5 @@
-//! A [`PerturbableArm`] made of a robot: the generated tapes for the unchanged arm, the numeric
-//! recursion for the arm as it might be.
+//! [`PerturbableArm`] of a robot: interpreted tapes for the unchanged arm, the numeric recursion
+//! for the changed one.
 
 use dh_codegen::arm::Function;
 use dh_codegen::arm::param::{self, Parameter};
@@ -13,15 +13,15 @@ use crate::model::robot_edit;
 use crate::model::walls::Walls;
 use crate::model::{Arm, Change, Description, LikelyBodies, PerturbableArm, States, TorqueModel};
 
-/// A robot whose geometry can be questioned; zeros, lengths, base and bodies as the effects of its
-/// file say that they are.
+/// A robot with changeable geometry. Encoder zeros, lengths, base and bodies include the effects of
+/// its file.
 pub struct PerturbableRobot {
-    /// As its file has it.
+    /// The robot as in its file.
     file: Robot,
-    /// Unchanged.
+    /// The robot with the effects of the file on geometry and bodies applied.
     robot: Robot,
-    /// Arms with all effects of the file, and with all but the laws of its drives; where it has
-    /// such.
+    /// Torque models with all effects of the file, and with all but the laws of its drives; `None`
+    /// without such effects.
     known: Option<(FileTorqueModel, FileTorqueModel)>,
     delays: Vec<f64>,
     arm: Interpreted,
@@ -32,7 +32,7 @@ pub struct PerturbableRobot {
 }
 
 impl PerturbableRobot {
-    /// Of this robot.
+    /// The perturbable arm of this robot.
     pub fn new(robot: &Robot) -> Self {
         let rows = robot.moving();
         let file = robot.clone();
@@ -51,7 +51,7 @@ impl PerturbableRobot {
     }
 }
 
-/// Predictors of a file and of the arm without its drives' laws, both as late.
+/// Torque models of a file and of the arm without its drives' laws, both with the same delays.
 fn laws(file: &Robot, real: &Robot) -> Option<(FileTorqueModel, FileTorqueModel)> {
     let late = |e: &Effect| e.kind() == EffectKind::TimeDelay;
     let mut plain = real.clone();
@@ -62,7 +62,7 @@ fn laws(file: &Robot, real: &Robot) -> Option<(FileTorqueModel, FileTorqueModel)
     }
     let mut file = file.clone();
     if real.links.is_empty() {
-        // Without links the laws act on drives that carry nothing.
+        // Without links the laws act on drives without load.
         for robot in [&mut file, &mut plain] {
             robot.links = vec![Some(Inertia::from_array([0.0; 10])); robot.joints.len()];
         }
@@ -70,7 +70,7 @@ fn laws(file: &Robot, real: &Robot) -> Option<(FileTorqueModel, FileTorqueModel)
     Some((FileTorqueModel::new(&file).ok()?.among_walls(&file), FileTorqueModel::new(&plain).ok()?))
 }
 
-/// The robot with a change in it.
+/// The robot with a change applied.
 fn changed(robot: &Robot, change: &Change) -> Robot {
     let mut robot = robot.clone();
     match *change {
@@ -93,7 +93,7 @@ fn changed(robot: &Robot, change: &Change) -> Robot {
     robot
 }
 
-/// Calls `f` with each sample of `states`, its number first.
+/// Calls `f` with the index and motion of each sample of `states`.
 fn each(states: &States, dof: usize, mut f: impl FnMut(usize, &[f64], &[f64], &[f64])) {
     let (mut q, mut dq, mut ddq) = (vec![0.0; dof], vec![0.0; dof], vec![0.0; dof]);
     for s in 0..states.len {
@@ -237,7 +237,7 @@ mod tests {
         (plant, states, given)
     }
 
-    /// A base that is pitched forward stands on a slope: its weight pulls along its own x axis.
+    /// A base that is pitched forward is on a slope: its weight pulls along its own x axis.
     #[test]
     fn gravity_is_seen_from_the_turned_base() {
         let robot = Robot::from_yaml(include_str!("../../robots/kuka-lwr4.yaml"), &no_files).unwrap().robot;
@@ -305,7 +305,7 @@ mod tests {
         assert!(one.iter().zip(&other).all(|(a, b)| (a - b).abs() < 1e-10));
     }
 
-    /// What a wall of the file does is known: the slopes of its energy.
+    /// The torques of a wall of the file are known: the derivatives of its energy.
     #[test]
     fn a_wall_of_the_file_is_known() {
         let wall = "effects: { external_contact: { k: 300, nx: 0.6, ny: 0.8, at: 0.2 } }";
@@ -337,7 +337,7 @@ mod tests {
         let (plant, states, _) = swinging();
         let mut columns = vec![0.0; 6 * 21];
         plant.wrench_columns(&states, false, &mut columns);
-        // Of a moment about the last axis the last joint carries all.
+        // The last joint carries a moment about its axis completely.
         assert!((0..3).all(|s| (columns[(5 * 7 + 6) * 3 + s] - 1.0).abs() < 1e-12));
         // In the base's axes the columns of a force are the derivatives of the position.
         plant.wrench_columns(&states, true, &mut columns);

@@ -1,9 +1,9 @@
-//! The ten parameters of a body as a symmetric 4 x 4 matrix.
+//! The ten parameters of a body as a symmetric 4 x 4 pseudo-inertia matrix.
 //!
 //! `P = [[S, MS], [MS', M]]` with `S = tr(I)/2 1 - I`, the second moments `integral of x x' dm`.
-//! The parameters are those of some distribution of mass exactly if `P` is positive semidefinite
-//! (P. Wensing, S. Kim, J.-J. Slotine, *Linear matrix inequalities for physically consistent
-//! inertial parameter identification*, IEEE Robotics and Automation Letters 3(1), 2018).
+//! The parameters are those of a mass distribution exactly if `P` is positive semidefinite (P.
+//! Wensing, S. Kim, J.-J. Slotine, *Linear matrix inequalities for physically consistent inertial
+//! parameter identification*, IEEE Robotics and Automation Letters 3(1), 2018).
 
 use nalgebra::{Cholesky, Const, Matrix4, SMatrix, SVector};
 
@@ -22,13 +22,13 @@ pub fn pseudo_inertia(body: &[f64; 10]) -> Matrix4<f64> {
     pseudo
 }
 
-/// Back to the ten parameters: `I = tr(S) 1 - S`.
+/// The ten parameters of a pseudo-inertia: `I = tr(S) 1 - S`.
 pub fn body_of(p: &Matrix4<f64>) -> [f64; 10] {
     let [a, b, c] = [p[(0, 0)], p[(1, 1)], p[(2, 2)]];
     [p[(3, 3)], p[(0, 3)], p[(1, 3)], p[(2, 3)], b + c, a + c, a + b, -p[(0, 1)], -p[(0, 2)], -p[(1, 2)]]
 }
 
-/// Whether some distribution of mass, not all on a plane, has these parameters.
+/// Whether a mass distribution that is not confined to a plane has these parameters.
 pub(crate) fn is_body(body: &[f64; 10]) -> bool {
     body.iter().all(|v| v.is_finite()) && pseudo_inertia(body).cholesky().is_some()
 }
@@ -58,18 +58,18 @@ pub(crate) fn coordinates(y: &Matrix4<f64>) -> SVector<f64, 10> {
     SVector::from_fn(|k, _| basis(k).dot(y))
 }
 
-/// A body measured in units of another: `P = L Y L'` with `L L'` the pseudo-inertia of the
-/// reference, `Y = sum_k v_k E_k`; the reference itself is `Y = 1`. What is said of `Y` does not
+/// A body measured relative to another: `P = L Y L'` with `L L'` the pseudo-inertia of the
+/// reference, `Y = sum_k v_k E_k`. The reference itself is `Y = 1`, and properties of `Y` do not
 /// depend on units or frames.
 #[derive(Debug, Clone)]
 pub(crate) struct Yardstick {
     root: Cholesky<f64, Const<4>>,
-    /// `x = T v`: coordinates to the ten parameters.
+    /// `x = T v`: matrix from coordinates to the ten parameters.
     pub(crate) to_body: SMatrix<f64, 10, 10>,
 }
 
 impl Yardstick {
-    /// `None` where the reference is no body.
+    /// The yardstick of a reference body; `None` if that is not a possible body.
     pub(crate) fn new(reference: &[f64; 10]) -> Option<Self> {
         let root = pseudo_inertia(reference).cholesky()?;
         let l = root.l();

@@ -1,22 +1,21 @@
-//! Rigid-body algorithms of a serial arm, run on numbers: the oracle of the tests and the baseline
-//! of the benches.
+//! Numeric rigid-body algorithms of a serial arm: reference for the tests and baseline of the
+//! benchmarks.
 //!
 //! `Robot -> rows (transform(q), axis) -> one recursive sweep per algorithm, in spatial vectors ->
 //! nalgebra`
 //!
 //! Written from R. Featherstone, *Rigid Body Dynamics Algorithms* (Springer 2008; "RBDA" below).
-//! Invariant: this module shares nothing with the code generator but the robot's type and the order
-//! of the parameters ([`dh_codegen::arm::param`]), so that agreement between the two means
-//! something.
+//! Invariant: this module shares only the robot's type and the order of the parameters
+//! ([`dh_codegen::arm::param`]) with the code generator, so that the two are independent.
 //!
-//! Everywhere there are `n` degrees of freedom and `P` standard parameters `phi` in the order of
+//! Throughout, there are `n` degrees of freedom and `P` standard parameters `phi` in the order of
 //! `param::standard`. `q` is in rad or m, one entry per moving row. Torques are in N m (N for a
-//! prismatic joint), those of the actuators on the links, positive in the direction in which `q`
-//! grows. Parameters are given at each call, so one [`Numeric`] serves any estimate. A tool counts
-//! only through its pose here: `param::standard_values` folds its inertia into the last link's.
+//! prismatic joint), those of the actuators on the links, positive in the direction of increasing
+//! `q`. Parameters are passed to each call, so one [`Numeric`] serves any estimate. Only the pose
+//! of a tool matters here: `param::standard_values` adds its inertia to the last link's.
 //!
-//! Every method panics when an argument has the wrong length (`q`, `dq`, `ddq`, `tau`: `n`; `phi`:
-//! `P`), and says which.
+//! Every method panics with the name of the argument if an argument has the wrong length (`q`,
+//! `dq`, `ddq`, `tau`: `n`; `phi`: `P`).
 
 mod aba;
 pub mod base;
@@ -49,28 +48,28 @@ struct DriveColumn {
     column: usize,
     /// Index of the row.
     row: usize,
-    /// Index into `q`; `None` for a drive on a fixed row, which does nothing.
+    /// Index into `q`; `None` for a drive on a fixed row, which has no effect.
     joint: Option<usize>,
     term: DriveTerm,
 }
 
-/// A robot, ready to compute.
+/// A robot prepared for numeric evaluation.
 #[derive(Debug, Clone)]
 pub struct Numeric {
     rows: Vec<Row>,
     dof: usize,
-    /// In the world frame, m/s^2.
+    /// Gravity in the world frame, m/s^2.
     gravity: Vector3<f64>,
-    /// From the world frame to frame 0.
+    /// Transform from the world frame to frame 0.
     base: Plucker,
-    /// From the last DH frame to the tool frame; the identity without a tool.
+    /// Transform from the last DH frame to the tool frame; the identity without a tool.
     tool: Plucker,
     drives: Vec<DriveColumn>,
     parameters: usize,
 }
 
-/// Scratch for the intermediate results of one call, so that repeated calls through the `_into`
-/// methods allocate nothing.
+/// Buffers for intermediate results, so that repeated calls of the `_into` methods allocate
+/// nothing.
 #[derive(Debug, Clone)]
 pub struct Workspace {
     x: Vec<Plucker>,
@@ -84,7 +83,7 @@ pub struct Workspace {
 }
 
 impl Numeric {
-    /// From a robot's rows, gravity, tool pose and the list of its drive parameters.
+    /// Built from a robot's rows, gravity, tool pose and drive parameters.
     pub fn new(robot: &Robot) -> Self {
         let mut moving = vec![None; robot.joints.len()];
         for (joint, row) in robot.moving().into_iter().enumerate() {
@@ -124,7 +123,7 @@ impl Numeric {
         self.parameters
     }
 
-    /// Scratch for the `_into` methods; of this robot only.
+    /// Buffers for the `_into` methods, for this robot only.
     pub fn workspace(&self) -> Workspace {
         let rows = self.rows.len();
         Workspace {
@@ -139,8 +138,8 @@ impl Numeric {
         }
     }
 
-    /// Spatial acceleration of the base that stands for gravity (RBDA, section 5.3): upwards, as
-    /// the free fall is not felt; in frame 0.
+    /// Spatial acceleration of the base equivalent to gravity (RBDA, section 5.3), in frame 0:
+    /// upwards, since free fall is unaccelerated.
     fn base_acceleration(&self) -> Motion {
         Motion { w: Vector3::zeros(), v: -self.base.rotation.tr_mul(&self.gravity) }
     }
@@ -154,12 +153,12 @@ impl Numeric {
     }
 }
 
-/// The ten parameters of row `i`.
+/// Spatial inertia of row `i`.
 fn body(phi: &[f64], i: usize) -> SpatialInertia {
     SpatialInertia::from_parameters(&phi[10 * i..10 * i + 10])
 }
 
-/// Sign with `sign(0) = 0`, unlike `f64::signum`: a joint at rest shows no Coulomb friction.
+/// Sign with `sign(0) = 0`, unlike `f64::signum`: a joint at rest has no Coulomb friction here.
 fn sign(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { x.signum() }
 }
@@ -170,8 +169,7 @@ mod tests {
     use super::*;
     use dh_codegen::robot::JointKind;
 
-    /// Robots that cannot move, with rows and without, have results of size zero and nothing to
-    /// stumble over.
+    /// Immobile robots, with rows and without, have results of size zero and cause no error.
     #[test]
     fn a_robot_without_joints_computes_nothing() {
         let mut fixed = samples::with_rotors(samples::planar_2r());

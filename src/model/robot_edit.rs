@@ -1,4 +1,4 @@
-//! Edits of a robot file: identified values, couplings, effects taken out.
+//! Edits of a robot file: identified values, couplings, removal of effects.
 
 use crate::model::LinkExtents;
 use crate::model::coupled::{Coupling, CouplingTerm};
@@ -6,8 +6,8 @@ use crate::model::likely_bodies::{PriorBody, geometric_bodies, prior_bodies};
 use dh_codegen::arm::param::{self, DriveTerm, Parameter};
 use dh_codegen::robot::{Effect, EffectKind, Inertia, Robot};
 
-/// The robot with these standard parameters; what the tool contributes to the last link is taken
-/// out again.
+/// The robot with these standard parameters. The tool's contribution to the last link is
+/// subtracted.
 pub fn with_values(mut robot: Robot, standard: &[f64]) -> Robot {
     let parameters = param::standard(&robot);
     let mut links = vec![[0.0; 10]; robot.joints.len()];
@@ -35,9 +35,8 @@ pub fn with_values(mut robot: Robot, standard: &[f64]) -> Robot {
     robot
 }
 
-/// The couplings that the robot's drives name, with what the file says of their [`CouplingTerm`]s
-/// (zero: not known yet). (The reader of robot files refuses one whose `joint` is no other moving
-/// joint.)
+/// Couplings of the robot's drives, with the file's values of their [`CouplingTerm`]s (zero if
+/// unknown). The reader of robot files rejects one whose `joint` is not another moving joint.
 pub fn couplings(robot: &Robot) -> Vec<(Coupling, [f64; 3])> {
     let moving = robot.moving();
     let dof_of = |row: usize| moving.iter().position(|&r| r == row);
@@ -45,7 +44,7 @@ pub fn couplings(robot: &Robot) -> Vec<(Coupling, [f64; 3])> {
         let Effect::GearCoupling(stated) = effect else { return None };
         let other = stated.joint.checked_sub(1).and_then(dof_of)?;
         let motor = dof_of(*row).filter(|&motor| motor != other)?;
-        // An axis that another motor carries is no shared motor, unless it is said to be one, too.
+        // A carried axis is not a shared motor, unless the file also declares one.
         if stated.carried.is_some() && stated.ratio.is_none() && !stated.has_motor() {
             return None;
         }
@@ -63,7 +62,7 @@ pub fn with_rotors(mut robot: Robot) -> Robot {
     robot
 }
 
-/// The robot with these values of its [`couplings`], in their order, three each.
+/// The robot with these values of its [`couplings`], in order, three each.
 pub fn with_couplings(mut robot: Robot, values: &[f64]) -> Robot {
     for ((coupling, _), values) in couplings(&robot).into_iter().zip(values.chunks_exact(CouplingTerm::ALL.len())) {
         let effects = &mut robot.joints[coupling.row].drive.effects;
@@ -78,7 +77,7 @@ pub fn with_couplings(mut robot: Robot, values: &[f64]) -> Robot {
     robot
 }
 
-/// The bodies of the robot file, or guesses from the geometry for those that it does not have.
+/// The bodies of the robot file, or guesses from the geometry for missing ones.
 pub fn prior(robot: &Robot, arm: &dyn LinkExtents) -> Vec<PriorBody> {
     let known: Vec<Option<[f64; 10]>> = robot.links.iter().map(|l| l.as_ref().map(|l| l.to_array())).collect();
     prior_bodies(&known, &geometric_bodies(&arm.ends()))
@@ -91,8 +90,8 @@ pub fn carried(robot: &Robot) -> Vec<(usize, [f64; 10])> {
     moved.map(|body| (robot.joints.len().saturating_sub(1), body)).into_iter().collect()
 }
 
-/// The robot without some of its effects: kind, and joint (degree of freedom, from 0) or
-/// `None` for one of the whole robot.
+/// The robot without some of its effects: kind, and joint (degree of freedom, from 0) or `None` for
+/// one of the whole robot.
 pub fn without(mut robot: Robot, effects: &[(EffectKind, Option<usize>)]) -> Robot {
     let moving = robot.moving();
     for (kind, joint) in effects {

@@ -1,5 +1,5 @@
-//! Torques of the walls that a robot file names (`external_contact` with `k`): what the motors bear
-//! while the tool is behind them.
+//! Torques of the walls in a robot file (`external_contact` with `k`): the motors' part while the
+//! tool is behind them.
 
 use dh_codegen::robot::{Effect, Robot};
 use nalgebra::Vector3;
@@ -13,17 +13,17 @@ pub(crate) struct Walls {
     planes: Vec<Plane>,
 }
 
-/// `stiffness max(at - n'p, 0)` along the unit normal `n`.
+/// A plane with the force `stiffness max(at - n'p, 0)` along the unit normal `n`.
 struct Plane {
-    /// N/m
+    /// Stiffness, N/m.
     stiffness: f64,
     normal: Vector3<f64>,
-    /// m, along the normal.
+    /// Distance along the normal, m.
     at: f64,
 }
 
 impl Walls {
-    /// Of this robot; `None` where it meets none.
+    /// The walls of this robot; `None` if it has none.
     pub(crate) fn of(robot: &Robot) -> Option<Self> {
         let plane = |effect: &Effect| match effect {
             Effect::ExternalContact(contact) => {
@@ -36,7 +36,7 @@ impl Walls {
         (!planes.is_empty()).then(|| Self { numeric: Numeric::new(&robot.effective()), planes })
     }
 
-    /// Adds their torques at states to `out` (joint-major), N m.
+    /// Adds their torques to `out` (joint-major), N m.
     pub(crate) fn add(&self, states: &States, out: &mut [f64]) {
         let (n, len) = (self.numeric.dof(), states.len);
         for s in 0..len {

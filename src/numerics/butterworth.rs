@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::numerics::sos::{Biquad, Sos};
 
-/// A cutoff that the sampling rate does not allow.
+/// A cutoff that is invalid for the sampling rate.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("a low-pass of {cutoff} Hz and order {order} needs samples at more than {} Hz; these come at {rate:.4} Hz{}: lower the cutoff or leave the filter out", 2.0 * .cutoff, slow(*.rate))]
 pub struct CutoffError {
@@ -16,16 +16,16 @@ pub struct CutoffError {
     pub rate: f64,
 }
 
-/// No robot is recorded once in a second.
+/// Hint for an implausible sampling rate: no robot is recorded at less than 2 Hz.
 fn slow(rate: f64) -> &'static str {
     if rate < 2.0 { " (is `t` in milliseconds or ticks? It must be in s)" } else { "" }
 }
 
 /// The digital Butterworth low-pass of this order, -3 dB at `cutoff` Hz for samples at `rate` Hz,
-/// as second-order sections of unit gain at rest.
+/// as second-order sections of unit DC gain.
 ///
 /// Each analog pair `1 / (s^2 + 2 zeta s + 1)`, `zeta` the cosine of the angle of the poles from
-/// the negative real axis, is taken through the bilinear transform. The cutoff is prewarped, `K =
+/// the negative real axis, is mapped by the bilinear transform. The cutoff is prewarped, `K =
 /// tan(pi cutoff / rate)` (Oppenheim and Schafer, Discrete-Time Signal Processing, section 7.1.2).
 pub fn low_pass(order: usize, cutoff: f64, rate: f64) -> Result<Sos, CutoffError> {
     if order == 0 || order > 20 || !cutoff.is_finite() || cutoff <= 0.0 || cutoff >= 0.499 * rate {

@@ -1,11 +1,12 @@
-//! Smooth functions by their values at Chebyshev points (Trefethen, *Spectral Methods in MATLAB*,
-//! chapters 5 and 6).
+//! Interpolation and differentiation of smooth functions from their values at Chebyshev points
+//! (Trefethen, *Spectral Methods in MATLAB*, chapters 5 and 6).
 
 use std::f64::consts::PI;
 
 use nalgebra::DMatrix;
 
-/// Points on `[0, 1]` from 0 to 1, and what turns values there into derivatives elsewhere.
+/// Chebyshev points on `[0, 1]` in ascending order, with barycentric weights and the
+/// differentiation matrix.
 #[derive(Debug, Clone)]
 pub(crate) struct Chebyshev {
     /// The points, ascending.
@@ -15,7 +16,7 @@ pub(crate) struct Chebyshev {
 }
 
 impl Chebyshev {
-    /// With `order + 1` points.
+    /// Rule with `order + 1` points.
     pub(crate) fn new(order: usize) -> Self {
         let last = order as f64;
         let points: Vec<f64> = (0..=order).map(|k| 0.5 - 0.5 * (PI * k as f64 / last).cos()).collect();
@@ -25,7 +26,7 @@ impl Chebyshev {
                 if k == 0 || k == order { 0.5 * sign } else { sign }
             })
             .collect();
-        // Differences of the points by their angles: no digits are lost.
+        // Differences of the points from their angles, which avoids cancellation.
         let apart = |i: usize, k: usize| {
             let (a, b) = (PI * i as f64 / last, PI * k as f64 / last);
             (0.5 * (a + b)).sin() * (0.5 * (a - b)).sin()
@@ -42,7 +43,7 @@ impl Chebyshev {
         Self { points, weights, differentiate }
     }
 
-    /// Rows that turn values at the points into the value and the first three derivatives at `s`.
+    /// Matrices from values at the points to the value and the first three derivatives at each `s`.
     pub(crate) fn rows(&self, s: &[f64]) -> [DMatrix<f64>; 4] {
         let count = self.points.len();
         let mut value = DMatrix::zeros(s.len(), count);
@@ -61,8 +62,8 @@ impl Chebyshev {
         [value, first, second, third]
     }
 
-    /// Size of the last Chebyshev coefficients of values at the points: what a polynomial of this
-    /// order leaves out.
+    /// Largest magnitude of the last three Chebyshev coefficients of values at the points: an
+    /// estimate of the truncation error.
     pub(crate) fn tail(&self, values: impl Fn(usize) -> f64) -> f64 {
         let order = self.points.len() - 1;
         let coefficient = |m: usize| {

@@ -1,7 +1,8 @@
-//! `A = L L'` for the few unknowns of an arm, in place and without allocation.
+//! Cholesky factorisation `A = L L'` for the few unknowns of an arm, in place and without
+//! allocation.
 
-/// Factors the symmetric `n x n` matrix whose lower triangle stands in `a` (row-major) and leaves
-/// `L` there. `Err` with the row where `A` is found not to be positive definite.
+/// Factors the symmetric `n x n` matrix whose lower triangle is in `a` (row-major), and replaces it
+/// by `L`. Returns `Err` with the row at which `A` is found not to be positive definite.
 pub(crate) fn factor(n: usize, a: &mut [f64]) -> Result<(), usize> {
     for j in 0..n {
         let (above, below) = a.split_at_mut((j + 1) * n);
@@ -28,7 +29,7 @@ pub(crate) fn solve(n: usize, l: &[f64], x: &mut [f64]) {
         let known: f64 = row.iter().zip(done.iter()).map(|(l, x)| l * x).sum();
         rest[0] = (rest[0] - known) / row[i];
     }
-    // Row by row here too, in memory order: each solved unknown is subtracted from the others.
+    // Row by row in memory order: subtract each solved unknown from the others.
     for i in (0..n).rev() {
         let row = &l[i * n..=i * n + i];
         let (others, rest) = x.split_at_mut(i);

@@ -1,13 +1,14 @@
-//! Eigenvalues of symmetric matrices, of any rank.
+//! Eigenvalues of symmetric matrices of any rank.
 
 use nalgebra::{DMatrix, Dyn, SymmetricEigen};
 
 /// Eigenvalues and eigenvectors of a symmetric matrix with finite entries.
 ///
-/// Each Householder step of nalgebra's tridiagonal form leaves rounding of the step before where the
-/// rank is small: 1e-17, 1e-34 and so on, until squares underflow and nothing is a number any more.
-/// Beside a multiple of the identity rounding stays where it is, at the cost of relative precision
-/// of the smallest eigenvalues. So that is done only where it is needed.
+/// Where the rank is small, each Householder step of nalgebra's tridiagonalisation leaves the
+/// rounding error of the previous one: 1e-17, 1e-34 and so on, until squares underflow and the
+/// result is NaN. Adding a multiple of the identity keeps the rounding error constant, at the cost
+/// of relative precision of the smallest eigenvalues. The shift is therefore applied only where it
+/// is needed.
 pub(crate) fn symmetric(matrix: DMatrix<f64>) -> SymmetricEigen<f64, Dyn> {
     let eigen = SymmetricEigen::new(matrix.clone());
     let numbers =
@@ -25,8 +26,8 @@ pub(crate) fn symmetric(matrix: DMatrix<f64>) -> SymmetricEigen<f64, Dyn> {
 mod tests {
     use super::*;
 
-    /// Unknowns of a diagnosis, most of which no equation has: nalgebra alone finds eigenvalues here
-    /// that are no numbers.
+    /// Unknowns of a diagnosis, most of which occur in no equation: nalgebra alone returns NaN
+    /// eigenvalues here.
     #[test]
     fn a_matrix_of_low_rank_has_its_eigenvalues() {
         let entries = [

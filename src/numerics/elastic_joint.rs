@@ -1,11 +1,11 @@
-//! A spring between a motor and its link, along a motion of the motor.
+//! Simulates a spring and damper between a motor and its link, along a given motion of the motor.
 //!
-//! With `d` the angle of the motor before the link, the link's own equation (M. W. Spong, *Modeling
-//! and control of elastic joint robots*, J. Dyn. Sys. Meas. Control 109, 1987) to first order in
-//! `d` is `m d'' + (D + c) d' + (K + g) d = f`. Here `f` is the torque of the arm at zero
-//! deflection, `m`, `c`, `g` its derivatives by the link's acceleration, velocity and position, `K`
-//! and `D` spring and damper. Motions of other joints act through `f`. Solved by the trapezoidal
-//! rule, which neither damps nor grows.
+//! With `d` the angle of the motor minus that of the link, the link's equation of motion (M. W.
+//! Spong, *Modeling and control of elastic joint robots*, J. Dyn. Sys. Meas. Control 109, 1987) to
+//! first order in `d` is `m d'' + (D + c) d' + (K + g) d = f`. Here `f` is the torque of the arm at
+//! zero deflection. `m`, `c`, `g` are its derivatives with respect to the link's acceleration,
+//! velocity and position, `K` and `D` spring and damper. Motions of other joints act through `f`.
+//! The equation is solved by the trapezoidal rule, which adds no numerical damping.
 
 /// Link load at evenly spaced instants.
 #[derive(Debug, Clone, Copy)]
@@ -18,7 +18,7 @@ pub struct LinkLoad<'a> {
     pub damping: &'a [f64],
     /// `g`, N m/rad.
     pub stiffness: &'a [f64],
-    /// Spacing, s.
+    /// Sampling period, s.
     pub step: f64,
 }
 
@@ -31,12 +31,12 @@ pub struct Spring {
     pub damping: f64,
 }
 
-/// Angle of the motor before the link, rad, with its first and second derivatives.
+/// Angle of the motor minus that of the link, rad, with its first and second derivatives.
 pub type Deflection = [Vec<f64>; 3];
 
-/// Share of a radian of the oscillation that one step of the rule may take.
+/// Largest phase of the oscillation per integration step, rad.
 const FINE: f64 = 0.1;
-/// The most steps from instant to instant: what oscillates faster follows its load.
+/// Maximum number of steps per sample: faster oscillations follow their load quasi-statically.
 const MOST: f64 = 40.0;
 
 impl Spring {
@@ -53,14 +53,14 @@ impl Spring {
         }
     }
 
-    /// From angle and rate at the first instant on.
+    /// Integrates from the angle and rate `start` at the first instant.
     pub fn integrate(self, asked: &LinkLoad<'_>, start: [f64; 2]) -> Deflection {
         let [only] = Self::damped(self.stiffness, [self.damping], asked, [start]);
         only
     }
 
-    /// Springs that differ in their dampers or starts. Their steps are the same, and a processor takes
-    /// several in the time of one.
+    /// Integrates springs that differ in their dampers or initial states. They share their steps,
+    /// and a processor computes several in the time of one.
     pub fn damped<const N: usize>(
         stiffness: f64,
         dampings: [f64; N],
@@ -83,7 +83,7 @@ impl Spring {
             }
             let (m1, s1) = (asked.inertia[k + 1], stiffness + asked.stiffness[k + 1]);
             let rate = asked.step * (s.max(s1).max(0.0) / m.min(m1)).sqrt() / FINE;
-            // Rounded up: without a call of the library.
+            // Round up without a library call.
             let parts = rate.clamp(1.0, MOST) as usize;
             let parts = if (parts as f64) < rate { (parts + 1).min(MOST as usize) } else { parts };
             let h = asked.step / parts as f64;
@@ -96,7 +96,7 @@ impl Spring {
                 let (m, s) = (between(m, m1), between(s, s1));
                 for ([x, v], damping) in states.iter_mut().zip(dampings) {
                     let d = damping + own;
-                    // The middle of the step holds for all of it. Little waits for the state.
+                    // Midpoint values for the whole step. Little work depends on the state.
                     let inverse = (m + 0.5 * h * d + 0.25 * h * h * s).recip();
                     let a = inverse * load - inverse * (d + 0.5 * h * s) * *v - inverse * s * *x;
                     *x = *x + h * *v + 0.5 * h * h * a;
@@ -108,7 +108,7 @@ impl Spring {
     }
 }
 
-/// Catmull and Rom's cubic between the second and the third of four even values.
+/// Catmull-Rom cubic between the second and the third of four evenly spaced values.
 fn cubic([a, b, c, d]: [f64; 4], s: f64) -> f64 {
     let (rise, left, right) = (c - b, 0.5 * (c - a), 0.5 * (d - b));
     b + s * (left + s * (3.0 * rise - 2.0 * left - right + s * (left + right - 2.0 * rise)))
@@ -118,7 +118,7 @@ fn cubic([a, b, c, d]: [f64; 4], s: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Springs that are taken together are those that are taken one by one, bit for bit.
+    /// Springs integrated together equal those integrated one by one, bit for bit.
     #[test]
     fn springs_with_other_dampers_are_springs() {
         let len = 60;
@@ -134,7 +134,7 @@ mod tests {
         }
     }
 
-    /// A load that begins at once, and one that swings: against the closed solutions of the damped
+    /// A step load and a sinusoidal load, against the closed-form solutions of the damped
     /// oscillator.
     #[test]
     fn it_is_the_damped_oscillator() {

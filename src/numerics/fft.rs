@@ -1,12 +1,12 @@
-//! The fast Fourier transform of real series, by halving (J. W. Cooley and J. W. Tukey 1965).
+//! Radix-2 fast Fourier transform of real series (J. W. Cooley and J. W. Tukey 1965).
 //!
-//! One small use does not pay for a crate here: the usual ones share numeric traits with the
-//! solvers and would change how these are built.
+//! Written here because one small use does not justify a crate: the usual ones share numeric traits
+//! with the solvers and would change how these are built.
 
 use std::f64::consts::TAU;
 
-/// Power `|X_k|^2` of a real series for `k = 0..=n / 2`, padded with zeros to `n`, the next power
-/// of two; and `n`.
+/// Power `|X_k|^2` of a real series for `k = 0..=n / 2`, zero-padded to `n`, the next power of two;
+/// and `n`.
 pub fn power_spectrum(x: &[f64]) -> (Vec<f64>, usize) {
     let n = x.len().next_power_of_two();
     let bits = n.trailing_zeros();

@@ -1,27 +1,29 @@
-//! Integration with error control. [`rosenbrock`] for stiff systems, [`dormand_prince`] for others.
+//! Adaptive integrators: [`rosenbrock`] for stiff systems, [`dormand_prince`] for others.
 
 pub(crate) mod dormand_prince;
 pub(crate) mod rosenbrock;
 
-/// How the integrator works.
+/// Settings of the integrator.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Solver {
-    /// The method.
+    /// Integration method.
     pub method: Method,
-    /// Relative error of a step; absolute errors are a hundredth of it in rad, all of it in rad/s.
+    /// Relative tolerance per step. Absolute tolerances are a hundredth of it in rad, and equal to
+    /// it in rad/s.
     pub tolerance: f64,
     /// Longest step, s.
     pub longest: f64,
 }
 
-/// A method of the literature.
+/// Integration method.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Method {
-    /// The first where there is a loop, friction, elasticity, backlash or contact, else the second.
+    /// Rosenbrock where there is a loop, friction, elasticity, backlash or contact, else
+    /// Dormand-Prince.
     Auto,
     /// ROS34PW2, order 3 with an error estimate of order 2, L-stable.
     Rosenbrock,
-    /// Dormand and Prince's pair of orders 5 and 4.
+    /// Dormand-Prince pair of orders 5 and 4.
     DormandPrince,
 }
 
@@ -31,17 +33,17 @@ impl Default for Solver {
     }
 }
 
-/// Why the integration stopped.
+/// Reason why the integration stopped.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum Breakdown {
-    /// No bodies have such a mass matrix.
+    /// The mass matrix is not positive definite, which no bodies have.
     #[error(
         "at {time:.4} s the mass matrix is not positive definite at joint {joint}: the inertial parameters are not those of possible bodies; give the robot file (and what is added to its links) bodies that can be, or the joint a rotor inertia"
     )]
     Mass {
-        /// Number of the coordinate, from 1.
+        /// Index of the coordinate, from 1.
         joint: usize,
-        /// s
+        /// Time, s.
         time: f64,
     },
     /// Steps became too short.
@@ -49,20 +51,20 @@ pub enum Breakdown {
         "at {time:.4} s the integration gets stuck at steps of {step:.1e} s: the motion is unstable, or something in it far too stiff or too fast; look at the gains and the sizes of the effects"
     )]
     Step {
-        /// s
+        /// Time, s.
         time: f64,
-        /// s
+        /// Length of the step, s.
         step: f64,
     },
 }
 
 /// `x'' = a(t, x, x', z)`, `z' = r(t, x, x', z)`; `y = [x, x', z]`.
 pub(crate) trait System {
-    /// Number of `x`.
+    /// Number of coordinates `x`.
     fn coordinates(&self) -> usize;
-    /// `dy = [x', a, r]`.
+    /// Evaluates `dy = [x', a, r]`.
     fn rate(&mut self, t: f64, y: &[f64], dy: &mut [f64]) -> Result<(), Breakdown>;
-    /// Mass matrix and stiff parts at a state, and its rate.
+    /// Evaluates mass matrix and stiff terms at a state, and its rate.
     fn linearise(&mut self, t: f64, y: &[f64], linear: &mut Linear, dy: &mut [f64]) -> Result<(), Breakdown>;
 }
 
@@ -77,7 +79,7 @@ pub(crate) struct Linear {
     pub bristles: Vec<LinearBristle>,
 }
 
-/// A bristle among the stiff parts.
+/// A bristle among the stiff terms.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LinearBristle {
     /// Coordinates and factors of its direction.
@@ -87,18 +89,19 @@ pub(crate) struct LinearBristle {
     pub b: f64,
 }
 
-/// The step that comes next.
+/// Step-size controller.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Pace {
     pub next: f64,
     pub solver: Solver,
     pub steps: usize,
     pub rejected: usize,
-    /// Time of the first step.
+    /// Time of the first step, s.
     begun: Option<f64>,
 }
 
-/// Steps that average less than a microsecond, after so many at the start, are as good as no end.
+/// Number of steps allowed in total, beyond one per microsecond: an integration with shorter steps
+/// would practically never end. Shortest step, s.
 const MOST: usize = 200_000;
 const SHORTEST: f64 = 1e-12;
 
@@ -107,7 +110,7 @@ impl Pace {
         Self { next: 1e-4_f64.min(solver.longest), solver, steps: 0, rejected: 0, begun: None }
     }
 
-    /// Length of the step from `t` so that `end` is met, and whether it meets it.
+    /// Length of the step from `t` that reaches or approaches `end`, and whether it reaches it.
     pub fn step(&self, t: f64, end: f64) -> (f64, bool) {
         let h = self.next.min(self.solver.longest);
         let left = end - t;
@@ -120,8 +123,8 @@ impl Pace {
         }
     }
 
-    /// Judges a step of length `h` with this error (1: as large as allowed) of a method whose
-    /// estimate has this order.
+    /// Accepts or rejects a step of length `h`, and sets the next length. `error` is relative to
+    /// the tolerance; `order` is that of the method's error estimate.
     pub fn judge(&mut self, t: f64, h: f64, error: f64, order: f64) -> Result<bool, Breakdown> {
         let good = error <= 1.0;
         let begun = *self.begun.get_or_insert(t);
@@ -132,8 +135,7 @@ impl Pace {
             if error.is_nan() { 0.2 } else { (0.9 * libm::pow(error.max(1e-8), -1.0 / (order + 1.0))).clamp(0.2, 4.0) };
         if good {
             self.steps += 1;
-            // A step that was cut short to meet a sample says nothing against the longer one that
-            // was planned.
+            // A step that was shortened to meet a sample does not reduce the planned longer one.
             self.next = (h * factor).max(if h < self.next && factor >= 1.0 { self.next } else { 0.0 });
         } else {
             self.rejected += 1;
@@ -147,7 +149,7 @@ impl Pace {
     }
 }
 
-/// Root mean square of the error, each entry by what is allowed.
+/// Root mean square of the error, each entry relative to its tolerance.
 pub(crate) fn norm(system: &dyn System, tolerance: f64, y: &[f64], new: &[f64], error: impl Fn(usize) -> f64) -> f64 {
     let n = system.coordinates();
     let sum: f64 = (0..y.len())
@@ -169,7 +171,7 @@ pub(crate) fn norm(system: &dyn System, tolerance: f64, y: &[f64], new: &[f64], 
 mod tests {
     use super::*;
 
-    /// An error above what is allowed is taken back and shortens the step; one below it is kept.
+    /// An error above the tolerance rejects and shortens the step; one below it is accepted.
     #[test]
     fn a_step_is_kept_up_to_its_allowed_error() {
         for (error, kept) in [(0.99, true), (1.01, false), (30.0, false), (f64::NAN, false)] {
@@ -178,7 +180,7 @@ mod tests {
             assert_eq!([pace.steps, pace.rejected], [usize::from(kept), usize::from(!kept)]);
             assert!(pace.next < 1e-3, "{error}: {}", pace.next);
         }
-        // An error of order 3 grows with the cube of the step: it is aimed at 0.9 of the longest.
+        // An error of order 3 grows with the cube of the step; the target is 0.9 of the longest.
         let mut pace = Pace::new(Solver::default());
         pace.judge(0.0, 1e-3, 0.125, 2.0).unwrap();
         assert!((pace.next - 1.8e-3).abs() < 1e-12, "{}", pace.next);

@@ -1,35 +1,36 @@
-//! Independent pieces of work on several threads, results in order.
+//! Runs independent tasks on several threads, with results in order.
 //!
-//! Threads of the standard library: pieces are few and large, one that divides further has its
-//! share of the threads, and the order of all sums stays with the caller, so a pool that steals work
-//! would add dependencies alone.
+//! Uses threads of the standard library: tasks are few and large, a nested task has its share of
+//! the threads, and the order of all sums is the caller's. A work-stealing pool would only add
+//! dependencies.
 
 use std::cell::Cell;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 thread_local! {
-    /// Threads that the work of this one may use; `None`: all of the process.
+    /// Number of threads available to tasks of this thread; `None`: all of the process.
     static SHARE: Cell<Option<usize>> = const { Cell::new(None) };
 }
 
-/// As many threads as this process may use; inside a piece of work its share of them.
+/// Number of threads that this process may use; inside a task its share of them.
 pub(crate) fn threads() -> usize {
     SHARE.get().unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from))
 }
 
-/// Numbers below which a pass over them is shorter than the start of a thread.
+/// Count of numbers below which a pass over them takes less time than the start of a thread.
 const FEW: usize = 10_000;
 
-/// Numbers beyond which memory counts more than time: what each thread allocates is its own.
+/// Count of numbers above which memory is the limit: each thread has its own allocations.
 const MANY: usize = 120_000;
 
-/// Threads that are worth starting for a pass over so many numbers.
+/// Number of threads for a pass over `numbers` numbers.
 pub(crate) fn threads_for(numbers: usize) -> usize {
     if (FEW..=MANY).contains(&numbers) { threads() } else { 1 }
 }
 
-/// Calls `work` with `0..count` on some threads; results in order, whatever the number of threads.
+/// Calls `work` with `0..count` on several threads. Results are in order, whatever the number of
+/// threads.
 pub(crate) fn parallel<T: Send>(threads: usize, count: usize, work: impl Fn(usize) -> T + Sync) -> Vec<T> {
     if threads <= 1 || count <= 1 {
         return (0..count).map(work).collect();
@@ -79,7 +80,7 @@ mod tests {
         }
     }
 
-    /// Two pieces at once have half of the threads each, and all are there afterwards.
+    /// Two concurrent tasks have half of the threads each, and all are available afterwards.
     #[test]
     fn work_inside_work_shares_the_threads() {
         let all = threads();

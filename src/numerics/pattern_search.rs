@@ -1,31 +1,31 @@
-//! Direct search: steps along given directions and along turned frames, halved if none improves
-//! (Kolda, Lewis and Torczon, SIAM Review 45, 2003; the turned frames of Abramson, Audet, Dennis
-//! and Le Digabel, SIAM J. Optimization 20, 2009, without which a search stops where two limits
-//! meet at a slant).
+//! Direct search: steps along given directions and along rotated frames, halved if none improves
+//! (Kolda, Lewis and Torczon, SIAM Review 45, 2003). The rotated frames are those of Abramson,
+//! Audet, Dennis and Le Digabel, SIAM J. Optimization 20, 2009; without them a search stops where
+//! two limits meet obliquely.
 //!
-//! The problems have a handful of variables, a cost whose gradient jumps where another joint begins
-//! to bind or a branch of the inverse ends, and a yes or no for the reach. A search that only
-//! compares two candidates suffices, gives the same answer on every machine, and stops where no
-//! step of the smallest size improves. The quadratic programs of `excite` (hundreds of smooth
-//! variables) would need derivatives of the inverse. These are infinite at the edge of the reach,
-//! where the widest lanes end.
+//! The problems have a few variables and a yes or no for the reach. The gradient of the cost is
+//! discontinuous where another joint's limit becomes active or a branch of the inverse ends. A
+//! search that only compares candidates suffices, gives the same answer on every machine, and stops
+//! where no step of the smallest size improves. The quadratic programs of `excite` (hundreds of
+//! smooth variables) would need derivatives of the inverse. These are infinite at the edge of the
+//! reach, where the widest lanes end.
 
-/// How a search goes about it.
+/// Step sizes and budget of a search.
 pub(crate) struct Effort {
-    /// The first step, in units of the scale.
+    /// First step, in units of the scale.
     pub first: f64,
-    /// How often the steps are halved.
+    /// Number of times the steps are halved.
     pub halvings: usize,
-    /// Candidates that are looked at, at most.
+    /// Maximum number of candidates.
     pub budget: usize,
-    /// Turned frames that are tried before the steps are halved.
+    /// Rotated frames tried before the steps are halved.
     pub frames: usize,
 }
 
-/// Improves `x` and what belongs to it. `scale` is the first step of each variable, `directions`
-/// further ones in its units. `make` gives a candidate for a point, which it may project to the
-/// valid range. `beats` compares, and gets the size of the step so that it can require more than a
-/// hair.
+/// Improves `x` and its candidate `best`. `scale` is the first step of each variable, `directions`
+/// are further ones in its units. `make` builds a candidate for a point, which it may project to
+/// the valid range. `beats` compares two candidates. It gets the size of the step, so that it can
+/// require a significant improvement.
 pub(crate) fn pattern_search<T>(
     x: &mut Vec<f64>,
     best: &mut T,
@@ -47,7 +47,7 @@ pub(crate) fn pattern_search<T>(
         while frame <= effort.frames {
             let turned = if frame == 0 { given.clone() } else { mirror(n, turn) };
             turn += usize::from(frame > 0);
-            // The last successful direction is tried first.
+            // Try the last successful direction first.
             let both = turned.iter().flat_map(|d| [d.clone(), d.iter().map(|e| -e).collect()]);
             let order: Vec<Vec<f64>> = again.take().into_iter().chain(both).collect();
             let mut moved = false;
@@ -79,8 +79,8 @@ fn unit(n: usize, k: usize) -> Vec<f64> {
     (0..n).map(|i| f64::from(u8::from(i == k))).collect()
 }
 
-/// An orthogonal frame, another for each `turn`: `1 - 2 v v'` for a unit vector that wanders over
-/// the sphere (irrational steps).
+/// An orthogonal frame that differs for each `turn`: the reflection `1 - 2 v v'` for a unit vector
+/// that moves over the sphere in irrational steps.
 fn mirror(n: usize, turn: usize) -> Vec<Vec<f64>> {
     let root = |k: usize| (2.0 + k as f64).sqrt();
     let v: Vec<f64> = (0..n).map(|k| (1.0 + (1.0 + turn as f64) * root(k * k) * 1.618).sin()).collect();
@@ -94,7 +94,7 @@ mod tests {
 
     #[test]
     fn limits_that_meet_at_a_slant() {
-        // Most of 1.4 x + y under a slanted roof, broken limits first: axes alone stop at its edge.
+        // Maximise 1.4 x + y under oblique limits, violations first: axes alone stop at an edge.
         let judge = |x: &[f64]| {
             let broken = (x[0] + 3.0 * x[1] - 2.0).max(0.0) + (3.0 * x[0] + x[1] - 2.0).max(0.0);
             (broken, -1.4 * x[0] - x[1])
@@ -105,7 +105,7 @@ mod tests {
         pattern_search(&mut x, &mut best, &[1.0, 1.0], &[], &effort, &mut |x, _| Some(judge(x)), &|a, b, _| {
             a.0 < b.0 || (a.0 == b.0 && a.1 < b.1)
         });
-        // The corner (0.5, 0.5).
+        // The optimum is the corner (0.5, 0.5).
         assert!((x[0] - 0.5).abs() < 1e-3 && (x[1] - 0.5).abs() < 1e-3, "{x:?} {best:?}");
     }
 }

@@ -1,17 +1,16 @@
-//! Periodogram of a series over an angle: how much of it goes round with each of many evenly spaced
-//! orders.
+//! Periodogram of a series over an angle: the power at each of many evenly spaced orders.
 //!
-//! From order to order each sample's angle turns on by the same: two multiplications of complex
-//! numbers in place of sines. Samples are taken four at a time over a few orders, so that what they
-//! keep stays in registers.
+//! From order to order each sample's phase advances by a constant: two complex multiplications
+//! replace the sines. Samples are processed four at a time over a few orders, so that their state
+//! stays in registers.
 
-/// One value, averaged over a stretch of the angle.
+/// A value averaged over an interval of the angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
     pub value: f64,
-    /// Middle of the stretch, rad.
+    /// Middle of the interval, rad.
     pub angle: f64,
-    /// Half of the stretch, rad.
+    /// Half length of the interval, rad.
     pub half: f64,
 }
 
@@ -24,24 +23,24 @@ pub struct Orders {
 }
 
 impl Orders {
-    /// Order number `i`.
+    /// Order with index `i`.
     pub fn at(&self, i: usize) -> f64 {
         self.first + i as f64 * self.step
     }
 }
 
-/// Samples that are taken at once.
+/// Number of samples processed at once.
 const LANES: usize = 4;
 
-/// Orders in one pass over the samples.
+/// Number of orders in one pass over the samples.
 const PASS: usize = 32;
 
-/// Least half of a stretch, rad: what covers less is averaged over nothing all the same.
+/// Least half length of an interval, rad: averaging over less has no effect.
 const LEAST: f64 = 1e-6;
 
 type Lanes = [f64; LANES];
 
-/// Cosines and sines.
+/// Cosines and sines of the phases.
 #[derive(Debug, Clone, Copy)]
 struct Turn {
     cos: Lanes,
@@ -63,14 +62,14 @@ impl Turn {
     }
 }
 
-/// Samples that are taken at once, at one order.
+/// Samples that are processed at once, at one order.
 #[derive(Debug, Clone, Copy)]
 struct Block {
     value: Lanes,
-    /// 1 by half of the stretch; 0 where there is no sample.
+    /// Inverse of the half length; 0 in unused lanes.
     inverse: Lanes,
     angle: Turn,
-    /// Of an order more.
+    /// Phase increment per order.
     angle_by: Turn,
     half: Turn,
     half_by: Turn,
@@ -93,8 +92,8 @@ impl Block {
     }
 }
 
-/// Sums over the samples at one order: value times cosine and sine, and the squared weights, all by
-/// the order.
+/// Sums over the samples at one order: value times cosine and sine, and the squared weights, all
+/// multiplied by the order.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sums {
     cos: Lanes,
@@ -102,8 +101,8 @@ struct Sums {
     norm: Lanes,
 }
 
-/// Part of the sum of squares of the values that goes with the cosine and sine of each order, each
-/// sample weighted by what is left of the order in the average over its stretch.
+/// Power at the cosine and sine of each order, in units of the sum of squares of the values. Each
+/// sample is weighted by the attenuation of the order over its interval.
 pub fn periodogram(samples: &[Sample], orders: &Orders) -> Vec<f64> {
     let mut blocks: Vec<Block> = samples.chunks(LANES).map(|chunk| Block::new(chunk, orders)).collect();
     let mut power = Vec::with_capacity(orders.count);
@@ -120,15 +119,15 @@ pub fn periodogram(samples: &[Sample], orders: &Orders) -> Vec<f64> {
     power
 }
 
-/// Adds what the samples have in the next orders, and turns them on by as many, in the widest
-/// registers of this processor: the bits are those of any other.
+/// Adds the samples' contributions to the next orders and advances their phases, in the widest
+/// registers of this processor. The result is bitwise equal to any other width.
 #[multiversion::multiversion(targets("x86_64+avx2"))]
 fn pass(blocks: &mut [Block], sums: &mut [Sums]) {
     for block in blocks {
         let mut b = *block;
         for sum in sums.iter_mut() {
             for l in 0..LANES {
-                // The average of a cosine over what a sample covers, times the order.
+                // The mean of a cosine over a sample's interval, times the order.
                 let weight = b.half.sin[l] * b.inverse[l];
                 let weighed = b.value[l] * weight;
                 sum.cos[l] += weighed * b.angle.cos[l];
@@ -147,7 +146,7 @@ mod tests {
     use super::*;
     use crate::numerics::prng::Random;
 
-    /// Against sums with sines of their own, for numbers of samples and orders that fill no pass.
+    /// Comparison with direct sums of sines, for numbers of samples and orders that fill no pass.
     #[test]
     fn it_is_the_sum_over_the_samples() {
         let mut random = Random::new(7);
@@ -177,7 +176,7 @@ mod tests {
         }
     }
 
-    /// The order that is in it stands out.
+    /// The order present in the series has the largest power.
     #[test]
     fn an_order_stands_out() {
         let angle = |k: usize| 1.3 * (0.01 * k as f64).sin();

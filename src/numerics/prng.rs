@@ -1,9 +1,10 @@
 //! Random numbers: splitmix64 (G. Steele, D. Lea and C. Flood, *Fast splittable pseudorandom number
 //! generators*, OOPSLA 2014).
 //!
-//! Ten lines and not a crate: a seed that once found a mistake must find it after every update.
+//! Ten lines instead of a crate, so that a seed that once found a mistake finds it after every
+//! update.
 
-/// A stream of random numbers that depends on its seed alone.
+/// A stream of random numbers determined by its seed.
 #[derive(Debug, Clone)]
 pub struct Random {
     state: u64,
@@ -37,12 +38,12 @@ impl Random {
         low + (high - low) * unit
     }
 
-    /// Evenly between `-size` and `size`.
+    /// Uniform in `[-size, size)`.
     pub fn even(&mut self, size: f64) -> f64 {
         self.uniform(-size, size)
     }
 
-    /// Several of them.
+    /// Vector of `len` numbers, uniform in `[-size, size)`.
     pub fn vector(&mut self, len: usize, size: f64) -> Vec<f64> {
         (0..len).map(|_| self.even(size)).collect()
     }

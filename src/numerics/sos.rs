@@ -1,4 +1,4 @@
-//! Filters in second-order sections, run forward or forward and backward.
+//! Filters in second-order sections, run forward, or forward and backward.
 
 use std::f64::consts::PI;
 
@@ -12,8 +12,7 @@ pub struct Biquad {
 }
 
 impl Biquad {
-    /// State (direct form II transposed) in which a constant input of 1 gives its constant output
-    /// at once, and that output.
+    /// Steady state (direct form II transposed) for a constant input of 1, and the constant output.
     fn rest(&self) -> ([f64; 2], f64) {
         let gain = self.b.iter().sum::<f64>() / (1.0 + self.a[0] + self.a[1]);
         let z2 = self.b[2] - self.a[1] * gain;
@@ -31,10 +30,10 @@ pub struct Sos {
 }
 
 impl Sos {
-    /// Filters in place; the past before the first sample is taken as constant at `start`.
+    /// Filters in place; the input before the first sample is assumed constant at `start`.
     pub fn forward(&self, x: &mut [f64], start: f64) {
         let mut level = start;
-        // Three sections at once: each waits for its own last sample only.
+        // Three sections at once, since each depends on its own last sample only.
         let (threes, rest) = self.sections.as_chunks();
         for three in threes {
             level = cascade::<3>(*three, x, level);
@@ -51,10 +50,10 @@ impl Sos {
         3 * (self.order + 1)
     }
 
-    /// Filters forward and backward, so without lag; the gain is that of one pass squared. `pad`
-    /// samples are added at each end by turning the signal about its end point ("odd" extension).
-    /// Each pass starts at rest at its first value, as SciPy's `sosfiltfilt` does (Gustafsson 1996
-    /// compares the ways to start).
+    /// Filters forward and backward, without lag; the gain is the square of one pass. `pad` samples
+    /// are added at each end by reflecting the signal about its end point ("odd" extension). Each
+    /// pass starts in the steady state of its first value, as SciPy's `sosfiltfilt` does
+    /// (Gustafsson 1996 compares initial conditions).
     pub fn forward_backward(&self, x: &mut [f64], pad: usize) {
         let Some((&first, &last)) = x.first().zip(x.last()) else { return };
         let pad = pad.min(x.len() - 1);
@@ -71,7 +70,8 @@ impl Sos {
         x.copy_from_slice(&y[pad..pad + n]);
     }
 
-    /// Samples after which what came before has faded to 1e-12, from the pole of largest radius.
+    /// Number of samples after which an initial state has decayed to 1e-12, from the largest pole
+    /// radius.
     pub fn settling(&self) -> usize {
         let radius = self
             .sections
@@ -108,13 +108,13 @@ pub struct Filtered<'a> {
     pub pad: usize,
 }
 
-/// Series that are filtered side by side: a recurrence waits for itself, and four of them fill the
-/// time.
+/// Number of series filtered side by side: a recurrence waits for its own result, and four of them
+/// fill the pipeline.
 const LANES: usize = 4;
-/// Sections that are applied in one pass.
+/// Number of sections applied in one pass.
 const SECTIONS: usize = 3;
 
-/// [`Sos::forward_backward`] of each series, bit by bit.
+/// [`Sos::forward_backward`] of each series, bitwise equal.
 pub fn forward_backward_each(series: &[Filtered<'_>]) -> Vec<Vec<f64>> {
     let mut out = Vec::with_capacity(series.len());
     for lanes in series.chunks(LANES) {
@@ -134,8 +134,8 @@ pub fn forward_backward_each(series: &[Filtered<'_>]) -> Vec<Vec<f64>> {
     out
 }
 
-/// Of at most [`LANES`] series of one length, whose filters have as many sections. They end at the
-/// same place of a common buffer, so that all passes backward begin there.
+/// Filters at most [`LANES`] series of one length, whose filters have equally many sections. They
+/// end at the same index of a common buffer, so that all backward passes begin there.
 fn side_by_side(lanes: &[Filtered<'_>], out: &mut Vec<Vec<f64>>) {
     let n = lanes[0].x.len();
     let pads: Vec<usize> = lanes.iter().map(|lane| lane.pad.min(n - 1)).collect();
@@ -157,7 +157,7 @@ fn side_by_side(lanes: &[Filtered<'_>], out: &mut Vec<Vec<f64>>) {
         };
         for from in (0..lanes[0].sos.sections.len()).step_by(SECTIONS) {
             let mut abreast = Abreast::of(lanes, from);
-            // Where a lane begins, its state is that at rest.
+            // Where a lane begins, set its steady state.
             let start = |l: usize| if backward { 0 } else { begins[l] };
             let mut cuts: Vec<usize> = (0..lanes.len()).map(start).chain([total]).collect();
             cuts.sort_unstable();
@@ -173,7 +173,7 @@ fn side_by_side(lanes: &[Filtered<'_>], out: &mut Vec<Vec<f64>>) {
     out.extend((0..lanes.len()).map(|l| y[begins[l] + pads[l]..][..n].iter().map(|y| y[l]).collect()));
 }
 
-/// Some sections of several filters.
+/// Some sections of several filters, one filter per lane.
 struct Abreast {
     /// `b0 b1 b2 a1 a2` of each section and lane.
     sections: [[[f64; LANES]; 5]; SECTIONS],
@@ -181,7 +181,7 @@ struct Abreast {
 }
 
 impl Abreast {
-    /// From section `from` on; those that are missing pass everything on.
+    /// Sections from index `from`; missing ones pass their input through.
     fn of(lanes: &[Filtered<'_>], from: usize) -> Self {
         let mut sections = [[[1.0; LANES], [0.0; LANES], [0.0; LANES], [0.0; LANES], [0.0; LANES]]; SECTIONS];
         for (l, lane) in lanes.iter().enumerate() {
@@ -192,7 +192,7 @@ impl Abreast {
         Self { sections, states: [[[0.0; LANES]; 2]; SECTIONS] }
     }
 
-    /// Puts a lane at rest at `level`; the level behind these sections.
+    /// Sets the steady state of a lane for the input `level`; returns the output level.
     fn rest(&mut self, sos: &Sos, from: usize, lane: usize, mut level: f64) -> f64 {
         for (state, section) in self.states.iter_mut().zip(&sos.sections[from..]) {
             let (rest, gain) = section.rest();
@@ -203,8 +203,8 @@ impl Abreast {
     }
 }
 
-/// Runs all lanes through the sections, from the front or from the back. With the widest registers
-/// of this processor, and the bits of any other.
+/// Runs all lanes through the sections, from the front or from the back, in the widest registers of
+/// this processor. The result is bitwise equal to any other width.
 #[multiversion::multiversion(targets("x86_64+avx2"))]
 fn run(
     sections: &[[[f64; LANES]; 5]; SECTIONS],
@@ -230,7 +230,8 @@ fn run(
     *states = now;
 }
 
-/// Filters through `N` sections, sample by sample, at rest before at `level`; the level behind them.
+/// Filters through `N` sections, sample by sample, from the steady state at `level`; returns the
+/// steady output level.
 fn cascade<const N: usize>(sections: [Biquad; N], x: &mut [f64], level: f64) -> f64 {
     let (mut states, mut level) = ([[0.0; 2]; N], level);
     for (state, section) in states.iter_mut().zip(&sections) {
@@ -256,7 +257,7 @@ mod tests {
     use super::*;
     use crate::data::signal::low_pass;
 
-    /// The signal and SciPy's answers: `sos_reference.py` beside this file.
+    /// Test signal; `sos_reference.py` beside this file computes SciPy's results.
     fn signal() -> Vec<f64> {
         (0..60).map(|k| (0.3 * k as f64).sin() + 0.2 * (1.7 * k as f64).cos() + 0.01 * k as f64 + 0.5).collect()
     }
@@ -273,7 +274,8 @@ mod tests {
         }
     }
 
-    /// Side by side, whatever the number of series and their filters, and apart: the same bits.
+    /// Filtering side by side and separately gives the same bits, for any number of series and
+    /// filters.
     #[test]
     fn series_side_by_side_are_as_apart() {
         for order in [1, 4, 5, 9] {

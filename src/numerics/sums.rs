@@ -1,4 +1,4 @@
-//! Sums whose terms do not wait for each other: eight running sums, which fit vector registers.
+//! Sums with eight independent running sums, which fit vector registers.
 
 /// Sum of numbers.
 pub(crate) fn sum(x: &[f64]) -> f64 {
@@ -12,7 +12,7 @@ pub(crate) fn sum(x: &[f64]) -> f64 {
     sums.iter().sum::<f64>() + rest.iter().sum::<f64>()
 }
 
-/// Sum of the squared differences of two series, as far as both go.
+/// Sum of the squared differences of two series over their common length.
 pub(crate) fn squared_differences(a: &[f64], b: &[f64]) -> f64 {
     let n = a.len().min(b.len());
     let ((a8, a), (b8, b)) = (a[..n].as_chunks::<8>(), b[..n].as_chunks::<8>());

@@ -1,4 +1,4 @@
-//! The `check` verb's results.
+//! Reports of the `check` command.
 
 pub mod json;
 pub mod text;

@@ -1,4 +1,4 @@
-//! The `diagnose` verb's results.
+//! Reports of the `diagnose` command.
 
 pub(crate) mod calibrate;
 mod doubts;

@@ -1,3 +1,3 @@
-//! The `eval` verb's results.
+//! Report of the `eval` command.
 
 pub mod json;

@@ -1,4 +1,4 @@
-//! The `excite` verb's results.
+//! Reports of the `excite` command.
 
 pub(crate) mod motion_check;
 pub(crate) mod page;

@@ -1,4 +1,4 @@
-//! Report of `denavit export`: entries that the format can't express.
+//! Report of `denavit export`: entries that the format cannot express.
 
 use core::fmt::Write;
 
@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::exchange::Exported;
 
-/// For people.
+/// The result as text.
 pub fn export_text(name: &str, made: &Exported) -> String {
     let mut t = format!("{name}: written\n");
     if !made.left_out.is_empty() {
@@ -21,7 +21,7 @@ pub fn export_text(name: &str, made: &Exported) -> String {
     t
 }
 
-/// For programs.
+/// The result as JSON.
 pub fn export_json(name: &str, made: &Exported) -> Value {
     json!({ "name": name, "left_out": made.left_out, "notes": made.notes })
 }

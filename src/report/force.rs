@@ -1,4 +1,4 @@
-//! The `force` verb's results.
+//! Reports of the `force` command.
 
 pub(crate) mod json;
 pub(crate) mod page;

@@ -1,4 +1,4 @@
-//! The `identify` verb's results.
+//! Reports of the `identify` command.
 
 pub(crate) mod consistent;
 pub(crate) mod json;

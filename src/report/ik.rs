@@ -1,4 +1,4 @@
-//! The `ik` verb's results.
+//! Reports of the `ik` command.
 
 pub mod json;
 pub mod text;

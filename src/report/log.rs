@@ -1,4 +1,4 @@
-//! `log inspect` and `log convert`.
+//! Reports of `log inspect` and `log convert`.
 
 pub(crate) mod json;
 pub(crate) mod text;

@@ -1,4 +1,4 @@
-//! The `paint` verb's results.
+//! Reports of the `paint` command.
 
 pub(crate) mod page;
 pub(crate) mod run;

@@ -1,4 +1,4 @@
-//! Parts that several pages share: frame, style sheets, numbers, drawings.
+//! Shared parts of pages and texts: frame, style sheets, numbers, drawings.
 
 pub(crate) mod bodies;
 pub(crate) mod budget;

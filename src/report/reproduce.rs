@@ -1,4 +1,4 @@
-//! The `reproduce` verb's results.
+//! Reports of the `reproduce` command.
 
 pub(crate) mod diagnosis;
 pub(crate) mod excitation;

@@ -1,21 +1,21 @@
-//! A robot file to fill in, with a sentence at each key.
+//! A robot file template with an explanation of each key.
 
 use std::fmt::Write;
 
 use dh_codegen::robot::effects;
 
-/// Data of an arm before any measurement.
+/// Known data of an arm before any measurement.
 pub struct RobotTemplate<'a> {
     /// Name of the robot.
     pub name: &'a str,
-    /// Whether each joint turns (or slides), base to tip.
+    /// Whether each joint is revolute (otherwise prismatic), base to tip.
     pub turns: &'a [bool],
-    /// Whether the table is in the standard convention (or in the modified one).
+    /// Whether the DH table is in the standard convention (otherwise in the modified one).
     pub standard: bool,
 }
 
-/// A complete, commented robot file: lengths and limits are examples, what is optional stands in
-/// comments.
+/// A complete, commented robot file. Lengths and limits are examples; optional keys are commented
+/// out.
 pub fn robot_template(template: &RobotTemplate<'_>) -> String {
     let RobotTemplate { name, turns, standard } = template;
     let name = serde_json::Value::from(*name);
@@ -70,7 +70,7 @@ joints:                       # one row of the DH table each, base to tip; what 
     text
 }
 
-/// A row of the table; the first one explains its keys.
+/// A row of the DH table; the first one explains its keys.
 fn joint(number: usize, turns: bool, explained: bool) -> String {
     let say = |key: &str, words: &str| {
         if explained { format!("{key:<32}# {words}\n") } else { format!("{key}\n") }

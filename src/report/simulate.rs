@@ -1,4 +1,4 @@
-//! The `simulate` verb's results.
+//! Reports of the `simulate` command.
 
 pub(crate) mod json;
 pub(crate) mod text;

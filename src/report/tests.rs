@@ -1,4 +1,4 @@
-//! Checks of the reports.
+//! Tests of the reports.
 
 use super::*;
 use crate::identify::{
@@ -201,14 +201,14 @@ fn diagnosis_page_stands_alone() {
     assert!(page.contains("a &lt;b&gt;") && page.contains("a &amp; b"));
     assert!(page.contains("<tr><th>td1<td>0.02000<td>0.0010</tr>"), "value and deviation");
     assert!(page.contains("Not separated from viscous friction") && page.contains("a second speed"));
-    // (1 - 0.01) / (1 - 0.01): all that could be gained.
+    // (1 - 0.01) / (1 - 0.01): the whole possible gain.
     assert!(page.contains("<td>100 %</tr>"));
     let start = page.find("application/json>").unwrap() + "application/json>".len();
     let end = start + page[start..].find("</script>").unwrap();
     let data: serde_json::Value = serde_json::from_str(&page[start..end].replace("<\\/", "</")).unwrap();
     assert!(data["causes"][0]["after"][0].is_null() && data["causes"][0]["curve"]["measured"][1].is_null());
     assert_eq!(data["curves"][0]["after"][1], 0.12346);
-    // The same after an identification: the joint that gained most, and the parameters.
+    // The same after an identification: the most improved joint, and the parameters.
     let mut warnings = Warnings::default();
     warnings.push("few samples");
     let identified = Identified { found: &identification, warnings: &warnings };

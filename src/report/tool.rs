@@ -1,4 +1,4 @@
-//! The `tool` verb's results.
+//! Reports of the `tool` command.
 
 pub(crate) mod json;
 pub(crate) mod page;

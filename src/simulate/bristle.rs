@@ -1,5 +1,5 @@
-//! The sign of a velocity, as a bristle: a state with a memory of a little travel, so that joints
-//! stick, creep nowhere, and break away.
+//! Bristle model of a velocity's sign: a state that depends on the last short travel. With it
+//! joints stick, do not creep, and break away.
 //!
 //! `dz/dt = (v - |v| z) / X` (P. R. Dahl, 1968; Canudas de Wit et al. 1995); friction is a level
 //! times `z + b dz/dt exp(-(v / v_d)^2)`, the damping fading with speed so that friction always
@@ -9,7 +9,7 @@
 /// Role of a bristle's force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
-    /// All laws of a joint with `sign(v)` in them.
+    /// All laws of a joint that contain `sign(v)`.
     Sign,
     /// `presliding_hysteresis`.
     Hysteresis,
@@ -21,9 +21,9 @@ pub(super) enum Part {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Bristle {
     pub part: Part,
-    /// Its joint, from 0.
+    /// Joint, from 0.
     pub joint: usize,
-    /// Its velocity is the sum of these coordinates' times the factors.
+    /// Coordinates and factors whose weighted sum is the bristle's velocity.
     pub along: [(usize, f64); 2],
     /// `X`, rad.
     pub travel: f64,
@@ -32,7 +32,7 @@ pub(super) struct Bristle {
 }
 
 impl Bristle {
-    /// Travel of the bristles that stand for a plain sign, rad: well below what an encoder shows.
+    /// Travel of the bristles that replace a plain sign, rad: well below an encoder's resolution.
     pub const SIGN: f64 = 1e-5;
 
     pub fn velocity(&self, v: &[f64]) -> f64 {
@@ -44,29 +44,30 @@ impl Bristle {
         (v - v.abs() * z) / self.travel
     }
 
-    /// `b exp(-(v / v_d)^2)`: b such that damping adds a tenth of the level at most.
+    /// `b exp(-(v / v_d)^2)`, with `b` such that damping adds at most a tenth of the level.
     fn damping(&self, v: f64) -> f64 {
         let ratio = v / self.fade;
         0.2 * self.travel / self.fade * libm::exp(-ratio * ratio)
     }
 
-    /// Substitute for `sign(v)`, in about `[-1, 1]`.
+    /// Smooth substitute for `sign(v)`, about in `[-1, 1]`.
     pub fn sign(&self, v: f64, z: f64) -> f64 {
         z + self.damping(v) * self.rate(v, z)
     }
 
-    /// Derivatives of [`Bristle::sign`] by `z` and, the fading left out, by `v`.
+    /// Derivatives of [`Bristle::sign`] with respect to `z` and `v`, the latter without the fading
+    /// of the damping.
     pub fn sign_slopes(&self, v: f64, z: f64) -> [f64; 2] {
         let damping = self.damping(v);
         [1.0 - damping * v.abs() / self.travel, damping * (1.0 - z * sign(v)) / self.travel]
     }
 
-    /// Derivatives of [`Bristle::rate`] by `v` and `z`.
+    /// Derivatives of [`Bristle::rate`] with respect to `v` and `z`.
     pub fn rate_slopes(&self, v: f64, z: f64) -> [f64; 2] {
         [(1.0 - z * sign(v)) / self.travel, -v.abs() / self.travel]
     }
 
-    /// `z` after a travel in one direction: the exact solution.
+    /// `z` after a travel (rad) in one direction: the exact solution.
     pub fn after(&self, travel: f64, z: f64) -> f64 {
         let s = sign(travel);
         s + (z - s) * libm::exp(-travel.abs() / self.travel)

@@ -2,24 +2,24 @@
 
 use super::effects::ExternalContact;
 
-/// A wrench on the tool, and how it answers to motion.
+/// A wrench on the tool, with its stiffness and damping.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Wrench {
     /// Force (N) and moment (N m) on the tool, about the origin of its frame, world axes.
     pub wrench: [f64; 6],
-    /// Minus the derivative of the force by the position of the origin, N/m; for the implicit
-    /// integrator: may be rough, or zero for what is soft.
+    /// Minus the derivative of the force with respect to the origin's position, N/m. Used by the
+    /// implicit integrator only: it may be approximate, or zero for a soft contact.
     pub stiffness: [[f64; 3]; 3],
-    /// Minus the derivative of the force by the velocity of the origin, N s/m.
+    /// Minus the derivative of the force with respect to the origin's velocity, N s/m.
     pub damping: [[f64; 3]; 3],
 }
 
-/// Something that pushes on the tool: a wall, a hand, a spring. Any closure of the same form is
-/// one.
+/// External interaction with the tool, such as a wall, a hand or a spring. Closures with the
+/// signature of [`External::wrench`] implement it.
 pub trait External: Sync {
-    /// The wrench at time `t` (s) on a tool with this frame and twist. The frame is the top three
-    /// rows of its homogeneous matrix, the twist the velocity of its origin and its angular
-    /// velocity, both in world axes.
+    /// Wrench at time `t` (s) on a tool with the given pose and twist. `pose` is the top three rows
+    /// of the tool's homogeneous matrix; `twist` is the velocity of its origin and its angular
+    /// velocity. Both are in world axes.
     fn wrench(&self, t: f64, pose: &[f64; 12], twist: &[f64; 6]) -> Wrench;
 }
 
@@ -29,14 +29,15 @@ impl<F: Fn(f64, &[f64; 12], &[f64; 6]) -> Wrench + Sync> External for F {
     }
 }
 
-/// A compliant plane with the damping of Hunt and Crossley (J. Applied Mechanics 42, 1975): `k d (1
-/// + c d')` along the normal while the tool's origin is `d` deep in it. The force begins and ends
-/// at zero and never pulls. Sliding is resisted by Coulomb friction, rounded off below `creep`.
+/// A compliant plane with the damping of Hunt and Crossley (J. Applied Mechanics 42, 1975). The
+/// force along the normal is `k d (1 + c d')` while the tool's origin is at depth `d`. It begins
+/// and ends at zero and never pulls. Coulomb friction resists sliding, smoothed below the speed
+/// `creep`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Wall {
-    /// A point of the plane, world axes, m.
+    /// A point on the plane, world axes, m.
     pub point: [f64; 3],
-    /// Unit normal, out of the wall.
+    /// Unit normal, pointing out of the wall.
     pub normal: [f64; 3],
     /// `k`, N/m.
     pub stiffness: f64,
@@ -49,7 +50,7 @@ pub struct Wall {
 }
 
 impl Wall {
-    /// A stiff plane: 20 kN/m, a rubber roller on plaster.
+    /// A stiff plane: 20 kN/m, as a rubber roller on plaster.
     pub fn new(point: [f64; 3], normal: [f64; 3]) -> Self {
         let length = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
         Self { point, normal: normal.map(|n| n / length), stiffness: 2e4, damping: 0.5, friction: 0.0, creep: 1e-2 }
@@ -111,7 +112,7 @@ pub(super) fn total(
     sum
 }
 
-/// Transforms a wrench from world axes to those of the tool.
+/// Rotates a wrench from world axes into those of the tool.
 pub(super) fn in_tool(pose: &[f64; 12], wrench: &[f64; 6]) -> [f64; 6] {
     std::array::from_fn(|i| {
         let (column, from) = (i % 3, 3 * (i / 3));
@@ -119,7 +120,7 @@ pub(super) fn in_tool(pose: &[f64; 12], wrench: &[f64; 6]) -> [f64; 6] {
     })
 }
 
-/// A wrench in the axes of the tool in those of the base.
+/// Rotates a wrench from the axes of the tool into those of the base.
 pub(super) fn in_base(pose: &[f64; 12], wrench: &[f64; 6]) -> [f64; 6] {
     std::array::from_fn(|i| {
         let (row, from) = (i % 3, 3 * (i / 3));
@@ -131,7 +132,7 @@ pub(super) fn in_base(pose: &[f64; 12], wrench: &[f64; 6]) -> [f64; 6] {
 mod tests {
     use super::*;
 
-    /// Friction acts against the sliding, across the normal.
+    /// Friction opposes the sliding velocity and is perpendicular to the normal.
     #[test]
     fn a_wall_holds_back_what_slides_on_it() {
         let wall = Wall { friction: 0.4, damping: 0.0, ..Wall::new([0.0; 3], [0.0, 0.0, 1.0]) };

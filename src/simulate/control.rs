@@ -1,26 +1,26 @@
-//! The loop that makes the arm follow the motion.
+//! Control loop that makes the arm follow the motion: modes, gains, feedforward table.
 
-/// Control of the arm.
+/// Control mode.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Mode {
     /// Feedforward of the given model along the motion, and proportional-derivative feedback. The
-    /// drive itself is ideal, and the loop is continuous: sampling would shift torque against
-    /// motion by half a period.
+    /// drive is ideal and the loop continuous: a sampled loop would shift torque against motion by
+    /// half a period.
     #[default]
     Position,
-    /// Proportional-derivative feedback and the given model's gravity at the desired position.
+    /// Proportional-derivative feedback, and gravity of the given model at the desired position.
     Pd,
     /// The torques of the trajectory's `tau` columns, no feedback.
     Torque,
     /// No torque: a free swing from the motion's first point.
     Free,
     /// No loop: the links follow the motion exactly, and torques follow from the laws. Fast, and
-    /// free of transients.
+    /// without transients.
     Exact,
 }
 
 impl Mode {
-    /// All, with their names.
+    /// All modes with their names.
     pub const ALL: [(&'static str, Self); 5] = [
         ("position", Self::Position),
         ("pd", Self::Pd),
@@ -30,30 +30,31 @@ impl Mode {
     ];
 }
 
-/// Settings of the loop.
+/// Settings of the control loop.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Control {
-    /// Control of the arm.
+    /// Control mode.
     pub mode: Mode,
-    /// Bandwidth that default gains are made for, rad/s.
+    /// Bandwidth for which default gains are computed, rad/s.
     pub bandwidth: f64,
-    /// Damping ratio that default gains are made for.
+    /// Damping ratio for which default gains are computed.
     pub damping: f64,
-    /// N m/rad, one for each joint; default: bandwidth squared times the joint's inertia, and that
-    /// of a rotor as large as the drive.
+    /// Position gains, N m/rad: one value, or one per joint. Default: bandwidth squared times the
+    /// joint's inertia plus that of a rotor in proportion to the rated torque.
     pub kp: Option<Vec<f64>>,
-    /// N m s/rad, one for each joint.
+    /// Velocity gains, N m s/rad: one value, or one per joint. Default: from `kp` and the damping
+    /// ratio.
     pub kd: Option<Vec<f64>>,
 }
 
 impl Default for Control {
     fn default() -> Self {
-        // 10 Hz: of the order that position loops of light-weight arms reach; our choice.
+        // 10 Hz, the order of the position loops of light-weight arms; our choice.
         Self { mode: Mode::Position, bandwidth: 63.0, damping: 0.7, kp: None, kd: None }
     }
 }
 
-/// Values at evenly spaced times, joint-major, with a cubic through the four nearest.
+/// Values at evenly spaced times, joint-major, interpolated by a cubic through the four nearest.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Table {
     pub start: f64,
@@ -71,7 +72,7 @@ impl Table {
         let place = ((t - self.start) / self.step).clamp(0.0, (self.len - 1) as f64);
         let k = (place as usize).min(self.len.saturating_sub(2));
         let s = place - k as f64;
-        // Catmull and Rom's cubic.
+        // Cubic of Catmull and Rom.
         let weights = [
             s * (-0.5 + s * (1.0 - 0.5 * s)),
             1.0 + s * s * (-2.5 + 1.5 * s),

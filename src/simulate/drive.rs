@@ -1,4 +1,4 @@
-//! Chain between the command and the link of one joint: motor, gear, friction, sensors.
+//! Drive chain between the command and the link of one joint: motor, gear, friction, sensors.
 
 use super::bristle::sign;
 use super::effects::{
@@ -7,14 +7,14 @@ use super::effects::{
     TorqueRipple,
 };
 
-/// Temperature of a joint that does not warm, degrees C.
+/// Temperature of a joint without a warming law, degrees C.
 const ROOM: f64 = 25.0;
 
-/// The drive of one joint with everything that was asked for. Torques in N m at the joint, angles
+/// Drive of one joint with all of its effects. Torques in N m on the joint side of the gear, angles
 /// in rad.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Drive {
-    /// Whether a motor drives it.
+    /// Whether the joint has a motor.
     pub actuated: bool,
     /// The joint's torque limit, N m.
     pub rated: f64,
@@ -58,7 +58,7 @@ pub struct Drive {
     pub law: Option<ClosedForm>,
 }
 
-/// Of each joint: whether a law of any of them has the sign of its velocity.
+/// For each joint, whether a closed-form law of any joint contains the sign of its velocity.
 pub(super) fn signs_in_laws(drives: &[Drive]) -> Vec<bool> {
     let mut signs = vec![false; drives.len()];
     drives.iter().filter_map(|drive| drive.law.as_ref()).for_each(|law| law.signs(&mut signs));
@@ -66,7 +66,7 @@ pub(super) fn signs_in_laws(drives: &[Drive]) -> Vec<bool> {
 }
 
 impl Drive {
-    /// A drive that does nothing but drive.
+    /// A drive without friction, rotor or sensor errors.
     pub fn ideal(rated: f64) -> Self {
         Self {
             actuated: true,
@@ -93,12 +93,12 @@ impl Drive {
         }
     }
 
-    /// Whether motor and link can move against each other.
+    /// Whether motor and link can move relative to each other.
     pub fn is_soft(&self) -> bool {
         self.elasticity.is_some() || self.backlash.is_some()
     }
 
-    /// Whether a law has `sign(v)` in it.
+    /// Whether a law of this drive contains `sign(v)`.
     pub fn has_sign(&self) -> bool {
         self.plain.level != 0.0
             || self.asymmetric.is_some_and(|a| a.level != 0.0)
@@ -107,24 +107,24 @@ impl Drive {
             || self.position.is_some()
     }
 
-    /// Factor of all friction, `t` s after the start.
+    /// Factor of all friction, `t` s after the start of the motion.
     pub fn warmth(&self, t: f64) -> f64 {
         self.drift.map_or(1.0, |d| d.factor(t))
     }
 
-    /// Degrees C, `t` s after the start.
+    /// Temperature, degrees C, `t` s after the start of the motion.
     pub fn temperature(&self, t: f64) -> f64 {
         self.drift.map_or(ROOM, |d| d.temperature(t))
     }
 
-    /// Factor of `sign(v)`, without warmth and load.
+    /// Factor of `sign(v)`, N m, without warming and load.
     pub fn level(&self, q: f64, v: f64) -> f64 {
         let coulomb = self.plain.level;
         coulomb + self.stribeck.map_or(0.0, |s| s.excess(v, coulomb)) + self.position.map_or(0.0, |p| p.excess(q))
     }
 
-    /// Friction at the motor without warmth, load and offset; `s` and `h` stand for the sign of
-    /// `v`: see `bristle.rs`.
+    /// Friction at the motor without warming, load and offset, N m. `s` and `h` replace the sign of
+    /// `v` for plain friction and for hysteresis: see `bristle.rs`.
     pub fn friction(&self, q: f64, v: f64, s: f64, h: f64) -> f64 {
         let mut torque = self.plain.viscous * v;
         if self.has_sign() {
@@ -142,7 +142,8 @@ impl Drive {
         torque
     }
 
-    /// Viscous slope of the friction at this speed, never negative: for the implicit integrator.
+    /// Viscous slope of the friction at this speed, N m s/rad, clipped at zero: for the implicit
+    /// integrator.
     pub fn viscosity(&self, v: f64) -> f64 {
         let slope = self.plain.viscous
             + self.asymmetric.map_or(0.0, |a| a.viscous * sign(v))
@@ -150,18 +151,18 @@ impl Drive {
         slope.max(0.0)
     }
 
-    /// Ripple torque at this motor angle.
+    /// Ripple torque at motor angle `q`, N m.
     pub fn ripple(&self, q: f64) -> f64 {
         self.ripple.iter().map(|r| r.torque(q)).sum()
     }
 
-    /// Spring and damper of a soft joint.
+    /// Spring and damper of a soft joint: its elasticity, or else the teeth of its gear.
     pub fn transmission(&self) -> JointElasticity {
         self.elasticity.unwrap_or_else(|| JointElasticity::of_teeth(self.rated, self.rotor))
     }
 
-    /// Torque of a soft joint on its link, and its slopes, for the motor's angle and velocity
-    /// before the link's.
+    /// Torque that a soft joint transmits to its link, and its derivatives. `angle` and `velocity`
+    /// are those of the motor relative to the link.
     pub fn transmitted(&self, angle: f64, velocity: f64) -> [f64; 3] {
         let spring = self.transmission();
         match self.backlash {
@@ -170,7 +171,7 @@ impl Drive {
         }
     }
 
-    /// The torque that the drive gives when this is asked for.
+    /// Torque that the drive delivers for a commanded one: limited, and zero without a motor.
     pub fn clipped(&self, torque: f64) -> f64 {
         if !self.actuated {
             return 0.0;

@@ -1,8 +1,7 @@
-//! The effects beyond the rigid body, one file each: what it does in the
-//! simulated robot.
+//! Effects beyond the rigid body, one file each: their laws in the simulated robot.
 //!
-//! Names, keys and defaults stand in [`dh_codegen::robot::effects`]; what changes geometry or
-//! bodies in [`dh_codegen::robot::Robot::change`].
+//! Names, keys and defaults are in [`dh_codegen::robot::effects`]. Effects that change geometry or
+//! bodies are in [`dh_codegen::robot::Robot::change`].
 
 mod asymmetric_friction;
 mod backlash;

@@ -1,4 +1,5 @@
-//! The file of a simulation: effects of joints and of the robot, sensors, control, solver.
+//! File of a simulation: reads effects of joints and robot, and settings of sensors, controller and
+//! solver.
 
 use dh_codegen::robot::document::{
     self, Findings, Kind, Mark, Node, Word, closest, effects_of_joint, effects_of_robot, join, law_of_joint,
@@ -8,40 +9,40 @@ use dh_codegen::robot::{EffectKind, Effects, JointKind, Note, Problems, Robot};
 
 use super::{Method, Mode, Request, Side};
 
-/// Content of such a file. Every part may be left out.
+/// Content of the file. Every part is optional.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct SimulationFile {
     /// Effects beyond those of the robot file.
     pub effects: Effects,
-    /// Action or observation of the reader.
+    /// Notes of the reader for the author of the file.
     pub notes: Vec<Note>,
-    /// Of `sensors`, `control`, `solver`: place in [`KNOWN`], and value.
+    /// Settings of `sensors`, `control`, `solver`: index in [`KNOWN`], and value.
     settings: Vec<(usize, Setting)>,
 }
 
-/// The value of a setting.
+/// Value of a setting.
 #[derive(Debug, Clone, PartialEq)]
 enum Setting {
-    /// One number, or one for each joint.
+    /// One number, or one per joint.
     Numbers(Vec<f64>),
     Flag(bool),
-    /// One of the words that are known there, by its place.
+    /// Index of the word in the words of its key.
     Word(usize),
 }
 
-/// Value of a key of a section, and what it sets.
+/// Form of the value of a key, and the function that sets it.
 enum Form {
     Number(fn(&mut Request, f64)),
-    /// A number, or a list with one for each joint.
+    /// A number, or a list with one per joint.
     Each(fn(&mut Request, Vec<f64>)),
     Flag(fn(&mut Request, bool)),
-    /// One of these words, by its place.
+    /// One of these words, passed on by its index.
     Words(&'static [&'static str], fn(&mut Request, usize)),
 }
 
 struct Known {
     section: &'static str,
-    /// `torque_noise_color.std` of a mapping.
+    /// Key; of a mapping with its name: `torque_noise_color.std`.
     key: &'static str,
     form: Form,
     doc: &'static str,
@@ -88,7 +89,7 @@ static KNOWN: [Known; 24] = [
 ];
 
 impl SimulationFile {
-    /// Reads the file for a robot; joints stand there by number or name. All mistakes are reported
+    /// Reads the file for a robot; joints are given by number or name. All mistakes are reported
     /// together.
     pub fn from_yaml(text: &str, robot: &Robot) -> Result<Self, Problems> {
         let says_something = |line: &str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
@@ -106,7 +107,7 @@ impl SimulationFile {
                         "joints" => joints(node, &path, robot, &mut file.effects, &mut found),
                         "effects" => {
                             file.effects.robot = effects_of_robot(node, &path, &mut found);
-                            // A joint's own law takes the place of one for all joints.
+                            // A joint's own law replaces one for all joints.
                             file.effects.laws.splice(0..0, law_of_robot(node, &path, robot, &mut found));
                         }
                         "sensors" | "control" | "solver" => section(word, node, &mut file, &mut found),
@@ -135,12 +136,12 @@ impl SimulationFile {
         Ok(file)
     }
 
-    /// Sections and keys of the settings, in the file's order.
+    /// Sections and keys of the settings, in the order of the file.
     pub fn settings(&self) -> impl Iterator<Item = (&'static str, &'static str)> {
         self.settings.iter().map(|(place, _)| (KNOWN[*place].section, KNOWN[*place].key))
     }
 
-    /// Takes over the settings of sensors, control and solver; the effects are the simulator's.
+    /// Applies the settings of sensors, control and solver; effects are applied by the simulator.
     pub fn apply(&self, request: &mut Request) {
         for (place, value) in &self.settings {
             match (&KNOWN[*place].form, value) {
@@ -154,7 +155,7 @@ impl SimulationFile {
     }
 }
 
-/// A mapping of joints to effects, or a list of mappings with `joint` in each.
+/// Reads a mapping of joints to effects, or a list of mappings with `joint` in each.
 fn joints(node: &Node, path: &str, robot: &Robot, out: &mut Effects, to: &mut Findings) {
     let mut seen = Vec::new();
     match &node.kind {
@@ -209,7 +210,7 @@ fn joints(node: &Node, path: &str, robot: &Robot, out: &mut Effects, to: &mut Fi
     }
 }
 
-/// The effects of one joint, and its law.
+/// Reads the effects and the law of one joint.
 fn joint(fields: &[(Word, Node)], path: &str, robot: &Robot, row: Option<usize>, out: &mut Effects, to: &mut Findings) {
     let effects = effects_of_joint(fields, path, to);
     let Some(row) = row else { return };
@@ -217,7 +218,7 @@ fn joint(fields: &[(Word, Node)], path: &str, robot: &Robot, row: Option<usize>,
     out.laws.extend(law_of_joint(fields, path, robot, row, to).map(|law| (row, law)));
 }
 
-/// A joint stands in one place of the file: by number or by name.
+/// Checks that a joint occurs only once in the file, whether by number or by name.
 fn once(
     row: Option<usize>,
     mark: Mark,
@@ -236,7 +237,7 @@ fn once(
     Some(row)
 }
 
-/// The row of a joint that is named by number, from 1, or by name.
+/// Row of a joint given by number, from 1, or by name.
 fn row(text: &str, mark: Mark, path: &str, robot: &Robot, to: &mut Findings) -> Option<usize> {
     let text = text.trim();
     let by_name = robot.joints.iter().position(|joint| joint.name == text);

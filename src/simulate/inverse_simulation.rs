@@ -1,9 +1,9 @@
-//! No loop and no integration: the links follow the motion exactly, and torques follow from inverse
-//! dynamics and the laws.
+//! Exact mode without loop or integration: the links follow the motion, and torques follow from
+//! inverse dynamics and the laws.
 //!
-//! A soft joint's motor is where its spring must be to carry the link; its velocity and
-//! acceleration are differences over 1 ms. The damping of the spring is left out, and a gear with
-//! backlash changes sides within a small torque instead of a small time.
+//! The motor of a soft joint is where its spring carries the link; its velocity and acceleration
+//! are finite differences with a step of 1 ms. The spring's damping is omitted. A gear with
+//! backlash changes sides within a small torque instead of a short time.
 
 use super::bristle::{Part, sign};
 use super::contact::External;
@@ -15,9 +15,9 @@ use super::sensors::Truth;
 use super::trajectory::{Point, Trajectory};
 use crate::model::{Arm, Dynamics, States, ToolState};
 
-/// Half the spacing of differences, s.
+/// Step of the finite differences, s.
 const STEP: f64 = 1e-3;
-/// Torque within which a gear with backlash changes sides, as a part of the torque limit.
+/// Torque within which a gear with backlash changes sides, as a share of the torque limit.
 const CHANGES_SIDE: f64 = 2e-3;
 
 pub(super) fn follow(
@@ -34,7 +34,7 @@ pub(super) fn follow(
     let mut truth = Truth::sized(n, instants);
     let soft = settled.drives.iter().any(Drive::is_soft);
     let shifts: &[f64] = if soft { &[0.0, -2.0, -1.0, 1.0, 2.0] } else { &[0.0] };
-    // Times of the differences; near the ends they look inwards.
+    // Times of the difference stencils, shifted inwards near the ends.
     let times: Vec<f64> = shifts
         .iter()
         .flat_map(|&shift| {
@@ -77,7 +77,7 @@ pub(super) fn follow(
             if drive.is_soft() {
                 let [a, b, c, d] = [1, 2, 3, 4].map(|shift| bend(shift * len + k));
                 truth.motor_dq[at] += (a - 8.0 * b + 8.0 * c - d) / (12.0 * STEP);
-                // Second derivative about the same instant, without the middle: exact for cubics.
+                // Second derivative from the four outer points of the stencil: exact for cubics.
                 ddq[at] += (a - b - c + d) / (3.0 * STEP * STEP);
             }
         }
@@ -86,8 +86,8 @@ pub(super) fn follow(
     truth
 }
 
-/// Transmitted torque of the gears: bodies, springs, external wrenches, and the share of a motor in
-/// a link that it carries.
+/// Torques that the gears transmit: bodies, springs, external wrenches, and the load of a link that
+/// is also carried by another joint's motor.
 fn loads(
     built: &SimulatedRobot,
     settled: &Settled,
@@ -112,7 +112,7 @@ fn loads(
     load
 }
 
-/// Motion of links that also turn with other joints' motors.
+/// Motion of the links, including links that also turn with another joint's motor.
 fn carried(states: &States, couplings: &[GearCoupling]) -> States {
     let (mut moved, len) = (states.clone(), states.len);
     for c in couplings.iter().filter(|c| c.carries != 0.0) {
@@ -124,7 +124,7 @@ fn carried(states: &States, couplings: &[GearCoupling]) -> States {
     moved
 }
 
-/// True motion of the motors.
+/// Motion on the motor side of stiff gears (desired plus encoder offset), and the desired motion.
 fn links(trajectory: &Trajectory, drives: &[Drive], times: &[f64]) -> (States, Vec<Point>) {
     let (n, len) = (drives.len(), times.len());
     let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
@@ -143,7 +143,7 @@ fn links(trajectory: &Trajectory, drives: &[Drive], times: &[f64]) -> (States, V
     (states, desired)
 }
 
-/// The drives do not give external wrenches.
+/// Subtracts the external wrenches from the loads (`J' w`), and records them in tool axes.
 fn push(
     built: &SimulatedRobot,
     settled: &Settled,
@@ -179,7 +179,7 @@ fn push(
     }
 }
 
-/// What laws in closed form may ask for at sample `k`; its time is set.
+/// Sets the inputs of closed-form laws at sample `k`; `moment.t` is set already.
 fn see(moment: &mut Moment, settled: &Settled, truth: &Truth, ddq: &[f64], signs: &[f64], k: usize) {
     let len = truth.t.len();
     let motion = |j: usize| (truth.motor_q[j * len + k], truth.motor_dq[j * len + k], signs[j]);
@@ -187,11 +187,11 @@ fn see(moment: &mut Moment, settled: &Settled, truth: &Truth, ddq: &[f64], signs
     signs.iter().enumerate().for_each(|(j, _)| moment.ddq[j] = ddq[j * len + k]);
 }
 
-/// Friction, rotor and ripple on top of the load.
+/// Adds friction, rotor, ripple and laws to the load, which gives the motor torques.
 fn torques(settled: &Settled, plant: &Plant<'_>, ddq: &[f64], start: f64, truth: &mut Truth) {
     let (n, len) = (settled.drives.len(), truth.t.len());
     let motors: Vec<usize> = (0..n).collect();
-    // In the plant a bristle's directions are coordinates; here motors are ordered as the joints.
+    // A bristle's directions are plant coordinates; here the motors are ordered by joint.
     let joint_of = |coordinate: usize| plant.motor.iter().position(|&m| m == coordinate).unwrap_or(coordinate);
     let mut z: Vec<Option<f64>> = vec![None; plant.bristles.len()];
     let mut moment = Moment::of(n);
@@ -207,7 +207,7 @@ fn torques(settled: &Settled, plant: &Plant<'_>, ddq: &[f64], start: f64, truth:
                 Some(z) => {
                     let before = sum(&truth.motor_dq, k - 1);
                     if before * v < 0.0 {
-                        // It turned on the way, at a constant acceleration.
+                        // The velocity changed sign in between, at constant acceleration.
                         let dt = truth.t[k] - truth.t[k - 1];
                         let part = before / (before - v);
                         bristle.after(0.5 * v * (1.0 - part) * dt, bristle.after(0.5 * before * part * dt, z))
@@ -247,7 +247,7 @@ fn torques(settled: &Settled, plant: &Plant<'_>, ddq: &[f64], start: f64, truth:
     }
 }
 
-/// Torques beyond what the drives give.
+/// Limits the torques to what the drives can deliver.
 fn clip(settled: &Settled, truth: &mut Truth, k: usize) {
     let len = truth.t.len();
     for (j, drive) in settled.drives.iter().enumerate() {

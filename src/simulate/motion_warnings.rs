@@ -1,18 +1,18 @@
-//! Contradictions between a motion and the robot that is to play it: units, columns, the clock. It
-//! is played all the same.
+//! Warnings where a motion contradicts the robot: units, columns, the clock. The motion is played
+//! all the same.
 
 use dh_codegen::robot::{JointKind, Robot};
 
 use super::Trajectory;
 
-/// A position beyond the limits by more than this share of the range.
+/// Share of the position range by which a position may exceed its limits.
 const BEYOND: f64 = 0.1;
-/// A speed of so many times the limit.
+/// Multiple of the velocity limit above which a warning is given.
 const FAST: f64 = 1.5;
-/// Velocities that differ from the slope of the positions by more than this share.
+/// Relative difference between velocities and the slope of the positions that gives a warning.
 const OFF: f64 = 0.5;
 
-/// One sentence for each thing, with joint and figures.
+/// One sentence per contradiction, with joint and figures.
 pub fn motion_warnings(trajectory: &Trajectory, robot: &Robot) -> Vec<String> {
     let mut said = Vec::new();
     let moving = robot.joints.iter().filter(|joint| joint.kind != JointKind::Fixed);

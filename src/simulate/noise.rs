@@ -1,8 +1,8 @@
-//! Random numbers of sensors: the same for the same seed on every machine.
+//! Random numbers of the sensors: the same for the same seed on every machine.
 
 use crate::numerics::prng::Random;
 
-/// A stream of normal deviates.
+/// Stream of normal deviates.
 #[derive(Debug, Clone)]
 pub(super) struct Noise {
     random: Random,
@@ -10,7 +10,7 @@ pub(super) struct Noise {
 }
 
 impl Noise {
-    /// Streams with different numbers do not depend on each other's length.
+    /// Stream number `stream` of a seed; what is drawn from one stream does not shift another.
     pub fn new(seed: u64, stream: u64) -> Self {
         let mut random = Random::new(seed ^ stream.wrapping_mul(0xD1B5_4A32_D192_ED03));
         random.bits();
@@ -44,7 +44,7 @@ pub(super) struct Coloured {
 }
 
 impl Coloured {
-    /// With this corner frequency, Hz, sampled every `period` s.
+    /// Noise with this corner frequency, Hz, sampled every `period` s.
     pub fn new(mut noise: Noise, corner: f64, period: f64) -> Self {
         let keep = libm::exp(-std::f64::consts::TAU * corner * period);
         let value = noise.normal();

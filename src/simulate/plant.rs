@@ -1,4 +1,4 @@
-//! The robot as an ordinary differential equation: links, the motors of soft joints, and bristles.
+//! Robot as an ordinary differential equation: links, the motors of soft joints, and bristles.
 //!
 //! Coordinates: the `n` links, then one motor for each soft joint; a stiff joint's motor is its
 //! link. State: coordinates, their velocities, bristles.
@@ -13,10 +13,10 @@ use crate::model::{Dynamics, ToolState};
 use crate::numerics::cholesky;
 use crate::numerics::integrators::{Breakdown, Linear, LinearBristle, System};
 
-/// Torques of the couplings and loads are repeated until they agree to this, relatively.
+/// Relative tolerance of the iteration between load-dependent friction and transmitted torque.
 const LOAD_AGREES: f64 = 1e-10;
 
-/// A robot at work.
+/// State-space model of the robot under control.
 pub(super) struct Plant<'a> {
     bodies: &'a mut dyn Dynamics,
     pub drives: &'a [Drive],
@@ -29,36 +29,36 @@ pub(super) struct Plant<'a> {
     feedforward: Table,
     start: f64,
     n: usize,
-    /// Coordinate of each joint's motor.
+    /// Coordinate index of each joint's motor.
     pub motor: Vec<usize>,
     coordinates: usize,
     pub bristles: Vec<Bristle>,
     hint: usize,
-    /// Torques that a sampled controller holds, instead of the loop; empty where there is none.
+    /// Torques held by a sampled controller in place of the loop, N m; empty without one.
     pub held: Vec<f64>,
     /// Result at the last evaluated state.
     pub now: Now,
     work: Work,
 }
 
-/// All quantities at one state.
+/// Quantities at one state.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Now {
-    /// Of the coordinates.
+    /// Accelerations of the coordinates.
     pub acceleration: Vec<f64>,
-    /// Of the drives, N m.
+    /// Torques of the drives, N m.
     pub motor_torque: Vec<f64>,
     /// Torque that each gear transmits to its link, N m.
     pub link_torque: Vec<f64>,
-    /// Desired motion.
+    /// Desired motion of each joint.
     pub desired: Vec<Point>,
-    /// Force and moment on the tool, tool frame.
+    /// External force (N) and moment (N m) on the tool, tool axes.
     pub wrench: [f64; 6],
 }
 
 #[derive(Debug, Clone, Default)]
 struct Work {
-    /// Of the bodies, `n x n`.
+    /// Mass matrix of the bodies, `n x n`.
     bodies: Vec<f64>,
     bias: Vec<f64>,
     mass: Vec<f64>,
@@ -66,22 +66,22 @@ struct Work {
     force: Vec<f64>,
     right: Vec<f64>,
     tool: ToolState,
-    /// Torques of the external wrench on the joints.
+    /// Torques of the external wrench on the joints, N m.
     pushed: Vec<f64>,
     /// External stiffness and damping at the joints, `n x n`.
     push_stiffness: Vec<f64>,
     push_damping: Vec<f64>,
-    /// Substitute for the sign, and the hysteresis of each joint.
+    /// Bristle substitutes for the sign and for the hysteresis, per joint.
     sign: Vec<f64>,
     hysteresis: Vec<f64>,
     coupled: Vec<f64>,
-    /// Motion of the motors, and temperatures, for laws in closed form.
+    /// Inputs of closed-form laws: motion of the motors, temperatures, time.
     moment: Moment,
-    /// Their torques.
+    /// Torques of closed-form laws, N m.
     laws: Vec<f64>,
 }
 
-/// Parts of a plant.
+/// Components of a plant.
 pub(super) struct Parts<'a> {
     pub bodies: &'a mut dyn Dynamics,
     pub drives: &'a [Drive],
@@ -90,12 +90,12 @@ pub(super) struct Parts<'a> {
     pub external: &'a [&'a dyn External],
     pub trajectory: &'a Trajectory,
     pub control: &'a Control,
-    /// `kp`, `kd`.
+    /// Gains `[kp, kd]`.
     pub gains: [Vec<f64>; 2],
     pub feedforward: Table,
 }
 
-/// What stands for the signs of velocities.
+/// Bristles that replace the signs of velocities.
 fn bristles(drives: &[Drive], couplings: &[GearCoupling], motor: &[usize]) -> Vec<Bristle> {
     let mut bristles = Vec::new();
     let in_laws = signs_in_laws(drives);
@@ -178,8 +178,8 @@ impl<'a> Plant<'a> {
         }
     }
 
-    /// Whether an explicit method would crawl: gains made for a drive are high for the light link
-    /// behind it.
+    /// Whether an explicit method would need very short steps. Gains sized for a drive are high for
+    /// the light link behind it, so position loops count as stiff.
     pub fn is_stiff(&self) -> bool {
         matches!(self.control.mode, Mode::Position | Mode::Pd)
             || !self.bristles.is_empty()
@@ -187,7 +187,7 @@ impl<'a> Plant<'a> {
             || !self.external.is_empty()
     }
 
-    /// On the motion, at its start.
+    /// Initial state: on the motion, at its start.
     pub fn initial(&mut self) -> Vec<f64> {
         let (n, total) = (self.n, self.coordinates);
         let mut points = vec![[0.0; 3]; n];
@@ -200,7 +200,7 @@ impl<'a> Plant<'a> {
                 y[total + k] = if moving { points[j][1] } else { 0.0 };
             }
         }
-        // The spring of a soft joint carries its link from the start.
+        // The spring of a soft joint carries its link from the first instant.
         self.bodies.bias(&y[..n], &y[total..total + n], &mut self.work.bias);
         self.bodies.mass_matrix(&y[..n], &mut self.work.bodies);
         for j in (0..n).filter(|&j| self.drives[j].is_soft()) {
@@ -215,12 +215,12 @@ impl<'a> Plant<'a> {
         y
     }
 
-    /// Evaluates a state, into [`Plant::now`].
+    /// Evaluates a state into [`Plant::now`].
     pub fn look(&mut self, t: f64, y: &[f64]) -> Result<(), Breakdown> {
         self.see(t, y, false)
     }
 
-    /// With the slopes of what pushes, if they are asked for.
+    /// Evaluates a state; `slopes`: also the stiffness and damping of external contacts.
     fn see(&mut self, t: f64, y: &[f64], slopes: bool) -> Result<(), Breakdown> {
         let (n, total) = (self.n, self.coordinates);
         let (x, v, z) = (&y[..total], &y[total..2 * total], &y[2 * total..]);
@@ -263,8 +263,8 @@ impl<'a> Plant<'a> {
         }
         work.factor.clone_from(&work.mass);
         cholesky::factor(total, &mut work.factor).map_err(|joint| Breakdown::Mass { joint: joint + 1, time: t })?;
-        // Friction that depends on the transmitted torque, which depends on the acceleration: a
-        // contraction, as FL < 1.
+        // Load-dependent friction depends on the transmitted torque, hence on the acceleration:
+        // fixed-point iteration, a contraction since FL < 1.
         let loaded = self.drives.iter().any(|d| d.load.is_some());
         for _ in 0..60 {
             work.right.clone_from(&work.force);
@@ -293,7 +293,7 @@ impl<'a> Plant<'a> {
         Ok(())
     }
 
-    /// What stands for signs of velocities, and the torques of laws in closed form.
+    /// Evaluates the bristles, and the torques of closed-form laws.
     fn signs_and_laws(&mut self, since: f64, x: &[f64], v: &[f64], z: &[f64]) {
         let work = &mut self.work;
         work.sign.fill(0.0);
@@ -314,7 +314,8 @@ impl<'a> Plant<'a> {
         }
     }
 
-    /// Torques of the external wrenches, and what stiffness and damping they put on the joints.
+    /// Torques of the external wrenches on the joints; `slopes`: also their joint stiffness and
+    /// damping.
     fn push(&mut self, t: f64, x: &[f64], v: &[f64], slopes: bool) {
         let (n, work) = (self.n, &mut self.work);
         work.pushed.fill(0.0);
@@ -348,7 +349,7 @@ impl<'a> Plant<'a> {
         self.now.wrench = contact::in_tool(pose, &total.wrench);
     }
 
-    /// The rate at the state that was looked at last.
+    /// Rate of the state that was evaluated last.
     fn seen_rate(&self, y: &[f64], dy: &mut [f64]) {
         let total = self.coordinates;
         dy[..total].copy_from_slice(&y[total..2 * total]);
@@ -358,18 +359,19 @@ impl<'a> Plant<'a> {
         }
     }
 
-    /// Torques that hold the bodies at the state that was looked at last, N m.
+    /// Torques that balance gravity and velocity terms of the bodies at the last evaluated state, N
+    /// m.
     pub fn gravity(&self) -> Vec<f64> {
         self.work.bias.clone()
     }
 
-    /// Frame of the tool at a state, world axes.
+    /// Pose of the tool at a state: top three rows of its matrix, world axes.
     pub fn tool_pose(&mut self, y: &[f64]) -> [f64; 12] {
         self.bodies.tool(&y[..self.n], &mut self.work.tool);
         self.work.tool.pose
     }
 
-    /// Torques of the drives.
+    /// Torques of the drives: held, played, or from the loop, within the limits of the drives.
     fn command(&mut self, t: f64, x: &[f64], v: &[f64]) {
         let now = &mut self.now;
         if !self.held.is_empty() {
@@ -399,8 +401,8 @@ impl<'a> Plant<'a> {
 }
 
 impl Plant<'_> {
-    /// Of what the motor of joint `j` gives at this velocity, rad/s, the share that reaches a stiff
-    /// joint's link: friction that grows with it takes the rest.
+    /// Share of the torque of motor `j` that reaches the link of a stiff joint at velocity `v`,
+    /// rad/s. Load-dependent friction takes the rest.
     fn passes(&self, j: usize, v: f64, since: f64) -> f64 {
         match self.drives[j].load {
             Some(load) if self.motor[j] == j => {
@@ -414,7 +416,7 @@ impl Plant<'_> {
 }
 
 impl Plant<'_> {
-    /// What the sign of a joint's velocity is multiplied with, N m.
+    /// Torque that multiplies the sign of a joint's velocity, N m.
     fn sign_level(&self, joint: usize, since: f64, x: &[f64], v: &[f64], z: f64) -> f64 {
         let (drive, m) = (&self.drives[joint], self.motor[joint]);
         let load = drive.load.map_or(0.0, |l| l.level(self.now.link_torque[joint], v[m]));

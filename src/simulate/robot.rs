@@ -1,5 +1,5 @@
-//! From a robot and its effects to what is simulated: bodies as they truly are, and a drive for
-//! each joint.
+//! Builds what is simulated from a robot and its effects: the true bodies, and a drive for each
+//! joint.
 
 use std::ops::Range;
 
@@ -18,24 +18,24 @@ use crate::model::interpreted::Interpreted;
 use crate::model::{Arm, Dynamics};
 use crate::numerics::cholesky;
 
-/// The true robot, and the robot of its file.
+/// The true robot, and the robot as described by its file.
 pub(super) struct SimulatedRobot {
-    /// The robot of the file: the controller's model.
+    /// Robot of the file: the controller's model.
     pub given: Interpreted,
     pub given_standard: Vec<f64>,
-    /// The true one; `None` where only parameters differ.
+    /// True robot; `None` where only parameters differ from the file.
     real: Option<Interpreted>,
-    /// True links, drives zero.
+    /// Standard parameters of the true links; those of drives are zero.
     pub bodies_standard: Vec<f64>,
-    /// One for each degree of freedom.
+    /// Drives, one per degree of freedom.
     pub drives: Vec<Drive>,
     couplings: Vec<(usize, usize, effects::GearCoupling)>,
     contacts: Vec<effects::ExternalContact>,
-    /// Drives whose saturation is a part of the peak torque.
+    /// Degrees of freedom whose torque limit is a share of the peak torque.
     saturates: Vec<usize>,
 }
 
-/// Motion-dependent defaults, once the motion is known.
+/// Drives, couplings and contacts with motion-dependent defaults resolved.
 pub(super) struct Settled {
     pub drives: Vec<Drive>,
     pub couplings: Vec<GearCoupling>,
@@ -57,7 +57,7 @@ impl SimulatedRobot {
             .joints
             .iter()
             .map(|(row, e)| (*row, e))
-            // An entry at the top means every joint.
+            // An entry at the top of the file applies to every joint.
             .chain(
                 everywhere
                     .clone()
@@ -86,7 +86,7 @@ impl SimulatedRobot {
             contacts,
             saturates: Vec::new(),
         };
-        // Plain friction first: a Stribeck law needs the Coulomb level.
+        // Plain friction first: a Stribeck law depends on the Coulomb level.
         for plain in [true, false] {
             for &(row, effect) in &of_joints {
                 let Some(dof) = dof_of(row) else { continue };
@@ -102,7 +102,7 @@ impl SimulatedRobot {
         Ok(built)
     }
 
-    /// A law in closed form.
+    /// Sets the closed-form law of a joint.
     fn formula(&mut self, row: usize, dof: Option<usize>, law: &TorqueLaw) -> Result<(), SimulateError> {
         let (last, joint) = (self.drives.len(), row + 1);
         if let Some(drive) = dof.and_then(|dof| self.drives.get_mut(dof)) {
@@ -112,7 +112,7 @@ impl SimulatedRobot {
         Ok(())
     }
 
-    /// Whether an integrator can play its laws: accelerations follow from torques.
+    /// Checks that no law reads accelerations: under an integrator they follow from the torques.
     pub fn is_free_of_accelerations(&self) -> Result<(), SimulateError> {
         let accelerates = |drive: &Drive| drive.law.as_ref().is_some_and(ClosedForm::reads_acceleration);
         match self.drives.iter().position(accelerates) {
@@ -121,13 +121,13 @@ impl SimulatedRobot {
         }
     }
 
-    /// The true arm.
+    /// Model of the true arm.
     pub fn real(&self) -> &Interpreted {
         self.real.as_ref().unwrap_or(&self.given)
     }
 
-    /// One effect of one joint. Bodies and geometry: see [`effective`]; contacts: see
-    /// [`SimulatedRobot::settle`].
+    /// Applies one effect of one joint to its drive. Bodies and geometry: see [`effective`];
+    /// contacts: see [`SimulatedRobot::settle`].
     fn apply(
         &mut self,
         robot: &Robot,
@@ -148,8 +148,8 @@ impl SimulatedRobot {
             Effect::AsymmetricFriction(e) => drive.asymmetric = Some(AsymmetricFriction::new(e, rated)),
             Effect::StribeckFriction(e) => {
                 let law = StribeckFriction::new(e, rated, drive.plain.level);
-                // Its default lies above the Coulomb level, which an identification may have made
-                // negative.
+                // The default breakaway lies above the Coulomb level, which an identification can
+                // have made negative.
                 let breakaway = effects::StribeckFriction { breakaway: Some(law.breakaway), ..*e };
                 in_range(&breakaway.into(), Some(row))?;
                 drive.stribeck = Some(law);
@@ -185,8 +185,8 @@ impl SimulatedRobot {
         Ok(())
     }
 
-    /// Defaults that depend on the motion: its time, the torques that the file's model asks for,
-    /// the inertia along it (`places`).
+    /// Resolves defaults that depend on the motion. They follow from its time span (s), the peak
+    /// torques of the file's model (N m) and the inertia at postures along it (`places`, rad).
     pub fn settle(&self, span: &Range<f64>, peak: &[f64], places: &[Vec<f64>]) -> Settled {
         let mut drives = self.drives.clone();
         for &j in &self.saturates {
@@ -209,9 +209,9 @@ impl SimulatedRobot {
         Settled { couplings: couplings.collect(), contacts: contacts.collect(), drives }
     }
 
-    /// Half of what an inertia between two joints may be at most: with a larger one the mass matrix
-    /// need not be positive definite. Along the motion, the least of `1 / (4 sqrt(p q))`, `p` and
-    /// `q` the joints' entries of its inverse.
+    /// Half of the largest inertia that may couple two joints: beyond it the mass matrix need not
+    /// be positive definite. It is the minimum over `places` of `1 / (4 sqrt(p q))`, with `p` and
+    /// `q` the joints' diagonal entries of the inverse mass matrix.
     fn bearable_rotor(&self, m: usize, k: usize, drives: &[Drive], places: &[Vec<f64>]) -> f64 {
         let n = drives.len();
         let mut mass = vec![0.0; n * n];
@@ -233,7 +233,7 @@ impl SimulatedRobot {
             });
             least = least.min(0.25 / (p * q).sqrt());
         }
-        // A soft joint's motor is coupled by its rotor alone.
+        // The motor of a soft joint is coupled through its rotor alone.
         for j in [m, k].into_iter().filter(|&j| drives[j].is_soft()) {
             least = least.min(0.25 * drives[j].rotor);
         }
@@ -246,7 +246,7 @@ fn wrong(effect: &Effect, row: Option<usize>, key: &str, value: f64, must: &str)
     SimulateError::Effect { effect: effect.kind(), joint: row.map(|row| row + 1), key, value, must }
 }
 
-/// Values in the ranges of their keys. (Of a file they were checked where it was read.)
+/// Checks that values lie in the ranges of their keys. (Those of a file were checked on reading.)
 fn in_range(effect: &Effect, row: Option<usize>) -> Result<(), SimulateError> {
     match effect.out_of_range().filter(|_| !effect.kind().is_plain()) {
         Some(out) => Err(wrong(effect, row, &out.key, out.value, &out.must)),
@@ -254,8 +254,8 @@ fn in_range(effect: &Effect, row: Option<usize>) -> Result<(), SimulateError> {
     }
 }
 
-/// Plain friction or a rotor, which add to the file's: what has to be in the range of the key is
-/// the sum, lest the drive gives energy.
+/// Sum of plain friction or rotor inertia with the file's. The range of the key applies to the sum,
+/// else the drive could generate energy.
 fn total(effect: &Effect, row: usize, file: f64, more: f64) -> Result<f64, SimulateError> {
     let (key, sum) = (effect.kind().description().keys[0], file + more);
     if key.range.holds(sum) {
@@ -269,7 +269,7 @@ fn contact(effect: &Effect) -> Option<effects::ExternalContact> {
     if let Effect::ExternalContact(contact) = effect { Some(*contact) } else { None }
 }
 
-/// A contact ends after it began, and a wall has a stiffness and a normal.
+/// Checks that a contact ends after its start, and that a wall has both a stiffness and a normal.
 fn in_order(contact: &effects::ExternalContact) -> Result<(), SimulateError> {
     if let (Some(start), Some(end)) = (contact.start, contact.end)
         && end <= start
@@ -294,7 +294,7 @@ fn plain_drive(robot: &Robot, row: usize) -> Drive {
     drive
 }
 
-/// The robot with its true base, rows and links.
+/// Robot with its true base, geometry and links.
 fn effective<'e>(
     robot: &Robot,
     of_joints: &[(usize, &Effect)],
@@ -308,13 +308,13 @@ fn effective<'e>(
     Ok(real)
 }
 
-/// Standard parameters with those of drives zero.
+/// Standard parameters with those of the drives set to zero.
 fn links_only(robot: &Robot, standard: &[f64]) -> Vec<f64> {
     let parameters = param::standard(robot);
     parameters.iter().zip(standard).map(|(p, &v)| if matches!(p, Parameter::Link(..)) { v } else { 0.0 }).collect()
 }
 
-/// The file's parameters without Coulomb friction: what a controller feeds forward.
+/// Parameters of the file without Coulomb friction, for the controller's feedforward.
 pub(super) fn without_coulomb(arm: &dyn Arm, standard: &[f64]) -> Vec<f64> {
     arm.standard_parameters().iter().zip(standard).map(|(p, &v)| if p.is_coulomb() { 0.0 } else { v }).collect()
 }

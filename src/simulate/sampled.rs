@@ -1,5 +1,5 @@
-//! The arm under a controller of its own: called once a period with what the sensors see, and its
-//! torques held until the next.
+//! Runs the arm under a user's controller. It is called once per period with the sensor readings,
+//! and its torques are held until the next call.
 
 use super::Method;
 use super::SimulateError;
@@ -15,26 +15,25 @@ use super::robot::Settled;
 use super::sensors::{Sensors, Side};
 use crate::numerics::integrators::{Pace, dormand_prince::DormandPrince, rosenbrock::Rosenbrock};
 
-/// How a controller is run.
+/// Settings of a run with a sampled controller.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sampled {
-    /// Rest posture at the beginning, rad or m.
+    /// Posture at rest at the start, rad or m.
     pub start: Vec<f64>,
-    /// Length, s.
+    /// Duration, s.
     pub seconds: f64,
-    /// Its sensors; their rate is the controller's.
+    /// Sensors of the controller; their rate is the controller's.
     pub sensors: Sensors,
-    /// How it is integrated.
+    /// Settings of the integrator.
     pub solver: Solver,
-    /// Of the noise.
+    /// Seed of the sensor noise.
     pub seed: u64,
 }
 
-/// Sensor readings at an instant: nothing is younger than it, and torques are those that were held
-/// until then.
+/// Sensor readings at one instant; no reading is newer. Torques are those held up to the instant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Seen {
-    /// s
+    /// Time, s.
     pub t: f64,
     /// Positions, rad or m.
     pub q: Vec<f64>,
@@ -42,27 +41,27 @@ pub struct Seen {
     pub tau: Vec<f64>,
 }
 
-/// True quantities at that instant.
+/// True quantities at the same instant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Instant {
     /// Angles of the links, rad.
     pub q: Vec<f64>,
-    /// rad/s
+    /// Velocities of the links, rad/s.
     pub dq: Vec<f64>,
-    /// Frame of the tool: top three rows, world axes.
+    /// Pose of the tool: top three rows of its matrix, world axes.
     pub pose: [f64; 12],
     /// Force (N) and moment (N m) on the tool, about its origin, world axes.
     pub wrench: [f64; 6],
 }
 
-/// The sensors of a running arm.
+/// Sensors of a running arm, with their noise and history.
 struct Gauges<'a> {
     sensors: &'a Sensors,
     drives: &'a [Drive],
     position: Vec<Noise>,
     torque: Vec<Noise>,
     colour: Vec<Coloured>,
-    /// Rows of the last instants, newest last: motor or link positions, then torques.
+    /// Readings of the last instants, newest last: motor or link positions, then torques.
     past: Vec<Vec<f64>>,
 }
 
@@ -74,7 +73,7 @@ impl<'a> Gauges<'a> {
         Self { sensors, drives, position: streams(60_000), torque: streams(62_000), colour, past: Vec::new() }
     }
 
-    /// A value of the row `age` samples ago, between the two nearest.
+    /// Value `at` of the readings `age` samples ago, interpolated linearly.
     fn aged(&self, at: usize, age: f64) -> f64 {
         let last = self.past.len() - 1;
         let whole = age.floor();
@@ -110,9 +109,9 @@ impl<'a> Gauges<'a> {
 }
 
 impl Simulator {
-    /// Runs a controller: each `1 / sensors.rate` s it is given what is seen and, to record, what
-    /// is, and writes the torques (N m) of the period to come. It says when to stop early by
-    /// `false`.
+    /// Runs a controller. Every `1 / sensors.rate` s it receives the readings and, for recording,
+    /// the true quantities, and writes the torques (N m) of the next period. Returning `false` ends
+    /// the run early.
     pub fn run_sampled(
         &self,
         run: &Sampled,
@@ -135,7 +134,7 @@ impl Simulator {
             return Err(SimulateError::Joints { found: run.start.len(), expected: n });
         }
         let rest = Trajectory::rest(&run.start, run.seconds)?;
-        // Held by a stiff loop until the controller speaks, and no longer.
+        // Gains are zero: the torques in `held` replace this loop from the first instant.
         let control = Control { mode: Mode::Position, ..Control::default() };
         let span = rest.span();
         let Settled { drives, couplings, contacts } =
@@ -153,7 +152,7 @@ impl Simulator {
             feedforward: Table::default(),
         });
         let mut y = plant.initial();
-        // Gravity is held from the first instant on, as brakes do.
+        // Torques that balance gravity hold the arm at the first instant, in place of brakes.
         plant.held = vec![0.0; n];
         plant.look(0.0, &y)?;
         plant.held = plant.gravity();
@@ -181,8 +180,8 @@ impl Simulator {
             if !controller(&seen, &instant, &mut plant.held) || k == samples {
                 break;
             }
-            // New torques, new beginning: the step that came last says little about the first that
-            // comes.
+            // The torques change at this instant, so the last step length is a poor guide for the
+            // first step after it.
             pace.next = pace.next.min(0.5 / rate);
             let end = (k + 1) as f64 / rate;
             match stiff {
@@ -198,8 +197,8 @@ impl Simulator {
 mod tests {
     use super::*;
 
-    /// Ramps show by how much they are seen late: positions by the latency, torques by that of
-    /// their drive, too.
+    /// Ramps show the delay of each reading: positions by the latency, torques also by the delay of
+    /// their drive.
     #[test]
     fn torques_are_late_by_latency_and_delay() {
         let sensors = Sensors { latency: 2.5e-3, ..Sensors::perfect(1e3) };
@@ -215,7 +214,7 @@ mod tests {
         }
     }
 
-    /// An encoder that is mounted 0.1 rad on says 0.1 rad less.
+    /// An encoder mounted at +0.1 rad reads 0.1 rad less.
     #[test]
     fn an_encoder_says_less_by_its_offset() {
         let sensors = Sensors::perfect(1e3);

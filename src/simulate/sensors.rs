@@ -1,24 +1,24 @@
-//! From what is to what is recorded.
+//! Sensors: converts the true motion and torques into a log.
 
 use super::drive::Drive;
 use super::noise::{Coloured, Noise};
 use super::trajectory::Point;
 use crate::data::log::{Layout, Log};
 
-/// On which side of the gear a sensor sits.
+/// Side of the gear on which a sensor is mounted.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Side {
-    /// Motor: its angle, and the torque that it gives, at the joint's side of the gear.
+    /// Motor side: the motor's angle and torque, referred to the joint side of the gear.
     #[default]
     Motor,
-    /// Link: its angle, and the torque that the gear transmits.
+    /// Link side: the link's angle, and the torque that the gear transmits.
     Link,
 }
 
-/// Recorded quantities, and their accuracy. A list has one entry, or one for each joint.
+/// Recorded quantities and their accuracy. A list has one entry, or one per joint.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sensors {
-    /// Samples per second.
+    /// Sampling rate, Hz.
     pub rate: f64,
     /// Step of the encoders, rad; 0: none.
     pub encoder: Vec<f64>,
@@ -28,34 +28,34 @@ pub struct Sensors {
     pub torque_noise: Vec<f64>,
     /// Coloured noise of the torques, standard deviation, N m.
     pub torque_colour: Vec<f64>,
-    /// Its corner frequency, Hz.
+    /// Corner frequency of the coloured noise, Hz.
     pub colour_corner: f64,
     /// Step of the torque sensors, N m; 0: none.
     pub torque_step: Vec<f64>,
-    /// Age of all samples at their stamp, s.
+    /// Delay of all samples relative to their time stamps, s.
     pub latency: f64,
-    /// Of the sampling instants, standard deviation, s; the stamps are true.
+    /// Jitter of the sampling instants, standard deviation, s; the time stamps are true.
     pub jitter: f64,
-    /// `tau` is of this side; of the link, `taum` is recorded too.
+    /// Side of `tau`; with the link side `taum` is recorded too.
     pub torque: Side,
-    /// `q` is of this side; of the link, `qm` is recorded too.
+    /// Side of `q`; with the link side `qm` is recorded too.
     pub position: Side,
-    /// Record `dq`.
+    /// Whether `dq` is recorded.
     pub velocity: bool,
-    /// Its white noise, standard deviation, rad/s.
+    /// White noise of `dq`, standard deviation, rad/s.
     pub velocity_noise: Vec<f64>,
-    /// Record `qd`.
+    /// Whether `qd` is recorded.
     pub desired: bool,
-    /// Record `temp`, in tenths of a degree.
+    /// Whether `temp` is recorded, in steps of 0.1 degrees C.
     pub temperature: bool,
-    /// Record the external wrench.
+    /// Whether the external wrench is recorded.
     pub wrench: bool,
 }
 
 impl Default for Sensors {
-    /// 1 kHz as in the paper; 1e-5 rad, an absolute encoder of 19 bits or a motor's of 13 bits
-    /// behind a gear of 100. 0.05 N m white noise is of the order of the resolution of joint torque
-    /// sensors of light-weight arms.
+    /// 1 kHz as in the paper. Encoder step 1e-5 rad: an absolute encoder of 19 bits, or a motor's
+    /// of 13 bits behind a gear of 100. White noise of 0.05 N m: the order of the resolution of
+    /// joint torque sensors of light-weight arms.
     fn default() -> Self {
         Self {
             rate: 1000.0,
@@ -84,7 +84,7 @@ impl Sensors {
         Self { rate, encoder: vec![0.0], torque_noise: vec![0.0], velocity_noise: vec![0.0], ..Self::default() }
     }
 
-    /// When samples are taken, `count` of them from `start`.
+    /// Sampling instants from `start` to `end`, s.
     pub(super) fn instants(&self, start: f64, end: f64, seed: u64) -> Vec<f64> {
         let count = ((end - start) * self.rate * (1.0 + 1e-12) + 1e-9).floor().max(0.0) as usize + 1;
         let mut noise = Noise::new(seed, 1);
@@ -95,7 +95,7 @@ impl Sensors {
                 if self.jitter <= 0.0 || k == 0 {
                     return even;
                 }
-                // No sample overtakes its neighbour; stamps have whole microseconds.
+                // Limited so that samples keep their order; time stamps have whole microseconds.
                 let off = (self.jitter * noise.normal()).clamp(-0.45 * period, 0.45 * period);
                 (((even + off) * 1e6).round() / 1e6).clamp(start, end)
             })
@@ -103,18 +103,18 @@ impl Sensors {
     }
 }
 
-/// True motion, joint-major over the samples.
+/// True motion and torques, joint-major over the samples.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Truth {
-    /// s
+    /// Times, s.
     pub t: Vec<f64>,
-    /// Angles of the motors at the joint's side, rad.
+    /// Angles of the motors on the joint side of the gear, rad.
     pub motor_q: Vec<f64>,
-    /// rad/s
+    /// Velocities of the motors, rad/s.
     pub motor_dq: Vec<f64>,
     /// Angles of the links, rad.
     pub link_q: Vec<f64>,
-    /// rad/s
+    /// Velocities of the links, rad/s.
     pub link_dq: Vec<f64>,
     /// Torques of the motors, N m.
     pub motor_torque: Vec<f64>,
@@ -122,9 +122,9 @@ pub struct Truth {
     pub link_torque: Vec<f64>,
     /// Desired motion.
     pub desired: Vec<Point>,
-    /// degrees C
+    /// Temperatures of the joints, degrees C.
     pub temperature: Vec<f64>,
-    /// External force and moment on the tool, tool frame, `6 * samples`.
+    /// External force (N) and moment (N m) on the tool, tool axes, `6 * samples`.
     pub wrench: Vec<f64>,
 }
 
@@ -146,7 +146,7 @@ impl Truth {
     }
 }
 
-/// Sensor readings of it.
+/// Sensor readings of a true motion, as a log.
 pub(super) fn record(truth: &Truth, drives: &[Drive], sensors: &Sensors, seed: u64) -> Log {
     let (n, len) = (drives.len(), truth.t.len());
     let of = |list: &[f64], joint: usize| list.get(joint).or(list.first()).copied().unwrap_or(0.0);
@@ -227,8 +227,8 @@ pub(super) fn record(truth: &Truth, drives: &[Drive], sensors: &Sensors, seed: u
     Log { layout, columns, starts: vec![0], findings: Vec::new() }
 }
 
-/// The values that were there `age` s before each instant, by the cubic with finite-difference
-/// slopes; the first value before the start.
+/// Values `age` s before each instant, by a cubic with finite-difference slopes; before the start,
+/// the first value.
 fn shifted(t: &[f64], values: &[f64], age: f64) -> Vec<f64> {
     let last = t.len() - 1;
     if last == 0 {

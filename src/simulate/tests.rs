@@ -1,4 +1,4 @@
-//! Laws of mechanics, and the signature of each effect.
+//! Tests of the simulator: laws of mechanics, and the signature of each effect.
 
 mod effects;
 mod formulas;
@@ -10,14 +10,14 @@ use dh_codegen::robot::{Effect, Effects, Robot, no_files};
 
 use super::*;
 
-/// A robot file of the repository.
+/// Reads a robot file of the repository.
 pub(super) fn robot(name: &str) -> Robot {
     let path = format!("{}/robots/{name}.yaml", env!("CARGO_MANIFEST_DIR"));
     let text = std::fs::read_to_string(path).unwrap();
     Robot::from_yaml(&text, &no_files).unwrap().robot
 }
 
-/// Without friction and rotors.
+/// The same without friction and rotors.
 pub(super) fn frictionless(name: &str) -> Robot {
     let mut robot = robot(name);
     robot.joints.iter_mut().for_each(|j| j.drive = Default::default());
@@ -28,12 +28,12 @@ pub(super) fn effect(name: &str, parameters: &[(&str, f64)]) -> Effect {
     Effect::from_keys(name, parameters).unwrap()
 }
 
-/// One effect of one joint, from 0.
+/// One effect of one joint, counted from 0.
 pub(super) fn at_joint(joint: usize, name: &str, parameters: &[(&str, f64)]) -> Effects {
     Effects { joints: vec![(joint, effect(name, parameters))], robot: Vec::new(), ..Effects::default() }
 }
 
-/// Each joint a sum of two sines, at rest at both ends.
+/// Motion with a sum of two sines for each joint, at rest at both ends.
 pub(super) fn motion(dof: usize, size: f64, seconds: f64) -> Trajectory {
     let step = 0.01;
     let t: Vec<f64> = (0..=(seconds / step).round() as usize).map(|k| k as f64 * step).collect();

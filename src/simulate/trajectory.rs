@@ -1,8 +1,8 @@
-//! The motion that is asked for: knots, and a quintic between each two.
+//! Desired motion: knots, with a quintic between neighbours.
 
 use std::ops::Range;
 
-/// Desired motion. Between knots each joint follows the quintic that has the position, velocity and
+/// Desired motion. Between two knots each joint follows the quintic with the position, velocity and
 /// acceleration of both.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trajectory {
@@ -12,36 +12,36 @@ pub struct Trajectory {
     q: Vec<f64>,
     dq: Vec<f64>,
     ddq: Vec<f64>,
-    /// Torques for torque control, joint-major; empty where there are none.
+    /// Torques for torque control, joint-major, N m; empty without them.
     tau: Vec<f64>,
 }
 
-/// Why a trajectory can't be played.
+/// Reasons why a trajectory can't be played.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TrajectoryError {
-    /// A single point is no motion.
+    /// Fewer than two rows.
     #[error("the trajectory has {0} rows; it takes at least two")]
     TooShort(usize),
-    /// Time must ascend.
+    /// Time that does not ascend.
     #[error("the trajectory's time does not ascend at row {row}: {from} s, then {to} s")]
     Time {
-        /// Row, from 1.
+        /// Row of the later time, from 1.
         row: usize,
-        /// s
+        /// Earlier time, s.
         from: f64,
-        /// s
+        /// Later time, s.
         to: f64,
     },
-    /// Rows at 1 kHz would not fit anywhere.
+    /// A duration that gives too many rows at 1 kHz.
     #[error("the motion lasts {0} s; a motion to be simulated lasts 10000 s at most (is its time in ms?)")]
     TooLong(f64),
-    /// NaN or infinity.
+    /// A value that is NaN or infinite.
     #[error("the trajectory holds a value that is not finite")]
     NotFinite,
-    /// Columns and joints do not go together.
+    /// A number of values that does not match the number of joints.
     #[error("the trajectory has {found} values of {what}, not {expected}")]
     Length {
-        /// Column.
+        /// Name of the column.
         what: &'static str,
         /// Number of values.
         found: usize,
@@ -50,16 +50,16 @@ pub enum TrajectoryError {
     },
 }
 
-/// Of a motion by formula, s.
+/// Longest duration of a spline or Fourier series, s.
 const LONGEST: f64 = 1e4;
 
-/// Position, velocity, acceleration.
+/// Position, velocity and acceleration of a joint.
 pub type Point = [f64; 3];
 
 impl Trajectory {
-    /// From knots, joint-major. Missing velocities come from the cubic spline through the positions
-    /// (its end slopes those of the cubic through the four outermost knots). Missing accelerations
-    /// come from the spline through the velocities.
+    /// Motion through knots, joint-major. Missing velocities come from the cubic spline through the
+    /// positions, whose end slopes are those of the cubic through the four outermost knots. Missing
+    /// accelerations come from the spline through the velocities.
     pub fn new(
         dof: usize,
         t: Vec<f64>,
@@ -93,12 +93,11 @@ impl Trajectory {
         Ok(Self { dof, t, q, dq, ddq, tau: Vec::new() })
     }
 
-    /// The same motion as a spline or a Fourier series. It is exact if pieces of a spline are of
-    /// fifth degree or less and their second derivative is continuous; else it goes through its
-    /// values at 1 kHz.
+    /// Motion of a spline or a Fourier series. It is exact if the pieces of a spline have degree 5
+    /// or less and a continuous second derivative; else it passes through its values at 1 kHz.
     ///
     /// # Errors
-    /// Where it has no duration, or more than 10000 s.
+    /// If its duration is zero, or more than 10000 s.
     pub fn of_motion(motion: &crate::data::trajectory::Trajectory) -> Result<Self, TrajectoryError> {
         use crate::data::trajectory::{Trajectory as Motion, times};
         if motion.duration() > LONGEST || motion.duration().is_nan() {
@@ -108,8 +107,8 @@ impl Trajectory {
             Motion::Spline(spline) if spline.degree <= 5 => {
                 let mut knots = spline.knots.clone();
                 knots.dedup();
-                // A quintic's parts are the same quintic; rows as near as in a CSV let the same
-                // motion_warnings be looked for.
+                // Splitting a quintic leaves it unchanged. Rows about 1 ms apart, as in a CSV, give
+                // `motion_warnings` the same data.
                 let parts = |w: &[f64]| ((w[1] - w[0]) * 1000.0 + 1e-6).floor().clamp(1.0, 1e6) as usize;
                 let inner = knots.windows(2).flat_map(|w| {
                     let n = parts(w);
@@ -132,7 +131,7 @@ impl Trajectory {
         Self::new(n, t, q, Some(dq), Some(ddq))
     }
 
-    /// The same with torques, joint-major, for torque control; they are interpolated linearly.
+    /// Adds torques, joint-major, N m, for torque control; they are interpolated linearly.
     pub fn with_torques(mut self, tau: Vec<f64>) -> Result<Self, TrajectoryError> {
         let expected = self.dof * self.t.len();
         if tau.len() != expected {
@@ -145,7 +144,7 @@ impl Trajectory {
         Ok(self)
     }
 
-    /// Rest at a position, for some seconds: the start of a free swing.
+    /// Rest at a position for `duration` s: the start of a free swing.
     pub fn rest(q: &[f64], duration: f64) -> Result<Self, TrajectoryError> {
         let twice: Vec<f64> = q.iter().flat_map(|&q| [q, q]).collect();
         let zero = vec![0.0; twice.len()];
@@ -162,21 +161,21 @@ impl Trajectory {
         self.t[0]..self.t[self.t.len() - 1]
     }
 
-    /// Least and largest position of a joint's knots.
+    /// Smallest and largest position of a joint's knots.
     pub fn reach(&self, joint: usize) -> [f64; 2] {
         let q = &self.q[joint * self.t.len()..(joint + 1) * self.t.len()];
         q.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(*v), high.max(*v)])
     }
 
-    /// The largest mean speed of a joint between two knots, and the time of the first of them, s.
+    /// Largest mean speed of a joint between two knots, and the time of the first of them, s.
     pub fn fastest(&self, joint: usize) -> [f64; 2] {
         let q = &self.q[joint * self.t.len()..(joint + 1) * self.t.len()];
         let speeds = self.t.windows(2).zip(q.windows(2)).map(|(t, q)| [((q[1] - q[0]) / (t[1] - t[0])).abs(), t[0]]);
         speeds.fold([0.0, self.t[0]], |most, one| if one[0] > most[0] { one } else { most })
     }
 
-    /// How far a joint's velocities are from the slope of its positions: root mean square of the
-    /// difference by that of the slope; zero where nothing moves.
+    /// Relative difference between a joint's velocities and the slope of its positions. It is the
+    /// root mean square of the difference divided by that of the slope; zero without motion.
     pub fn off_slope(&self, joint: usize) -> f64 {
         let knots = joint * self.t.len()..(joint + 1) * self.t.len();
         let (q, dq) = (&self.q[knots.clone()], &self.dq[knots]);
@@ -189,12 +188,12 @@ impl Trajectory {
         if all > 0.0 { (off / all).sqrt() } else { 0.0 }
     }
 
-    /// Whether torques were given.
+    /// Whether the trajectory has torques.
     pub fn has_torques(&self) -> bool {
         !self.tau.is_empty()
     }
 
-    /// The interval of a time; `hint` is where the last search ended.
+    /// Index of the interval of a time; `hint` is the result of the last search.
     fn interval(&self, t: f64, hint: &mut usize) -> usize {
         let last = self.t.len() - 2;
         let fits = |k: usize| (k == 0 || self.t[k] <= t) && (k == last || t < self.t[k + 1]);
@@ -208,7 +207,7 @@ impl Trajectory {
         *hint
     }
 
-    /// Desired motion of every joint; before the first and after the last knot it rests there.
+    /// Desired motion of every joint; at rest before the first and after the last knot.
     pub fn at(&self, t: f64, hint: &mut usize, points: &mut [Point]) {
         let rows = self.t.len();
         let inside = t.clamp(self.t[0], self.t[rows - 1]);
@@ -223,7 +222,7 @@ impl Trajectory {
         }
     }
 
-    /// Torques that were given, at a time; zero where there are none.
+    /// Torques at a time, N m; zero if the trajectory has none.
     pub fn torques_at(&self, t: f64, hint: &mut usize, tau: &mut [f64]) {
         if self.tau.is_empty() {
             tau.fill(0.0);
@@ -240,8 +239,8 @@ impl Trajectory {
     }
 }
 
-/// The quintic on `[0, 1]` with these values and derivatives at its ends; value and derivatives at
-/// `s`.
+/// Value and two derivatives at `s` of the quintic on `[0, 1]` with these values and derivatives at
+/// its ends.
 fn quintic(a: Point, b: Point, s: f64) -> Point {
     let d = b[0] - a[0] - a[1] - 0.5 * a[2];
     let e = b[1] - a[1] - a[2];
@@ -285,7 +284,7 @@ fn spline_slopes(t: &[f64], y: &[f64]) -> Vec<f64> {
     slopes
 }
 
-/// Derivative at the first of these knots of the polynomial through all of them (Lagrange).
+/// Derivative, at the first of these knots, of the polynomial through all of them (Lagrange).
 fn end_slope(t: &[f64], y: &[f64], knots: &[usize]) -> f64 {
     let end = knots[0];
     let mut slope = 0.0;

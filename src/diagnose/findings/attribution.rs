@@ -1,5 +1,5 @@
-//! From findings and measures to the entries of the result, in order, with the causes that can't be
-//! separated from them.
+//! Converts accepted causes and their measured errors to reported causes with probabilities, and
+//! lists the causes that cannot be separated from them.
 
 use super::calibration::{self, Change, Features};
 use super::evidence;
@@ -20,7 +20,7 @@ use crate::diagnose::select::beside::Shares;
 use crate::diagnose::select::measure::{Figures, Measured, share, taken_of};
 use dh_codegen::robot::{EffectKind, effects};
 
-/// A model whose causes get probabilities.
+/// A model whose causes are assigned probabilities.
 pub(in crate::diagnose) struct Attribution<'a> {
     pub(in crate::diagnose) tested: &'a ModelUnderTest<'a>,
     pub(in crate::diagnose) fitted: &'a Fitted,
@@ -29,7 +29,7 @@ pub(in crate::diagnose) struct Attribution<'a> {
     /// Alternatives to plain friction.
     pub(in crate::diagnose) rivals: &'a [BaselineFriction],
     pub(in crate::diagnose) noise: &'a [f64],
-    /// Whether the validating data are logs of their own.
+    /// Whether the validating data are separate logs.
     pub(in crate::diagnose) own_validation: bool,
     /// The equations in stretches of one piece each.
     pub(in crate::diagnose) stretches: &'a Moments,
@@ -38,9 +38,9 @@ pub(in crate::diagnose) struct Attribution<'a> {
 }
 
 impl Attribution<'_> {
-    /// An item as a cause of the result: errors without it and with it, `on` the fitted logs
-    /// (`fit`) or the validating ones (`validate`). Where it is measured on the fitted logs since
-    /// its joints differ on the others, the share that it takes there counts half.
+    /// Converts an item to a reported cause, from the errors without it and with it, `on` the
+    /// fitted logs (`fit`) or the validating ones (`validate`). If it is measured on the fitted
+    /// logs because its joints differ on the others, the share that it removes there counts half.
     pub(in crate::diagnose) fn attribute(
         &self,
         item: &Item,
@@ -101,14 +101,14 @@ impl Attribution<'_> {
 }
 
 impl Attribution<'_> {
-    /// What tells an item from its only rival where no motion does; with other rivals a motion is
-    /// asked for.
+    /// Information that separates an item from its only rival where no motion does. With several
+    /// rivals a motion is proposed instead.
     fn decided_by(&self, item: &Item, rivals: &[&'static str]) -> Option<&'static str> {
         let [_] = rivals else { return None };
         item.hypothesis.decided_by(&self.tested.scene, &item.place)
     }
 
-    /// Levels of plain friction in the file, in whose place an item has others.
+    /// The file's levels of plain friction that an item changes, in words.
     fn in_the_file(&self, item: &Item) -> String {
         let given = given_friction(self.tested.plant);
         let level = |k: &usize| {
@@ -123,7 +123,7 @@ impl Attribution<'_> {
         if levels.is_empty() { String::new() } else { format!("; the file has {}", levels.join(", ")) }
     }
 
-    /// What is said of a link whose mass the motion does not show, and the file's can't be.
+    /// A note on a link whose mass is not identifiable and for which the file's mass is impossible.
     fn assumed(&self, item: &Item) -> String {
         let (tested, fitted) = (self.tested, self.fitted);
         let mass = item.accepted.and_then(|index| {
@@ -152,9 +152,9 @@ impl Attribution<'_> {
         keys
     }
 
-    /// Probability of an item with these features; of one that the search from the unchanged file
-    /// found, by how it was found there. Of several terms of friction in one item the least sure
-    /// one counts.
+    /// Probability of an item with these features. For a cause found by the search from the
+    /// unchanged file, it follows from the evidence of that search. Of several friction terms in
+    /// one item, the least certain one counts.
     fn probability(&self, item: &Item, features: &Features) -> f64 {
         if item.hypothesis.local() {
             let brief = item.accepted.is_some_and(|at| is_brief(&self.accepted[at].chosen));
@@ -173,7 +173,7 @@ impl Attribution<'_> {
             .unwrap_or_else(|| calibration::probability(item.accepted.is_none(), features))
     }
 
-    /// Wald's statistic of an item's parameters; of several terms of friction the largest.
+    /// Wald statistic of an item's parameters; for several friction terms the largest.
     fn wald(&self, item: &Item) -> f64 {
         let Self { tested, fitted, uncertainty, accepted, .. } = *self;
         match item.accepted {
@@ -182,8 +182,8 @@ impl Attribution<'_> {
         }
     }
 
-    /// How an item recurs in stretches of the fitted logs. It is 1 for a cause that acts in a part
-    /// of a log and so can't recur, and for a delay, which has moved the data.
+    /// Recurrence of an item in stretches of the fitted logs. It is 1 for a local cause, which
+    /// cannot recur, and for a delay, which has shifted the data.
     fn recurrence(&self, item: &Item) -> f64 {
         let fitted = self.fitted;
         if item.hypothesis.local() || item.hypothesis.moves_time() {
@@ -193,22 +193,21 @@ impl Attribution<'_> {
     }
 }
 
-/// Share of the error that a cause explains: the logarithm of the ratio of root mean squares
-/// without and with it, noise added to both, summed over joints. So no joint counts for more than
-/// another by the size of its torques.
+/// Error removed by a cause: the logarithm of the ratio of root mean squares without and with it,
+/// noise added to both, summed over joints. Joints with large torques thus do not dominate.
 pub(in crate::diagnose) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
     taken_of(&cause.rms_before, &cause.rms_after, noise)
 }
 
-/// Least share of a joint's squared error above its noise that a cause takes on data that were not
-/// fitted, for these to confirm it.
+/// Least share of a joint's squared error above the noise that a cause must remove on unfitted data
+/// to be confirmed by them.
 const SHOWN: f64 = 0.05;
 
-/// A margin beyond which more of it says nothing.
+/// Margin above which a larger value carries no information.
 pub(in crate::diagnose) const MOST_MARGIN: f64 = 1e4;
 
-/// Of plain terms of friction, by their numbers among these: the square of the value by its standard
-/// deviation, of the surest one.
+/// Support of plain friction terms, given by their indices: the largest of their squared values
+/// divided by their variances.
 pub(in crate::diagnose) fn plain_support(fitted: &Fitted, covariance: &nalgebra::DMatrix<f64>, terms: &[usize]) -> f64 {
     let squares = terms.iter().map(|k| {
         let at = fitted.friction + k;
@@ -230,13 +229,13 @@ pub(in crate::diagnose) fn near<'a>(
     }
 }
 
-/// The same cause in other places that would say nearly as much.
+/// The same cause in other places that would explain nearly as much, in words.
 fn elsewhere(item: &Item, near: &[(&'static str, Vec<usize>, f64)]) -> String {
     let same = near.iter().filter(|r| r.0 == item.hypothesis.name());
     same.map(|r| format!("; the same {} would explain nearly as much", place_of(&r.1))).collect()
 }
 
-/// Causes that this data, or any data, can't separate from a cause.
+/// Causes that these data, or any data, cannot separate from a cause.
 pub(in crate::diagnose) fn confusable(
     tested: &ModelUnderTest<'_>,
     item: &Item,
@@ -245,7 +244,7 @@ pub(in crate::diagnose) fn confusable(
 ) -> Vec<&'static str> {
     let mut names: Vec<&'static str> = near(item, accepted, plain).iter().map(|r| r.0).collect();
     names.extend(item.hypothesis.indistinguishable(&tested.scene, &item.place));
-    // One cause in the place of several plain ones.
+    // One cause that replaces several plain ones.
     if item.accepted.is_none() && item.friction.len() > 1 {
         names.extend(item.friction.iter().map(|k| [&VISCOUS, &COULOMB, &OFFSET][k % 3].name()));
     }

@@ -1,26 +1,27 @@
-//! How sure a cause is: a logistic map of its evidence, fitted to causes that were added to real
-//! recordings (docs/diagnose.md says to which, and how it does on others).
+//! Probability of a cause: a logistic function of its evidence, fitted to causes that were added to
+//! real recordings (docs/diagnose.md lists them, and the results on others).
 //!
 //! `p = 1 / (1 + exp(-(a + b ln(1 + support) / 5 + c ln(1 + margin) / 5 + d share - e scatter)))`,
-//! `b` to `e` not negative. More support, more distance from the next best cause, more of the
-//! error, the same size in more stretches never make a cause less likely.
+//! with `b` to `e` not negative. More support, a larger margin to the next best cause, a larger
+//! share of the error, or a more constant size over stretches therefore never makes a cause less
+//! likely.
 
 /// `[a, b, c, d, e]` of causes that add columns.
 const CAUSE: [f64; 5] = [-5.2, 2.1, 2.3, 4.8, 9.2];
-/// Of plain friction and offsets.
+/// `[a, b, c, d, e]` of plain friction and offsets.
 const PLAIN: [f64; 5] = [-6.3, 2.8, 0.0, 4.6, 5.9];
 
-/// Factor of what the fitted logs alone show, since the validating ones are missed on its joints
-/// with it and without it, or can't show it.
+/// Factor for causes that only the fitted logs confirm: the validating logs cannot show them, or
+/// have large errors on their joints with and without them.
 const UNCONFIRMED: f64 = 0.5;
 
-/// Probability below which a cause is not named, nor in the model: it is likelier not to be there.
+/// Probability below which a cause is neither named nor in the model: its absence is more likely.
 pub const NAMED: f64 = 0.5;
 
-/// The same of what is likely by its size ([`structure`], [`links`]).
+/// The same for probabilities derived from a size ([`structure`], [`links`]).
 pub const NAMED_BY_SIZE: f64 = 0.3;
 
-/// A margin beyond which more of it says nothing.
+/// Margin above which a larger value carries no information.
 const FAR: f64 = 100.0;
 
 /// Evidence for a cause.
@@ -28,40 +29,41 @@ const FAR: f64 = 100.0;
 pub struct Features {
     /// Twice the gain in log-likelihood over independent windows, less its cost.
     pub support: f64,
-    /// By how much less the next best cause has.
+    /// Difference of support to the next best cause.
     pub margin: f64,
-    /// Part of the squared error above the noise that it takes.
+    /// Share of the squared error above the noise that it removes.
     pub share: f64,
-    /// How it recurs in disjoint stretches, 0 to 1.
+    /// Recurrence in disjoint stretches, 0 to 1.
     pub recurrence: f64,
-    /// Whether it was measured on data that were not fitted, or acts in a part of a log only.
+    /// Whether it was measured on unfitted data, or acts in a part of a log only.
     pub confirmed: bool,
 }
 
-/// Evidence for a cause that changed the file, from the search that starts there and from the model
-/// with all that it found.
+/// Evidence for a change relative to the file, from the search that starts at the file and from the
+/// model with all its findings.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Change {
-    /// Share of its main joint's squared error that it took as it was found, 0 to 1.
+    /// Share of its main joint's squared error that it removed when it was found, 0 to 1.
     pub share: f64,
-    /// Wald's statistic of its parameters beside all other causes, with a covariance by independent
-    /// windows and by how stretches differ.
+    /// Wald statistic of its parameters beside all other causes. The covariance accounts for
+    /// independent windows and for the scatter between stretches.
     pub wald: f64,
-    /// By how much less the next best cause has.
+    /// Difference of support to the next best cause.
     pub margin: f64,
-    /// Whether data that were not fitted show it.
+    /// Whether unfitted data confirm it.
     pub confirmed: bool,
 }
 
-/// A constant, weights of `share`, `ln(1 + wald) / 5` and `ln(1 + margin) / 5`, and what is taken
-/// off where the validating data can't confirm a cause. Fitted to causes added to recordings of
-/// five arms and to those of two simulators (docs/diagnose.md).
+/// Constant, weights of `share`, `ln(1 + wald) / 5` and `ln(1 + margin) / 5`, and deduction if the
+/// validating data cannot confirm a cause. Fitted to causes added to recordings of five arms and to
+/// those of two simulators (docs/diagnose.md).
 const CHANGE: [f64; 5] = [-4.3, 3.4, 3.7, 0.9, 1.2];
 
-/// Wald's statistic beyond which more of it says nothing: a law that is nearly right has as much.
+/// Wald statistic above which a larger value carries no information: a nearly correct law also
+/// reaches it.
 const SURE: f64 = 400.0;
 
-/// Of a cause that changed the file.
+/// Probability of a cause that changed the file.
 pub fn change(found: &Change) -> f64 {
     let [a, b, c, d, e] = CHANGE;
     let log = |x: f64, most: f64| x.clamp(0.0, most).ln_1p() / 5.0;
@@ -70,16 +72,16 @@ pub fn change(found: &Change) -> f64 {
     (1.0 / (1.0 + (-sum).exp())).min(0.995)
 }
 
-/// Support at which a change in a part of a log is as likely as not: of 17 that were found on
-/// changed recordings with more than twice as much, one was not there.
+/// Support at which a change in a part of a log has even odds. Of 17 that were found on changed
+/// recordings with more than twice as much support, one was false.
 const LOCAL: f64 = 12.5;
 
-/// Factor of what acts for so short a time that errors of the motion last as long; chosen, since
-/// no recording has pushes as brief.
+/// Factor for causes as brief as errors of the recorded motion. Chosen by hand, since no recording
+/// has such brief pushes.
 const BRIEF: f64 = 0.5;
 
-/// Of a change that acts in a part of a log, which no other part can confirm, by its support: twice
-/// the gain in log-likelihood, in independent windows, less its cost.
+/// Probability of a change in a part of a log, which no other part can confirm, by its support:
+/// twice the gain in log-likelihood, in independent windows, less its cost.
 pub fn local(support: f64, brief: bool) -> f64 {
     let factor = if brief { BRIEF } else { 1.0 };
     factor * (support.max(0.0) / (support.max(0.0) + LOCAL)).min(0.995)
@@ -90,25 +92,25 @@ fn scatter(recurrence: f64) -> f64 {
     (1.0 / recurrence.clamp(1e-3, 1.0) - 1.0).sqrt()
 }
 
-/// Of a cause, or of a plain term of friction, with this evidence.
+/// Probability of a cause, or of a plain friction term, with this evidence.
 pub fn probability(plain: bool, found: &Features) -> f64 {
     let [a, b, c, d, e] = if plain { PLAIN } else { CAUSE };
     let log = |x: f64| x.max(0.0).ln_1p() / 5.0;
     let sum = a + b * log(found.support) + c * log(found.margin.min(FAR)) + d * found.share.clamp(-1.0, 1.0)
         - e * scatter(found.recurrence);
     let factor = if found.confirmed { 1.0 } else { UNCONFIRMED };
-    // Never quite certain.
+    // Limit below certainty.
     (factor / (1.0 + (-sum).exp())).min(0.995)
 }
 
-/// Probability of structure of this size beside this noise: its part of the sum of their squares.
+/// Probability of structure of this size with this noise: its share of the sum of their squares.
 pub fn structure(size: f64, noise: f64) -> f64 {
     (size * size / (size * size + noise * noise).max(f64::MIN_POSITIVE)).min(0.995)
 }
 
-/// Probability of wrong links if all base parameters were refitted, by the gain on left-out
-/// stretches and its standard error: one half at six standard errors, for the links
-/// that fit one motion best are often wrong on another.
+/// Probability of wrong links if all base parameters were refitted, from the gain on left-out
+/// stretches and its standard error. It is one half at six standard errors, since links fitted to
+/// one motion are often wrong on another.
 pub fn links(gain: f64, error: f64) -> f64 {
     structure(gain.max(0.0), 6.0 * error)
 }
@@ -117,7 +119,8 @@ pub fn links(gain: f64, error: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// The law of the first comment, in odds: each piece of evidence multiplies them by its own.
+    /// In odds, the formula of the module is a product: each piece of evidence contributes a
+    /// factor.
     #[test]
     fn each_piece_of_evidence_counts_by_itself() {
         let odds = |found: &Features| {
@@ -129,13 +132,14 @@ mod tests {
         let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-9, "{a} {b}");
         close(times(Features { support: 50.0, ..weak }), (51.0_f64 / 6.0).powf(CAUSE[1] / 5.0));
         close(times(Features { margin: 20.0, ..weak }), (21.0_f64 / 3.0).powf(CAUSE[2] / 5.0));
-        // A margin beyond 100 says no more than one of 100.
+        // A margin beyond 100 has the same effect as one of 100.
         close(times(Features { margin: 1e6, ..weak }), (101.0_f64 / 3.0).powf(CAUSE[2] / 5.0));
         close(times(Features { share: 0.4, ..weak }), (CAUSE[3] * 0.3).exp());
         close(times(Features { recurrence: 0.2, ..weak }), (-CAUSE[4]).exp());
     }
 
-    /// The odds of a change: each piece of evidence counts by itself; nothing is next to nothing.
+    /// Each piece of evidence for a change contributes a factor to its odds; without evidence the
+    /// probability is near 0.
     #[test]
     fn a_change_is_as_likely_as_its_evidence() {
         let some = Change { share: 0.5, wald: 50.0, margin: 20.0, confirmed: true };

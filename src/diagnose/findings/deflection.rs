@@ -1,9 +1,9 @@
-//! Deflection of a joint between its motor and its link, where the log has both angles.
+//! Measures the deflection between a joint's motor and link, where the log has both angles.
 //!
 //! With `d = qm - q` and the transmitted torque `f`, a gear of stiffness `K` gives `d = f / K`. The
-//! file's rotor and friction move with the motor, so beside the link's angle its torque lacks `IA
-//! d'' + FV d' + FC (sign(q' + d') - sign(q'))` (M. W. Spong, *Modeling and control of elastic
-//! joint robots*, J. Dyn. Sys. Meas. Control 109, 1987).
+//! file's rotor and friction move with the motor. With the link's angle the file's torque therefore
+//! lacks `IA d'' + FV d' + FC (sign(q' + d') - sign(q'))` (M. W. Spong, *Modeling and control of
+//! elastic joint robots*, J. Dyn. Sys. Meas. Control 109, 1987).
 
 use dh_codegen::robot::effects;
 
@@ -16,19 +16,19 @@ use crate::diagnose::select::refine_and_select::Selected;
 use crate::diagnose::windows::torque_noise::autocorrelation_time;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
-/// Share of the deflection's variance that goes with the torque, from which on it is a spring's.
+/// Least share of the deflection's variance that correlates with the torque for a spring.
 const ELASTIC: f64 = 0.5;
-/// Standard deviations by which its compliance stands out of 0.
+/// Least compliance of a spring, in its standard deviations.
 const SURE: f64 = 5.0;
-/// Least share of the joint's squared error that it takes.
+/// Least share of the joint's squared error that it explains.
 const GAIN: f64 = 0.08;
 
-/// A spring that the deflection shows.
+/// A spring identified from the deflection.
 #[derive(Debug, Clone, PartialEq)]
 struct Spring {
     /// Compliance, rad/(N m), and its standard deviation.
     compliance: [f64; 2],
-    /// Share of the deflection's variance that goes with the torque.
+    /// Share of the deflection's variance that correlates with the torque.
     share: f64,
 }
 
@@ -40,7 +40,7 @@ impl Spring {
     }
 }
 
-/// Line through deflections (rad) over torques (N m) at the windows that are `live`.
+/// Linear regression of deflections (rad) on torques (N m) over the windows that are `live`.
 fn spring(deflection: &[f64], torque: &[f64], live: &[bool]) -> Option<Spring> {
     let at = || (0..live.len()).filter(|&w| live[w]);
     let n = at().count() as f64;
@@ -60,14 +60,14 @@ fn spring(deflection: &[f64], torque: &[f64], live: &[bool]) -> Option<Spring> {
     (slope > SURE * std && share > ELASTIC).then_some(Spring { compliance: [slope, std], share })
 }
 
-/// Angle of the motor before the link over the windows, rad; `None` where it was not recorded.
+/// Angle of the motor minus that of the link over the windows, rad; `None` if not recorded.
 fn measured(scene: &WindowedData<'_>, j: usize) -> Option<Vec<f64>> {
     let own = &scene.own[j];
     let there = own.iter().all(|o| o.motor.len() == o.q.len()) && own.iter().any(|o| !o.motor.is_empty());
     there.then(|| own.iter().flat_map(|o| scene.average_of(o, |k| o.motor[k] - o.q[k])).collect())
 }
 
-/// Springs of joints whose error they make, as causes with what is left of each joint's error.
+/// Causes for joints whose error a spring explains, with the remaining error of each joint.
 pub(in crate::diagnose) fn deflections(model: &Selected<'_>, noise: &[f64]) -> Vec<Cause> {
     let (scene, residual) = (&model.tested.scene, &model.fitted.residual);
     let joint = |j: usize| {
@@ -98,7 +98,8 @@ pub(in crate::diagnose) fn deflections(model: &Selected<'_>, noise: &[f64]) -> V
     (0..scene.dof()).filter_map(joint).collect()
 }
 
-/// A spring as a cause: of the joint's squared error on the fitted logs it leaves this share.
+/// A spring as a cause; `left` is the share of the joint's squared error on the fitted logs that
+/// remains.
 fn cause(model: &Selected<'_>, j: usize, found: &Spring, left: f64, noise: &[f64]) -> Cause {
     let before = model.after_fit.rms.clone();
     let mut after = before.clone();
@@ -154,12 +155,13 @@ mod tests {
         assert!((1.0 / found.compliance[0] / 1500.0 - 1.0).abs() < 0.01 && found.share > 0.99);
         let noise: Vec<f64> = (0..400).map(|k| 1e-5 * (f64::from(k * k % 13) - 6.0)).collect();
         assert_eq!(spring(&noise, &torque, &live), None);
-        // Against the torque is no spring.
+        // A deflection against the torque is not a spring.
         let against: Vec<f64> = turned.iter().map(|d| -d).collect();
         assert_eq!(spring(&against, &torque, &live), None);
     }
 
-    /// Compliance and stiffness of 300 records with other noise spread as their deviations say.
+    /// Compliance and stiffness of 300 records with different noise scatter by their stated
+    /// deviations.
     #[test]
     fn a_spring_is_as_uncertain_as_it_says() {
         let mut random = crate::numerics::prng::Random::new(4);

@@ -1,4 +1,4 @@
-//! Sentences and curves that show a cause.
+//! Sentences and curves that show the evidence for a cause.
 
 use super::result::Evidence;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
@@ -6,7 +6,7 @@ use crate::diagnose::hypotheses::{Hypothesis, Over, Quantity, Term};
 use crate::diagnose::windows::windowed_data::JointSeries;
 use crate::model::StandardParameter;
 
-/// Four figures at most.
+/// A number with at most four significant digits.
 pub(in crate::diagnose) fn short(value: f64) -> String {
     let size = value.abs();
     if size != 0.0 && !(1e-3..1e4).contains(&size) {
@@ -24,30 +24,30 @@ pub(in crate::diagnose) fn short(value: f64) -> String {
     format!("{value:.decimals$}")
 }
 
-/// Parts of a sentence.
+/// Content of a sentence of evidence.
 pub(in crate::diagnose) struct Shown<'a> {
     pub cause: &'a dyn Hypothesis,
-    /// Its shape, unless it is plain friction.
+    /// Shape of the cause; `None` for plain friction.
     pub shape: Option<&'a [f64]>,
     /// Joints, from 0.
     pub place: &'a [usize],
     pub parameters: &'a [Quantity],
-    /// Root mean squares without and with it, N m, on what `on` says.
+    /// Root mean square errors without and with it, N m, on the data named by `on`.
     pub all: [&'a [f64]; 2],
     /// The same where the joints move.
     pub moving: [&'a [f64]; 2],
     pub noise: &'a [f64],
     pub on: &'a str,
-    /// Share of held-out parts that agree, where that was asked.
+    /// Share of held-out parts that agree, if computed.
     pub confirmed: Option<f64>,
-    /// Its size on the validating data by the fitted one, where they can show it.
+    /// Ratio of its size on the validating data to the fitted one, where observable.
     pub repeats: Option<f64>,
 }
 
 /// One sentence with figures.
 pub(in crate::diagnose) fn sentence(shown: &Shown<'_>) -> String {
     let Shown { cause, shape, place, parameters, all, moving, noise, on, confirmed, repeats } = *shown;
-    // What shows at rest and about reversals alone is seen in all samples.
+    // Effects at rest and about reversals alone are visible in all samples only.
     let most_taken = |[before, after]: [&[f64]; 2]| {
         before.iter().zip(after).map(|(b, a)| if *b > 0.0 { 1.0 - (a / b).powi(2) } else { 0.0 }).fold(0.0, f64::max)
     };
@@ -56,7 +56,7 @@ pub(in crate::diagnose) fn sentence(shown: &Shown<'_>) -> String {
     let where_it_moves = if moves { " where it moves" } else { "" };
     let gain = |j: &usize| before[*j].powi(2) - after[*j].powi(2);
     let most = |joints: &mut dyn Iterator<Item = usize>| joints.max_by(|a, b| gain(a).total_cmp(&gain(b)));
-    // Its own joint, if it gains there.
+    // Prefer its own joint if the error falls there.
     let main = most(&mut place.iter().copied())
         .filter(|j| gain(j) > 0.0)
         .or_else(|| most(&mut (0..before.len())))
@@ -100,7 +100,7 @@ pub(in crate::diagnose) fn sentence(shown: &Shown<'_>) -> String {
     )
 }
 
-/// Joint of the largest effect.
+/// The joint with the largest effect.
 fn most_affected(dof: usize, terms: &[Term], x: &[f64]) -> Option<usize> {
     let size = |j: usize| {
         let squares = terms.iter().zip(x).flat_map(|(t, x)| {
@@ -112,7 +112,7 @@ fn most_affected(dof: usize, terms: &[Term], x: &[f64]) -> Option<usize> {
     (0..dof).max_by(|a, b| size(*a).total_cmp(&size(*b)))
 }
 
-/// The error without a cause against what the cause says, averaged over what shows it best.
+/// The error without a cause and the cause's torque, averaged over the quantity that shows it best.
 pub(in crate::diagnose) fn curve(
     tested: &ModelUnderTest<'_>,
     fitted: &Fitted,
@@ -160,8 +160,8 @@ pub(in crate::diagnose) fn curve(
     })
 }
 
-/// Joints whose own base parameters are more than five standard deviations from the file's: of
-/// their links, and of their rotors alone.
+/// Joints with base parameters more than five standard deviations from the file's: those of their
+/// links, and those of their rotors alone.
 pub(in crate::diagnose) fn changed_links(
     tested: &ModelUnderTest<'_>,
     fitted: &Fitted,

@@ -1,10 +1,10 @@
-//! A closed-form law for an error that has no name: a sparse regression over a dictionary of terms
-//! in positions, velocities and accelerations, of which only those are kept that halves of the data
-//! choose again and again.
+//! Finds a closed-form law for an error that matches no cause: a sparse regression over a
+//! dictionary of terms in positions, velocities and accelerations. Only terms that halves of the
+//! data choose repeatedly are kept.
 //!
-//! Stability selection (N. Meinshausen and P. Buehlmann, J. R. Statist. Soc. B 72, 2010): with `p`
-//! groups of terms and `s` chosen on average in a half, the expected number of groups that are chosen
-//! by chance in a share `t` of the halves is at most `s^2 / ((2 t - 1) p)`.
+//! Stability selection (N. Meinshausen and P. Buehlmann, J. R. Statist. Soc. B 72, 2010). Let `p`
+//! be the number of groups of terms, and `s` the mean number chosen in a half. Then at most `s^2 /
+//! ((2 t - 1) p)` groups are expected by chance in a share `t` of the halves.
 
 use std::fmt::Write as _;
 
@@ -15,34 +15,34 @@ use crate::diagnose::fit::moments::pseudo_inverse;
 use crate::numerics::parallel::{parallel, threads};
 use crate::numerics::prng::Random;
 
-/// Stretches of the data, each in one piece.
+/// Number of contiguous stretches of the data.
 const STRETCHES: usize = 16;
 
-/// Halves that are drawn.
+/// Number of random halves.
 const HALVES: usize = 40;
 
 /// Share of the halves that must choose a group.
 const STABLE: f64 = 0.8;
 
-/// The most groups that a half chooses.
+/// Maximum number of groups that a half chooses.
 const MOST: usize = 4;
 
-/// Share of what is left that a group must take.
+/// Share of the remaining squared error that a group must take.
 const WORTH: f64 = 0.05;
 
-/// Share of the squared error that a law must take on data that were not fitted.
+/// Share of the squared error that a law must remove on unfitted data.
 const GAIN: f64 = 0.1;
 
-/// Sizes there, by the fitted ones, between which a law holds.
+/// Range of the ratio of a law's size on unfitted data to the fitted size within which it holds.
 const HOLDS: [f64; 2] = [0.5, 2.0];
 
-/// Share of what a law explains for which a term is not worth having.
+/// Share of the explained squared error below which a term is dropped.
 const SLIGHT: f64 = 0.002;
 
-/// Samples that are used at most, spread over the data.
+/// Maximum number of samples, spread over the data.
 const SAMPLES: usize = 8000;
 
-/// The motion of all joints and the error of one, sample by sample.
+/// Motion of all joints and the error of one, sample by sample.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::diagnose) struct Errors<'a> {
     /// Positions, velocities and accelerations of each joint: rad or m, and s.
@@ -58,13 +58,12 @@ pub(in crate::diagnose) struct Formula {
     pub joint: usize,
     /// The law, N m or N: `0.42*sign(dq2)*cos(2*q1)`, joints from 1.
     pub text: String,
-    /// Root mean square of the joint's error without and with it on data that were not fitted, N m or
-    /// N.
+    /// Root mean square of the joint's error without and with it on unfitted data, N m or N.
     pub validate: [f64; 2],
     /// Share of the halves of the data that chose the least stable of its terms.
     pub stability: f64,
     terms: Vec<Term>,
-    /// Their coefficients, as in the text.
+    /// Coefficients of the terms, rounded as in the text.
     x: Vec<f64>,
 }
 
@@ -124,7 +123,7 @@ type Term = Vec<Factor>;
 /// Terms that are chosen together: sine and cosine of one angle.
 type Group = Vec<Term>;
 
-/// The dictionary of joint `j` of `dof`.
+/// The dictionary of terms for joint `j` of `dof`.
 fn dictionary(j: usize, dof: usize) -> Vec<Group> {
     use Factor::{Acceleration, Cosine, Position, Sign, Sine, Speed, Velocity};
     let mut groups: Vec<Group> = vec![vec![vec![]], vec![vec![Position(j)]]];
@@ -152,7 +151,7 @@ fn value(term: &Term, motion: &[[&[f64]; 3]], k: usize) -> f64 {
     term.iter().map(|f| f.at(motion, k)).product()
 }
 
-/// Squares and products of all terms and of the error, over a stretch.
+/// Sums of squares and products of all terms and of the error, over a stretch.
 #[derive(Clone)]
 struct Sums {
     gram: DMatrix<f64>,
@@ -176,7 +175,7 @@ fn total<'s>(parts: impl Iterator<Item = &'s Sums>) -> Option<Sums> {
     parts.cloned().reduce(|a, b| Sums { gram: a.gram + b.gram, with: a.with + b.with, squares: a.squares + b.squares })
 }
 
-/// Coefficients of these terms alone, and the squared error that they leave.
+/// Least-squares coefficients of these terms alone, and the remaining squared error.
 fn fitted(of: &Sums, terms: &[usize]) -> (DVector<f64>, f64) {
     let gram = of.gram.select_rows(terms).select_columns(terms);
     let with = of.with.select_rows(terms);
@@ -185,7 +184,7 @@ fn fitted(of: &Sums, terms: &[usize]) -> (DVector<f64>, f64) {
     (x, left.max(0.0))
 }
 
-/// Groups that forward selection takes, at most [`MOST`].
+/// Groups chosen by forward selection, at most [`MOST`].
 fn selected(of: &Sums, members: &[Vec<usize>]) -> Vec<usize> {
     let mut groups: Vec<usize> = Vec::new();
     let mut left = of.squares;
@@ -202,8 +201,8 @@ fn selected(of: &Sums, members: &[Vec<usize>]) -> Vec<usize> {
     groups
 }
 
-/// Those of the chosen terms without which less is explained by more than [`SLIGHT`] of it: of sine
-/// and cosine one alone may say all.
+/// Drops terms whose removal costs less than [`SLIGHT`] of the explained squared error: sine or
+/// cosine alone may suffice.
 fn needed(of: &Sums, mut terms: Vec<usize>) -> Vec<usize> {
     while terms.len() > 1 {
         let left = fitted(of, &terms).1;
@@ -220,7 +219,7 @@ fn needed(of: &Sums, mut terms: Vec<usize>) -> Vec<usize> {
     terms
 }
 
-/// The number as it stands in the law: four digits.
+/// The number as written in the law: four digits.
 fn rounded(x: f64) -> f64 {
     format!("{x:.3e}").parse().unwrap_or(x)
 }
@@ -245,7 +244,8 @@ fn torque(terms: &[Term], x: &[f64], motion: &[[&[f64]; 3]], k: usize) -> f64 {
     terms.iter().zip(x).map(|(term, x)| x * value(term, motion, k)).sum()
 }
 
-/// Error with a law, root mean square without and with it, and its size by what the data ask for.
+/// Root mean square error without and with a law, and the ratio of the law's size in these data to
+/// its fitted size.
 fn measured(terms: &[Term], x: &[f64], data: Errors<'_>) -> ([f64; 2], f64) {
     let (mut before, mut after, mut pull, mut own) = (0.0, 0.0, 0.0, 0.0);
     for (k, e) in data.error.iter().enumerate() {
@@ -259,7 +259,7 @@ fn measured(terms: &[Term], x: &[f64], data: Errors<'_>) -> ([f64; 2], f64) {
     ([rms(before), rms(after)], if own > 0.0 { pull / own } else { 0.0 })
 }
 
-/// A law of the error of joint `j` that recurs in the fitted data and holds on others; `None` where
+/// A law of the error of joint `j` that recurs in the fitted data and holds on others; `None` if
 /// there is none.
 pub(in crate::diagnose) fn formula(j: usize, fit: Errors<'_>, validate: Errors<'_>) -> Option<Formula> {
     let groups = dictionary(j, fit.motion.len());
@@ -303,7 +303,7 @@ pub(in crate::diagnose) fn formula(j: usize, fit: Errors<'_>, validate: Errors<'
 }
 
 impl Formula {
-    /// Whether the motion of another joint is in each of its terms.
+    /// Whether each of its terms contains the motion of another joint.
     pub(in crate::diagnose) fn is_of_other_joints(&self) -> bool {
         self.terms.iter().all(|term| term.iter().any(|factor| factor.joint() != self.joint))
     }
@@ -314,7 +314,7 @@ impl Formula {
         (0..len).map(|k| torque(&self.terms, &self.x, motion, k)).collect()
     }
 
-    /// A sentence with figures; `on` names the data that were not fitted.
+    /// A sentence with figures; `on` names the unfitted data.
     pub(in crate::diagnose) fn sentence(&self, on: &str) -> String {
         format!(
             "joint {}: the model lacks {}; the error falls from {} to {} N m on {on}, and {:.0} % of halves of \
@@ -332,7 +332,7 @@ impl Formula {
 mod tests {
     use super::*;
 
-    /// Motions of four joints along sums of sines, and their derivatives, by seed.
+    /// Motions of four joints as sums of sines, with their derivatives, by seed.
     fn motion(seed: u64) -> Vec<Joint> {
         let mut random = Random::new(seed);
         let joint = |_| {
@@ -388,7 +388,7 @@ mod tests {
         assert!(found.text.contains("*dq2*abs(dq2)") && found.text.contains("*cos(q3)"), "{}", found.text);
     }
 
-    /// Slow noise goes with whatever turns slowly, in the data that it was found in.
+    /// Slow noise correlates with slow motion in the fitted data only.
     #[test]
     fn noise_has_no_law() {
         for memory in [0.0, 0.9, 0.99] {

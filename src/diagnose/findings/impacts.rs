@@ -1,10 +1,11 @@
-//! Impacts in a gap: short errors that follow the changes of sign of one joint's load.
+//! Detects impacts in a gear's backlash: short errors that follow the changes of sign of one
+//! joint's load.
 //!
 //! A link in a gap flies freely from where its load changes sign until it strikes the other side.
 //! With the load `s t` and the inertia `m` that takes `(6 m BL / s)^(1/3)`, some hundredths of a
 //! second. The impact lasts for milliseconds, above the band of the recorded motion, so no column
-//! made from that motion contains it. It shows as a spike of the torques, at an instant that the
-//! load predicts.
+//! computed from that motion contains it. It appears as a spike of the torques, at an instant that
+//! the load predicts.
 
 use std::ops::Range;
 
@@ -18,32 +19,32 @@ use crate::diagnose::select::refine_and_select::Selected;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use dh_codegen::robot::effects;
 
-/// Error by its usual size above which it is a spike's.
+/// Ratio of an error to its usual size above which it belongs to a spike.
 const SPIKE: f64 = 6.0;
-/// Spacing of two spikes that are one, s.
+/// Time between two spikes, s, below which they count as one.
 const ONE: f64 = 0.04;
 /// Longest flight through a gap, s.
 const FLIGHT: f64 = 0.25;
-/// Fewest impacts that are distinguished from chance, and least share of the loads' changes of sign
-/// and of the spikes' energy that belong together.
+/// Least number of impacts that is distinguished from chance. Least share of the load's changes of
+/// sign, and of the spikes' energy, that match each other.
 const FEWEST: usize = 4;
 const SHARE: f64 = 0.6;
-/// Largest spread of the logarithms of the gaps that single flights give.
+/// Largest spread of the logarithms of the gaps from single flights.
 const SPREAD: f64 = 0.7;
 /// Error of the law of the flight, as a share of the gap.
 const LAW: f64 = 0.25;
-/// Distance of a spike from a joint's own reversal within which friction makes it, s.
+/// Time between a spike and a joint's own reversal, s, below which friction causes it.
 const REVERSAL: f64 = 0.04;
 
 /// A spike of the error.
 #[derive(Debug, Clone, PartialEq)]
 struct Spike {
     run: usize,
-    /// Of its largest sample, s.
+    /// Time of its largest sample, s.
     time: f64,
-    /// Samples.
+    /// Range of samples.
     span: Range<usize>,
-    /// Sum of squares by the usual size.
+    /// Sum of squares relative to the usual size.
     energy: f64,
 }
 
@@ -52,7 +53,7 @@ struct Spike {
 struct Crossing {
     run: usize,
     time: f64,
-    /// Rate of the load by the inertia behind the gap, rad/s^3.
+    /// Rate of the load divided by the inertia behind the gap, rad/s^3.
     jerk: f64,
 }
 
@@ -65,10 +66,10 @@ pub(in crate::diagnose) struct Impacts {
     gap: [f64; 2],
     /// Shortest and longest flight, s.
     flights: [f64; 2],
-    /// Changes of sign of the load, and those that an impact follows.
+    /// Number of changes of sign of the load, and of those followed by an impact.
     crossings: usize,
     followed: usize,
-    /// Share of the spikes' energy that these impacts carry.
+    /// Share of the spikes' energy in these impacts.
     energy: f64,
     /// Samples with an impact.
     spans: Vec<Range<usize>>,
@@ -79,7 +80,7 @@ fn median(mut x: Vec<f64>) -> Option<f64> {
     (!x.is_empty()).then(|| *x.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// Sum over joints of squares by the usual size of each joint's error, and its largest part.
+/// Sum over joints of squared errors relative to each joint's usual size, and the largest summand.
 fn by_usual(error: &[Vec<f64>]) -> (Vec<f64>, Vec<f64>) {
     let len = error.first().map_or(0, Vec::len);
     let (mut sum, mut largest) = (vec![0.0; len], vec![0.0_f64; len]);
@@ -97,7 +98,7 @@ fn by_usual(error: &[Vec<f64>]) -> (Vec<f64>, Vec<f64>) {
     (sum, largest)
 }
 
-/// Spikes of errors (per joint, one number a sample) in runs without a gap.
+/// Spikes of errors (per joint and sample) in contiguous runs.
 fn spikes(error: &[Vec<f64>], time: &[f64], runs: &[Range<usize>]) -> Vec<Spike> {
     let (sum, largest) = by_usual(error);
     let mut found: Vec<Spike> = Vec::new();
@@ -122,7 +123,7 @@ fn spikes(error: &[Vec<f64>], time: &[f64], runs: &[Range<usize>]) -> Vec<Spike>
     found
 }
 
-/// Changes of sign of a series: run, and time on a line.
+/// Changes of sign of a series: run, window before it, and time by linear interpolation, s.
 fn zeros<'a>(series: &'a [f64], scene: &'a WindowedData<'_>) -> impl Iterator<Item = (usize, usize, f64)> + 'a {
     let runs = scene.runs.iter().enumerate();
     runs.flat_map(|(number, run)| run.clone().zip(run.clone().skip(1)).map(move |pair| (number, pair))).filter_map(
@@ -149,13 +150,13 @@ fn crossings(scene: &WindowedData<'_>, j: usize) -> Vec<Crossing> {
     zeros(&load, scene).filter_map(at).collect()
 }
 
-/// Whether a spike is where joint `j` turns about.
+/// Whether a spike coincides with a reversal of joint `j`.
 fn at_a_reversal(spike: &Spike, scene: &WindowedData<'_>, j: usize) -> bool {
     let velocity = &scene.states[scene.state_of_joint[j]].dq[j * scene.len..(j + 1) * scene.len];
     zeros(velocity, scene).any(|(run, _, time)| run == spike.run && (time - spike.time).abs() < REVERSAL)
 }
 
-/// Impacts of the joint with these changes of sign, if the spikes are those.
+/// Impacts of the joint with these changes of sign, if the spikes match them.
 fn of_joint(joint: usize, crossings: &[Crossing], spikes: &[Spike]) -> Option<Impacts> {
     let after = |c: &Crossing| {
         let next = spikes.iter().filter(|s| s.run == c.run && s.time > c.time);
@@ -164,7 +165,7 @@ fn of_joint(joint: usize, crossings: &[Crossing], spikes: &[Spike]) -> Option<Im
     let pairs: Vec<(&Spike, f64, f64)> =
         crossings.iter().filter_map(|c| after(c).map(|(s, t)| (s, t, c.jerk * t.powi(3) / 6.0))).collect();
     let all: f64 = spikes.iter().map(|s| s.energy).sum();
-    // Two changes of sign in one flight have one impact.
+    // Two changes of sign during one flight share an impact.
     let mut spans: Vec<Range<usize>> = pairs.iter().map(|p| p.0.span.clone()).collect();
     spans.dedup();
     let energy =
@@ -187,7 +188,7 @@ fn of_joint(joint: usize, crossings: &[Crossing], spikes: &[Spike]) -> Option<Im
     })
 }
 
-/// Impacts in the errors that a model leaves on the fitted logs.
+/// Impacts in the errors of a model on the fitted logs.
 pub(in crate::diagnose) fn impacts(model: &Selected<'_>) -> Option<Impacts> {
     let (scene, left) = (&model.tested.scene, &model.after_fit);
     let spikes = spikes(&left.error, &left.time, &left.runs);
@@ -196,7 +197,7 @@ pub(in crate::diagnose) fn impacts(model: &Selected<'_>) -> Option<Impacts> {
     }
     let of = |j: usize| {
         let found = of_joint(j, &crossings(scene, j), &spikes)?;
-        // Friction that is wrong makes spikes where its joint turns about.
+        // Wrong friction causes spikes at the reversals of its joint.
         let turning = spikes.iter().filter(|s| at_a_reversal(s, scene, j)).count();
         (2 * turning < spikes.len()).then_some(found)
     };
@@ -205,7 +206,7 @@ pub(in crate::diagnose) fn impacts(model: &Selected<'_>) -> Option<Impacts> {
 }
 
 impl Impacts {
-    /// Errors of each joint without the samples in which an impact acts, N m.
+    /// Root mean square error of each joint without the samples of impacts, N m.
     fn elsewhere(&self, measured: &Measured) -> Vec<f64> {
         let hit = |k: usize| self.spans.iter().any(|s| s.contains(&k));
         let of = |error: &Vec<f64>| {
@@ -219,7 +220,7 @@ impl Impacts {
         measured.error.iter().map(of).collect()
     }
 
-    /// Without what is nothing but impacts.
+    /// Drops structure that consists of impacts alone.
     pub(in crate::diagnose) fn explain(
         &self,
         left: Vec<Structure>,
@@ -230,7 +231,8 @@ impl Impacts {
         left.into_iter().filter(|s| rest[s.joint] > EXCESS * floor[s.joint]).collect()
     }
 
-    /// As a cause: its error is that of single samples, which no law of the file predicts.
+    /// The impacts as a cause. Its error is limited to single samples, which no law of the file
+    /// predicts.
     pub(in crate::diagnose) fn cause(&self, measured: &Measured, noise: &[f64]) -> Cause {
         let (j, rest) = (self.joint, self.elsewhere(measured));
         let probability = self.energy.min(self.followed as f64 / self.crossings as f64).min(0.97);
@@ -277,7 +279,7 @@ mod tests {
         Spike { run: 0, time, span: 10 * number..10 * number + 3, energy: 100.0 }
     }
 
-    /// Flights of a gap of 2 mrad under loads that change at different rates.
+    /// Flights through a gap, under loads that change at different rates.
     fn flights(gap: f64) -> (Vec<Crossing>, Vec<Spike>) {
         let jerks = [20.0, 50.0, 8.0, 120.0, 30.0, 70.0];
         let at = |k: usize| 1.0 + 2.0 * k as f64;
@@ -291,10 +293,10 @@ mod tests {
         let (crossings, spikes) = flights(2e-3);
         let found = of_joint(3, &crossings, &spikes).unwrap();
         assert!((found.gap[0] / 2e-3 - 1.0).abs() < 1e-9 && found.followed == 6 && found.energy == 1.0);
-        // Spikes at other instants are not this joint's.
+        // Spikes at other instants do not belong to this joint.
         let early: Vec<Spike> = spikes.iter().map(|s| Spike { time: s.time - 0.4, ..s.clone() }).collect();
         assert_eq!(of_joint(3, &crossings, &early), None);
-        // Nor are three of them enough.
+        // Three impacts are not enough.
         assert_eq!(of_joint(3, &crossings[..3], &spikes[..3]), None);
     }
 

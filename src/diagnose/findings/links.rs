@@ -1,4 +1,4 @@
-//! Wrong links and rotors as causes: all base parameters are refitted.
+//! Reports wrong links and rotors as causes, when all base parameters are refitted.
 
 use super::attribution::MOST_MARGIN;
 use super::calibration;
@@ -18,26 +18,26 @@ use crate::diagnose::select::refine_and_select::{Selected, Session};
 use crate::model::{DriveTerm, StandardParameter};
 use dh_codegen::robot::{EffectKind, effects};
 
-/// Of what other links gain on stretches that are left out, one body must gain this share to be the
-/// answer.
+/// Share of the gain of all refitted links on left-out stretches that a single body must reach to
+/// be reported instead.
 pub(in crate::diagnose) const ONE_BODY: f64 = 0.85;
 
-/// Probability from which one of many refitted links is named: the refit has all of them.
+/// Least probability for one of many refitted links to be named: the refit has all of them.
 const LIKELY: f64 = 0.5;
 
-/// One body that says what the refitted links say.
+/// A single body that replaces the refitted links.
 struct Body {
     cause: &'static str,
     joints: Vec<usize>,
     parameters: Vec<Quantity>,
-    /// Of what the links gain on stretches that are left out, its share.
+    /// Share of the refitted links' gain on left-out stretches.
     share: f64,
 }
 
 impl Session<'_> {
-    /// The causes, where base parameters differ from the file's, and the file's beside everything
-    /// else that was found are worse. No other links are surer than that their model is better than
-    /// that of the file's links, which has causes of its own.
+    /// Causes for base parameters that differ from the file's, where the file's links with
+    /// everything else that was found are worse. Their probability is limited by that of their
+    /// model against the best model of the file's links, which has causes of its own.
     pub(in crate::diagnose) fn links(&self, model: &Selected<'_>, rival: Option<&Rival>) -> Vec<Cause> {
         let mut causes = self.other_links(model);
         if let Some(rival) = rival {
@@ -52,7 +52,7 @@ impl Session<'_> {
         if links.is_empty() && rotors.is_empty() {
             return Vec::new();
         }
-        // Residual of the file's links beside all other causes.
+        // Fit the file's links with all other causes.
         let delays = &model.tested.scene.delays;
         let mut believed = ModelUnderTest::new(self.plant, self.fit, self.rate, Mode::Trusted, delays, false);
         believed.frozen = model.tested.frozen.clone();
@@ -62,7 +62,7 @@ impl Session<'_> {
         let after = &model.after;
         let known = believed.left_out(&others, &trusting);
         let refit = model.left_out.less(&known, self.ground);
-        // It has to pay like any other.
+        // The refit has to pay like any other model.
         let gains = taken_of(&without.steady, &after.steady, self.scale) > 0.0;
         if !(refit.worth_refit(0) && gains && matters(&without.steady, &after.steady, self.noise, self.motion)) {
             return Vec::new();
@@ -108,15 +108,15 @@ impl Session<'_> {
         causes
     }
 
-    /// Those links or rotors (joints, from 1) that a refit needs, and what each gains.
+    /// Links or rotors (joints, from 1) that a refit needs, with the gain of each.
     fn needed(&self, model: &Selected<'_>, joints: &[usize], rotor: bool) -> Vec<(usize, Paired)> {
         let likely = |gain: &Paired| gain.gain > 0.0 && calibration::links(gain.gain, gain.error) >= LIKELY;
         let all = joints.iter().map(|&j| (j, self.without_changes(model, j, rotor)));
         all.filter(|(_, gain)| likely(gain)).collect()
     }
 
-    /// By how much a refit errs less on left-out stretches than with the file's base parameters of
-    /// one joint's link, or rotor (`j`, from 1), beside all others.
+    /// Gain of a refit on left-out stretches over the same with the file's base parameters of one
+    /// joint's link, or rotor (`j`, from 1).
     fn without_changes(&self, model: &Selected<'_>, j: usize, rotor: bool) -> Paired {
         let (plant, fitted) = (model.tested.plant, &model.fitted);
         let (base, row) = (plant.base_parameters(), plant.rows()[j - 1]);
@@ -166,7 +166,7 @@ impl Session<'_> {
         }
     }
 
-    /// A rotor (of joint `j`, from 1) that the file has otherwise, or not at all.
+    /// The rotor of joint `j` (from 1) as a cause: the file has another value, or none.
     fn rotor(&self, model: &Selected<'_>, without: &Measured, j: usize, gain: Paired) -> Cause {
         let plant = model.tested.plant;
         let rotor = StandardParameter::Drive(plant.rows()[j - 1], DriveTerm::IA);
@@ -186,8 +186,8 @@ impl Session<'_> {
         }
     }
 
-    /// The body that says nearly all that the refit's links say, if one does. `known`: errors with
-    /// the file's links; `gain`: what the refit gains on them.
+    /// The body that explains nearly as much as the refitted links, if there is one. `known`:
+    /// errors with the file's links; `gain`: gain of the refit over them.
     fn one_body(
         &self,
         believed: &mut ModelUnderTest<'_>,
@@ -219,8 +219,8 @@ impl Session<'_> {
     }
 }
 
-/// Gives a cause of refitted links no more probability than that all of them are better than the
-/// file's links with other causes, which are named beside it.
+/// Limits the probability of a refitted link to that of all of them being better than the file's
+/// links with other causes. Names those causes beside it.
 fn no_surer(cause: &mut Cause, rival: &Rival) {
     let Rival { gain, causes: rivals } = rival;
     let better = calibration::links(gain.gain, gain.error);
@@ -245,7 +245,7 @@ fn no_surer(cause: &mut Cause, rival: &Rival) {
     );
 }
 
-/// `joint 3`, `joints 3, 4`.
+/// Joints in words: `joint 3`, `joints 3, 4`.
 fn of_joints(joints: &[usize]) -> String {
     let numbers: Vec<String> = joints.iter().map(usize::to_string).collect();
     format!("joint{} {}", if joints.len() > 1 { "s" } else { "" }, numbers.join(", "))
@@ -259,8 +259,8 @@ mod tests {
         Cause { joints: joints.to_vec(), probability, ..Cause::blank(name, "") }
     }
 
-    /// A model of other links that errs hardly less than one of the file's with a spring: the link is
-    /// no surer than that, and the spring is named beside it.
+    /// A model with refitted links that errs hardly less than one of the file's links with a
+    /// spring. The link is no more certain than that model, and the spring is named beside it.
     #[test]
     fn a_link_is_no_surer_than_its_model() {
         let rival = |gain: f64| Rival {

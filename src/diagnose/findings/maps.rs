@@ -1,6 +1,6 @@
-//! Maps of an error: against velocity, position, acceleration, load, time, temperature, travel
-//! since a reversal. Further its spectra over frequency and over periods per turn, its dependence
-//! on another joint's motion, and the residual of the model shifted in time.
+//! Maps of an error against velocity, position, acceleration, load, time, temperature and travel
+//! since a reversal. Also its spectra over frequency and over periods per turn, its dependence on
+//! another joint's motion, and the residual of the model shifted in time.
 
 use std::sync::Arc;
 
@@ -11,19 +11,19 @@ use crate::diagnose::fit::moments::pseudo_inverse;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::States;
 
-/// Bins of a map.
+/// Number of bins of a map.
 const BINS: usize = 48;
 
 /// Longest section of a spectrum, s: the resolution is its inverse.
 const SECTION: f64 = 4.0;
 
-/// Sections that a spectrum averages at most, spread over the data.
+/// Maximum number of averaged sections of a spectrum, spread over the data.
 const SECTIONS: usize = 24;
 
 /// Highest frequency of a spectrum, Hz.
 const HIGHEST: f64 = 40.0;
 
-/// Variables of the maps, every sample of the log, per joint.
+/// Variables of the maps, at every sample of the log, per joint.
 pub(in crate::diagnose) struct View {
     /// Time since the recording began, s.
     pub time: Vec<f64>,
@@ -32,24 +32,24 @@ pub(in crate::diagnose) struct View {
     runs: Vec<std::ops::Range<usize>>,
     /// Motion of all joints, once for each delay.
     states: Vec<Arc<States>>,
-    /// Which of these goes with a joint's torque.
+    /// Index of the motion that belongs to a joint's torque.
     state_of_joint: Vec<usize>,
     /// Torque of the model, per joint, N m.
     model: Vec<Arc<Vec<f64>>>,
-    /// Per joint; empty where it was not recorded.
+    /// Temperature, per joint, deg C; empty if not recorded.
     temperature: Vec<Vec<f64>>,
     /// Motor turns per joint turn, if the file has them.
     gears: Vec<Option<f64>>,
 }
 
-/// Samples that the costlier maps look at, at most, spread over the data.
+/// Maximum number of samples of the more expensive maps, spread over the data.
 const SAMPLES: usize = 6000;
 
 /// Largest shift of the model in time, s.
 const SHIFT: f64 = 0.08;
 
 impl View {
-    /// Of a scene whose windows are single samples, and what a model says of the torques there, N m.
+    /// The view of a scene whose windows are single samples, with a model's torques there, N m.
     pub fn of(scene: &WindowedData<'_>, model: &[Arc<Vec<f64>>]) -> Self {
         let temperature =
             scene.own.iter().map(|own| own.iter().flat_map(|o| o.temperature.iter().copied()).collect()).collect();
@@ -82,7 +82,7 @@ impl View {
         let (mut shift, mut last, mut before) = (0.0, 0.0, f64::NEG_INFINITY);
         let mut clock = Vec::with_capacity(self.time.len());
         for t in &self.time {
-            // Time that falls: the next log begins.
+            // A decreasing time marks the next log.
             if *t < before {
                 shift = last;
             }
@@ -92,7 +92,7 @@ impl View {
         clock
     }
 
-    /// Maps of joint `j`'s error, N m, of two models.
+    /// Maps of joint `j`'s error, N m, with two models.
     pub fn maps(&self, j: usize, before: &[f64], after: &[f64]) -> Vec<ErrorMap> {
         let [q, v, a, load] = self.over(j);
         let clock = self.clock();
@@ -118,14 +118,14 @@ impl View {
         maps
     }
 
-    /// Numbers of the samples that the costlier maps look at.
+    /// Indices of the samples used by the more expensive maps.
     fn thinned(&self) -> impl Iterator<Item = usize> + Clone + use<> {
         let len = self.time.len();
         (0..len).step_by(len.div_ceil(SAMPLES).max(1))
     }
 
-    /// Amplitude over periods per turn of the joint; up to twice the motor's turn where the gear is
-    /// known.
+    /// Amplitude over periods per turn of the joint, up to twice the motor's turn where the gear
+    /// ratio is known.
     fn orders(&self, j: usize, before: &[f64], after: &[f64]) -> Option<ErrorMap> {
         let q = self.over(j)[0];
         let (low, high) = (least(q), most(q));
@@ -152,13 +152,13 @@ impl View {
         (!orders.is_empty()).then_some(ErrorMap { over: "periods per turn", x: orders, before, after })
     }
 
-    /// Error in the direction of motion over the travel since the joint last turned about.
+    /// Error in the direction of motion over the travel since the joint's last reversal.
     fn reversals(&self, j: usize, before: &[f64], after: &[f64]) -> Option<ErrorMap> {
         let [q, v, ..] = self.over(j);
         let range = most(q) - least(q);
         let (mut travel, mut along) = (Vec::new(), [Vec::new(), Vec::new()]);
         for run in &self.runs {
-            // Only after the first reversal is it known how far back it lies.
+            // The distance from a reversal is known only after the first one.
             let (mut sign, mut since) = (0.0, None);
             for k in run.clone() {
                 let now = if v[k] == 0.0 { sign } else { v[k].signum() };
@@ -178,8 +178,8 @@ impl View {
         binned("travel since a reversal, rad", &travel, &along[0], &along[1])
     }
 
-    /// Root mean square of what goes with another joint's position, velocity, acceleration and
-    /// direction, joint by joint.
+    /// Root mean square of the part that correlates with another joint's position, velocity,
+    /// acceleration and direction, joint by joint.
     fn pairs(&self, j: usize, before: &[f64], after: &[f64]) -> Option<ErrorMap> {
         const COLUMNS: usize = 6;
         let picks = self.thinned();
@@ -208,8 +208,8 @@ impl View {
         })
     }
 
-    /// Root mean square error that is left when the model's torque is shifted in time: least at
-    /// zero where nothing is late.
+    /// Root mean square error with the model's torque shifted in time: minimal at zero without a
+    /// delay.
     fn shifts(&self, j: usize, before: &[f64], after: &[f64]) -> Option<ErrorMap> {
         let longest = self.runs.iter().max_by_key(|r| r.len())?;
         let period = (self.time[longest.end - 1] - self.time[longest.start]) / (longest.len().max(2) - 1) as f64;
@@ -296,8 +296,8 @@ fn most(x: &[f64]) -> f64 {
     x.iter().copied().fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// Means over equal bins of `x`; `None` where it does not vary. Bins with fewer samples than a
-/// tenth of their share are left out.
+/// Means over equal bins of `x`; `None` if `x` is constant. Bins with fewer samples than a tenth of
+/// the mean number (at least 1, at most 10) are left out.
 fn binned(over: &'static str, x: &[f64], before: &[f64], after: &[f64]) -> Option<ErrorMap> {
     let (low, high) = (least(x), most(x));
     if !(high - low > 1e-9 && (high - low).is_finite()) {
@@ -340,7 +340,7 @@ mod tests {
         let before: Vec<f64> = time.iter().map(|t| 3.0 * (std::f64::consts::TAU * 5.0 * t).sin()).collect();
         let after: Vec<f64> = x.iter().map(|x| 0.5 * x).collect();
         let maps = view(time, x).maps(0, &before, &after);
-        // The load is the same throughout: no map.
+        // The load is constant: no map.
         let names: Vec<&str> = maps.iter().map(|m| m.over.split(',').next().unwrap()).collect();
         assert_eq!(
             names,
@@ -374,7 +374,7 @@ mod tests {
         let map = view.orders(0, &ripple, &vec![0.0; 6000]).unwrap();
         let peak = (0..map.x.len()).max_by(|a, b| map.before[*a].total_cmp(&map.before[*b])).unwrap();
         assert!((map.x[peak] - 30.0).abs() < 2.5 && map.after.iter().all(|a| *a == 0.0), "{}", map.x[peak]);
-        // The torque is the model's of 20 ms ago.
+        // The torque equals the model's of 20 ms ago.
         let wave = |t: f64| (3.0 * t).sin() + 0.5 * (11.0 * t).cos();
         view.torque = vec![Arc::new(time.iter().map(|t| wave(t - 0.02)).collect())];
         let late: Vec<f64> = time.iter().map(|t| wave(t - 0.02) - wave(*t)).collect();

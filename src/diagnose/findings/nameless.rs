@@ -1,4 +1,5 @@
-//! Errors that no known cause has: what is left, and torques in closed form that take them.
+//! Errors that match no known cause: closed-form laws that explain them, and the remaining
+//! structure.
 
 use super::attribution::{MOST_MARGIN, taken};
 use super::calibration;
@@ -13,10 +14,10 @@ use crate::diagnose::select::suspects::without_neighbours;
 use dh_codegen::robot::effects;
 
 impl Session<'_> {
-    /// Adds formulas for the structure that is `left` to the causes, takes them out of the `errors`
-    /// of the offered model, on fitted and validating logs, and returns what they leave. Where the
-    /// unchanged file is offered (`file_holds`) they are only reported. `torque`: root mean square of each
-    /// joint's, N m.
+    /// Adds closed-form laws for the structure that is `left` to the causes, and subtracts them
+    /// from the `errors` of the offered model, on fitted and validating logs. Returns the remaining
+    /// structure. If the unchanged file is offered (`file_holds`), the laws are only reported.
+    /// `torque`: root mean square of each joint's torque, N m.
     pub(in crate::diagnose) fn explained_by_formulas(
         &self,
         causes: &mut Vec<Cause>,
@@ -40,7 +41,8 @@ impl Session<'_> {
         self.beyond(&laws, left, model, [fit, validate], torque)
     }
 
-    /// What laws leave of the structure of their joints, and the rest of it. `errors`: with them.
+    /// Structure that remains with the laws, and that of other joints. `errors`: those with the
+    /// laws.
     fn beyond(
         &self,
         laws: &[Formula],
@@ -62,8 +64,8 @@ impl Session<'_> {
     }
 }
 
-/// Remainder without a name. `errors`: of the file and of the model; `floor`: noise of each joint's
-/// torque, N m; `noise`: what a gain is measured by.
+/// Adds the remaining structure as a cause without a name. `errors`: of the file and of the model;
+/// `floor`: noise of each joint's torque, N m; `noise`: unit of a gain, N m.
 pub(in crate::diagnose) fn unknown(
     causes: &mut Vec<Cause>,
     left: &[Structure],
@@ -74,7 +76,7 @@ pub(in crate::diagnose) fn unknown(
     if left.is_empty() {
         return;
     }
-    // A cause that acts in a part of a fitted log shows there alone.
+    // A cause that acts in a part of a fitted log is visible there alone.
     let here = causes.iter().any(|c| c.on == "fit");
     let [baseline, rms] = errors.map(|e| if here { &e.fit[..] } else { &e.validate[..] });
     let mut left = left.to_vec();
@@ -99,7 +101,7 @@ pub(in crate::diagnose) fn unknown(
         rms_after: after,
         ..nameless()
     };
-    // First, where more is left than the causes explain; else last: it gains nothing.
+    // First, if more remains than the causes explain; else last, since it gains nothing.
     let most = causes.iter().map(|c| taken(c, noise)).fold(taken_of(baseline, rms, noise), f64::max);
     if taken(&entry, noise) > most {
         causes.insert(0, entry);
@@ -108,9 +110,9 @@ pub(in crate::diagnose) fn unknown(
     }
 }
 
-/// Adds the laws of errors that have no name as causes, and takes them out of what the model
-/// misses; `left`: the structure of these errors. `floor`: noise of each joint's torque, N m.
-/// `offered`: whether the offered model has the laws; else they are only reported.
+/// Adds laws of errors without a known cause to the causes, and subtracts them from the model's
+/// errors; `left`: the structure of these errors. `floor`: noise of each joint's torque, N m.
+/// `offered`: whether the offered model has the laws; otherwise they are only reported.
 fn with_formulas(
     causes: &mut Vec<Cause>,
     left: &[Structure],
@@ -123,7 +125,7 @@ fn with_formulas(
     let mut joints: Vec<usize> = left.iter().map(|s| s.joint).collect();
     joints.sort_unstable();
     joints.dedup();
-    // The file would read the law at another angle.
+    // With an encoder offset, the file would evaluate the law at another angle.
     let shifted = |j: usize| causes.iter().any(|c| c.cause == effects::EncoderOffset::NAME && c.joints == [j + 1]);
     joints.retain(|j| !shifted(*j));
     let law = |j: usize| {
@@ -160,7 +162,7 @@ fn with_formulas(
     found
 }
 
-/// What entries of errors without a name have in common.
+/// Common part of causes without a name.
 fn nameless() -> Cause {
     let blank = Cause::blank("unknown", "a longer recording with slow and fast motion of the named joints");
     Cause { support: MOST_MARGIN, margin: MOST_MARGIN, ..blank }

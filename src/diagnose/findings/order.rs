@@ -1,16 +1,16 @@
-//! The order of causes: what they take of the errors, weighed by how sure they are.
+//! Sorts causes by the error that they remove, weighted by their odds.
 
 use dh_codegen::robot::effects;
 
 use super::attribution::taken;
 use super::result::Cause;
 
-/// A probability beyond which more of it does not move a cause forward.
+/// Probability above which a larger value does not move a cause forward.
 const SURE: f64 = 0.99;
 
-/// Puts causes in order of what they gain times their odds: one that takes twice the error of
-/// another stands behind it where the other's odds are more than twice its own. Values of links come
-/// after errors of the robot as a whole.
+/// Sorts causes by gain times odds, largest first. A cause that removes twice the error of another
+/// comes after it if the other's odds are more than twice its own. Values of links come after
+/// errors of the robot as a whole.
 pub(in crate::diagnose) fn in_order(causes: &mut Vec<Cause>, scale: &[f64]) {
     let odds = |c: &Cause| c.probability.min(SURE) / (1.0 - c.probability.min(SURE));
     let weighed = |c: &Cause| odds(c) * taken(c, scale);
@@ -18,10 +18,10 @@ pub(in crate::diagnose) fn in_order(causes: &mut Vec<Cause>, scale: &[f64]) {
     values_last(causes, scale);
 }
 
-/// Errors that no value of a link's parameter explains are named before those values. This holds if
-/// they explain half of the squared error of a joint beside them, or a quarter of that of all: an
-/// error of a recording or an arm as a whole, whatever the file contains. It holds for every cause
-/// if all parameters were refitted as a matter of course.
+/// Places errors that no link parameter explains before link parameters. Condition: they explain
+/// half of the squared error of a joint, or a quarter of that of all joints. Such an error belongs
+/// to the recording or the arm as a whole, whatever the file contains. If all parameters were
+/// refitted by default, this applies to every cause.
 fn values_last(causes: &mut Vec<Cause>, noise: &[f64]) {
     let Some(at) = causes.iter().position(|c| c.cause == effects::LinkInertiaError::NAME) else { return };
     let refitted = causes[at].keys.is_empty();
@@ -43,7 +43,7 @@ fn values_last(causes: &mut Vec<Cause>, noise: &[f64]) {
 mod tests {
     use super::*;
 
-    /// Takes this part of the error of the only joint, 1 N m.
+    /// A cause that reduces the error of the only joint, 1 N m, to `left`.
     fn cause(cause: &'static str, joints: &[usize], probability: f64, left: f64) -> Cause {
         let rms = |x: f64| vec![x];
         Cause {
@@ -64,14 +64,14 @@ mod tests {
     fn a_sure_cause_comes_before_a_doubtful_one_that_takes_more() {
         let doubtful = || cause("torque_ripple", &[1], 0.4, 0.2);
         assert_eq!(names(vec![doubtful(), cause("backlash", &[1], 0.9, 0.7)]), ["backlash", "torque_ripple"]);
-        // What takes next to nothing stays behind.
+        // A negligible error stays last.
         assert_eq!(names(vec![cause("backlash", &[1], 0.9, 0.99), doubtful()]), ["torque_ripple", "backlash"]);
-        // Of two that are beyond doubt the larger one is first.
+        // Of two practically certain causes, the larger one is first.
         let sure = [cause("backlash", &[1], 1.0, 0.9), cause("stribeck_friction", &[1], 0.99, 0.2)];
         assert_eq!(names(sure.to_vec()), ["stribeck_friction", "backlash"]);
     }
 
-    /// A delay of the recording explains half of a joint, whatever the file's links are.
+    /// A delay of the recording explains half of a joint's error, whatever the file's links are.
     #[test]
     fn values_of_links_come_after_errors_of_the_whole() {
         let link = || cause("link_inertia_error", &[1], 0.95, 0.1);

@@ -1,5 +1,5 @@
-//! A reported cause: an accepted one with the friction that belongs to it, or friction that changed
-//! by itself.
+//! Items to be reported: an accepted cause with the friction that belongs to it, or a friction term
+//! that changed by itself.
 
 use dh_codegen::robot::effects::{self, Key};
 
@@ -8,13 +8,13 @@ use crate::diagnose::fit::model::{Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::hypotheses::{AsymmetricFriction, COULOMB, Hypothesis, Kind, Named, OFFSET, VISCOUS};
 use crate::diagnose::search::judge::Accepted;
 
-/// A cause on its way into the result.
+/// A cause to be reported.
 pub(in crate::diagnose) struct Item {
     pub(in crate::diagnose) hypothesis: &'static dyn Hypothesis,
     pub(in crate::diagnose) place: Vec<usize>,
-    /// Among the accepted; `None`: a friction parameter.
+    /// Index among the accepted causes; `None` for a friction parameter.
     pub(in crate::diagnose) accepted: Option<usize>,
-    /// Unknowns of friction that belong to it.
+    /// Indices of the friction unknowns that belong to it.
     pub(in crate::diagnose) friction: Vec<usize>,
 }
 
@@ -36,7 +36,7 @@ pub(in crate::diagnose) fn place_of(place: &[usize]) -> String {
     }
 }
 
-/// The accepted causes, and the friction parameters that changed and belong to none of them.
+/// The accepted causes, and the changed friction parameters that belong to none of them.
 pub(in crate::diagnose) fn items(tested: &ModelUnderTest<'_>, accepted: &[Accepted], fitted: &Fitted) -> Vec<Item> {
     let mut items: Vec<Item> = accepted
         .iter()
@@ -70,12 +70,12 @@ pub(in crate::diagnose) fn items(tested: &ModelUnderTest<'_>, accepted: &[Accept
     one_for_two(items, tested, fitted)
 }
 
-/// Of a level and an offset, neither next to nothing beside the other, the smaller is taken for
-/// half a difference of levels.
+/// Least ratio of the smaller to the larger of a level and an offset for both to be reported as
+/// levels that differ by direction.
 pub(in crate::diagnose) const BESIDE: f64 = 0.15;
 
-/// A changed Coulomb level and an offset on one joint are, with as many unknowns, one cause: levels
-/// that differ with the direction. It takes their place where both levels are of friction.
+/// Merges a changed Coulomb level and an offset on one joint into one cause with as many unknowns:
+/// levels that differ with the direction. Applied if both levels remain friction.
 pub(in crate::diagnose) fn one_for_two(
     mut items: Vec<Item>,
     tested: &ModelUnderTest<'_>,
@@ -125,7 +125,7 @@ pub(in crate::diagnose) fn friction_values(
         .collect()
 }
 
-/// Friction that is in the model but no news, for the file.
+/// Friction in the model that is not reported as a change; for the file.
 pub(in crate::diagnose) fn quiet(tested: &ModelUnderTest<'_>, fitted: &Fitted) -> Vec<Cause> {
     let covariance = fitted.covariance();
     (0..tested.quiet.len())

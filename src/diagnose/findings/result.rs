@@ -6,20 +6,20 @@ use dh_codegen::robot::effects::{self, Key};
 use crate::diagnose::hypotheses::{Named, Quantity};
 use crate::identify::ErrorBudget;
 
-/// The whole in a word.
+/// Overall verdict.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// The causes leave nothing but noise.
+    /// The causes explain everything but noise.
     Explained,
     /// The causes leave structure.
     PartlyExplained,
-    /// There is structure, and no cause holds.
+    /// Structure remains, and no cause holds.
     Unexplained,
-    /// There is nothing but noise.
+    /// The error is noise only.
     NothingWrong,
 }
 
-/// Data on which errors were measured, in words: `on` as a [`Cause`] has it.
+/// Names the data on which errors were measured, from `on` of a [`Cause`].
 pub fn measured_on(on: &str, own_validation: bool) -> &'static str {
     match (on, own_validation) {
         ("fit", true) => "the fitted logs",
@@ -30,7 +30,7 @@ pub fn measured_on(on: &str, own_validation: bool) -> &'static str {
 }
 
 impl Verdict {
-    /// The word of the JSON.
+    /// Name in the JSON.
     pub fn word(self) -> &'static str {
         match self {
             Self::Explained => "explained",
@@ -44,81 +44,80 @@ impl Verdict {
 /// Root mean square errors of a model, per joint, N m.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Errors {
-    /// On the logs that were used to find it.
+    /// On the fitted logs.
     pub fit: Vec<f64>,
-    /// On those that were not.
+    /// On the validating logs.
     pub validate: Vec<f64>,
-    /// The same where the joint moves. While a joint sticks at a reversal, friction balances the
-    /// other torques and is not a function of the velocity.
+    /// On the validating logs where the joint moves. While a joint sticks at a reversal, friction
+    /// balances the other torques and is not a function of the velocity.
     pub moving: Vec<f64>,
 }
 
-/// A curve of the evidence: what the cause has to explain against what it says, over the quantity
-/// that shows it best.
+/// Evidence as a curve: the error to be explained and the cause's torque, over the quantity that
+/// shows it best.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Evidence {
     /// Name of the abscissa, with its unit.
     pub over: String,
-    /// Abscissa: middles of bins.
+    /// Abscissa: means of bins.
     pub x: Vec<f64>,
     /// Mean error without the cause in each bin, N m.
     pub measured: Vec<f64>,
-    /// Mean of what the cause contributes, N m.
+    /// Mean torque of the cause in each bin, N m.
     pub explained: Vec<f64>,
 }
 
-/// A cause that was found.
+/// A reported cause.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cause {
     /// Name of the effect, or `unknown`.
     pub cause: &'static str,
     /// Joints, from 1; empty for the whole robot.
     pub joints: Vec<usize>,
-    /// How sure it is.
+    /// Probability that the cause is present.
     pub probability: f64,
-    /// Its parameters; symbols carry the joint's number.
+    /// Parameters; symbols carry the joint's number.
     pub parameters: Vec<Quantity>,
     /// The same without the joint's number, for the robot file.
     pub keys: Vec<Named>,
-    /// Twice the gain in log-likelihood over independent windows, less what its unknowns and the
-    /// number of candidates cost.
+    /// Twice the gain in log-likelihood over independent windows, less the cost of its unknowns and
+    /// of the number of candidates.
     pub support: f64,
-    /// By how much less the next best cause in its place has of that.
+    /// Difference of support to the next best cause in its place.
     pub margin: f64,
-    /// Part of the squared error of its main joint, above the noise, that it takes.
+    /// Share of the squared error of its main joint, above the noise, that it removes.
     pub share: f64,
-    /// How it recurs in disjoint stretches of the fitted logs, 0 to 1: 1 with the same size in
-    /// each.
+    /// Recurrence in disjoint stretches of the fitted logs, 0 to 1: 1 for the same size in each.
     pub recurrence: f64,
     /// A sentence with figures.
     pub evidence: String,
     /// Errors with all causes but this one, per joint, N m.
     pub rms_before: Vec<f64>,
-    /// Errors with it.
+    /// Errors with it, per joint, N m.
     pub rms_after: Vec<f64>,
-    /// 90 % interval of the part of the squared error that it takes on its main joint.
+    /// 90 % interval of the share of the squared error that it removes on its main joint.
     pub interval: [f64; 2],
-    /// `validate`, or `fit` for what acts in one log only.
+    /// Data on which it was measured: `validate`, or `fit` if these cannot show it.
     pub on: &'static str,
-    /// Whether the extended model has it; otherwise it was found beside other links than that
+    /// Whether the extended model has it. Otherwise it was found with other links than that
     /// model's, or did not pay there.
     pub in_extended: bool,
-    /// Causes that this data can't separate from it.
+    /// Causes that these data cannot separate from it.
     pub not_distinguished_from: Vec<&'static str>,
     /// Experiment that would show it better, or separate it from those.
     pub shown_by: &'static str,
-    /// What would tell it from those, where no motion does.
+    /// Information that would separate it from those, where no motion does.
     pub decided_by: Option<&'static str>,
-    /// The curve that shows it.
+    /// Curve that shows it.
     pub curve: Option<Evidence>,
-    /// The torque that the model lacks on its joint in closed form, for an error without a name: an
-    /// expression in `q1.. dq1.. ddq1..`.
+    /// Torque that the model lacks on its joint in closed form, for an error without a known cause:
+    /// an expression in `q1.. dq1.. ddq1..`.
     pub law: Option<String>,
 }
 
 impl Cause {
-    /// Whether another cause is the same one in the same place. A push is not another one, nor the
-    /// wall that is met beside it: windows of one push overlap for half of the shorter.
+    /// Whether another cause is the same one in the same place. Two pushes are the same if their
+    /// windows overlap by at least half of the shorter one; a push and a wall never are.
     pub fn is(&self, other: &Self) -> bool {
         let overlap = |a: [f64; 2], b: [f64; 2]| a[1].min(b[1]) - a[0].max(b[0]);
         let shorter = |a: [f64; 2], b: [f64; 2]| (a[1] - a[0]).min(b[1] - b[0]);
@@ -129,13 +128,13 @@ impl Cause {
         self.cause == other.cause && self.joints == other.joints && together
     }
 
-    /// Begin and end of a push, s since its log began; `None` of what acts throughout.
+    /// Begin and end of a push, s since its log began; `None` for causes that act throughout.
     pub(in crate::diagnose) fn window(&self) -> Option<[f64; 2]> {
         let of = |key: Key| self.keys.iter().find(|named| named.symbol == key.into()).map(|named| named.value);
         Some([of(effects::ExternalContact::START)?, of(effects::ExternalContact::END)?])
     }
 
-    /// One of which nothing is known but its name and the experiment that would show it.
+    /// A cause with only its name and the experiment that would show it.
     pub(in crate::diagnose) fn blank(cause: &'static str, shown_by: &'static str) -> Self {
         Self {
             cause,
@@ -167,7 +166,7 @@ impl Cause {
     }
 }
 
-/// Experiment that would resolve the open questions.
+/// Experiment that would resolve the ambiguity between causes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct NextExperiment {
     /// The causes to separate.
@@ -191,10 +190,10 @@ pub struct Curve {
     pub after: Vec<f64>,
 }
 
-/// Error against a quantity, before and after: of one joint, on the validating data.
+/// Error of one joint on the validating data over a quantity, before and after.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ErrorMap {
-    /// Name of the abscissa, with its unit; against `frequency, Hz` the ordinates are amplitudes,
+    /// Name of the abscissa, with its unit. Over `frequency, Hz` the ordinates are amplitudes,
     /// otherwise means of bins.
     pub over: &'static str,
     /// Abscissa.
@@ -217,7 +216,7 @@ pub enum Offered {
 }
 
 impl Offered {
-    /// The word of the JSON.
+    /// Name in the JSON.
     pub fn word(self) -> &'static str {
         match self {
             Self::File => "file",
@@ -227,27 +226,27 @@ impl Offered {
     }
 }
 
-/// Why a model is offered: errors on stretches of the fitted logs that were left out in turn.
+/// The offered model with the reasons, from errors on left-out stretches of the fitted logs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Offer {
-    /// The model.
+    /// The offered model.
     pub offered: Offered,
-    /// Root mean square over joints of the file's, the refitted and the extended model's errors
-    /// there, N m.
+    /// Root mean square over joints of the errors there, N m: of the file, the refit and the
+    /// offered model.
     pub left_out: [f64; 3],
-    /// Why, and what left the model: sentences.
+    /// Sentences on the reasons, and on causes that were removed.
     pub why: Vec<String>,
 }
 
-/// All that was found.
+/// Complete result of a diagnosis.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Diagnosis {
     /// The robot's name.
     pub robot: String,
-    /// The whole in a word.
+    /// Overall verdict.
     pub verdict: Verdict,
-    /// Standard deviation of what sensors, the recorded motion and its clock make of each joint's
-    /// torque error, N m.
+    /// Standard deviation of the contribution of sensors, the recorded motion and its clock to each
+    /// joint's torque error, N m.
     pub noise_floor: Vec<f64>,
     /// Composition of the extended model's error on the validating logs.
     pub budget: ErrorBudget,
@@ -263,7 +262,7 @@ pub struct Diagnosis {
     pub offer: Offer,
     /// Whether the file has link parameters.
     pub has_links: bool,
-    /// Whether the torques are what the gears take: the motors' less the joints'.
+    /// Whether the torques are the losses of the gears: the motors' torques minus the joints'.
     pub transmission: bool,
     /// Whether the extended model refits all base parameters.
     pub links_refitted: bool,
@@ -271,27 +270,29 @@ pub struct Diagnosis {
     pub standard: Option<Vec<f64>>,
     /// Causes, in order of their gain times their odds.
     pub causes: Vec<Cause>,
-    /// Plain friction that the extended model has refitted but that is no news: for the file alone.
+    /// Plain friction refitted in the extended model but not reported as a change; for the file
+    /// alone.
     pub friction: Vec<Cause>,
-    /// Effects of the file that the data contradict: removed, and estimated again. Identifier and
-    /// joint (from 0), `None`: the whole robot.
+    /// Effects of the file that the data contradict: removed, and estimated again. Effect and joint
+    /// (from 0); `None` for the whole robot.
     pub forgotten: Vec<(EffectKind, Option<usize>)>,
-    /// Joints (from 1) that differ between the fitted and the validating logs: no one model of this
-    /// kind predicts them on both.
+    /// Joints (from 1) that differ between the fitted and the validating logs: no single model of
+    /// this kind predicts both.
     pub changed: Vec<usize>,
-    /// The unchanged file predicts every validating log better than the model for which the fitted
-    /// logs ask, so it is offered; `changes` are then those of the fitted logs alone.
+    /// Whether the unchanged file predicts every validating log better than the model that the
+    /// fitted logs support. The file is then offered, and `changes` are those of the fitted logs
+    /// alone.
     pub file_holds: bool,
     /// Causes that the validating logs show by themselves and the fitted ones do not; not in the
     /// model.
     pub changes: Vec<Cause>,
-    /// Advice.
+    /// Experiment that would separate ambiguous causes.
     pub next_experiment: Option<NextExperiment>,
-    /// Whether the validating data are logs of their own, or the ends of the fitted ones.
+    /// Whether the validating data are separate logs, or the ends of the fitted ones.
     pub own_validation: bool,
     /// Seconds of motion: fitted, validating.
     pub seconds: [f64; 2],
-    /// One per joint, of the validating data.
+    /// Torque and error curves of the validating data, one per joint.
     pub curves: Vec<Curve>,
     /// Maps of the error, per joint, of the validating data.
     pub maps: Vec<Vec<ErrorMap>>,

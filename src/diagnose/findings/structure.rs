@@ -1,4 +1,4 @@
-//! Remaining structure beyond noise, without a name.
+//! Detects structure in residuals beyond noise that no cause explains.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -11,14 +11,14 @@ use crate::diagnose::windows::windowed_data::{BLOCKS, JointSeries, WindowedData}
 pub struct Structure {
     /// Joint, from 0.
     pub joint: usize,
-    /// Its size, N m root mean square.
+    /// Root mean square, N m.
     pub rms: f64,
-    /// In words: what it goes with.
+    /// Description: the quantity with which it correlates.
     pub description: String,
 }
 
-/// Looks for structure in residuals (zero where a window is not used). `noise`: standard deviation
-/// of the raw torque; `torque`: its root mean square.
+/// Finds structure in residuals (zero where a window is not used). `noise`: standard deviation of
+/// the raw torque, N m; `torque`: its root mean square, N m.
 pub fn structure(scene: &WindowedData<'_>, residual: &[Vec<f64>], noise: &[f64], torque: &[f64]) -> Vec<Structure> {
     (0..scene.dof())
         .filter_map(|j| {
@@ -58,8 +58,9 @@ pub fn structure(scene: &WindowedData<'_>, residual: &[Vec<f64>], noise: &[f64],
         .collect()
 }
 
-/// Root mean square of what lasts from one tenth of a second to the next: of the covariance of their means.
-/// Noise that is forgotten within some hundredths has none, however much of it is left in each mean.
+/// Root mean square of the error that persists from one tenth of a second to the next, from the
+/// covariance of consecutive means. Noise correlated over some hundredths only contributes nothing,
+/// however much of it remains in each mean.
 fn slow_part(scene: &WindowedData<'_>, j: usize, e: &[f64]) -> f64 {
     let m = ((0.1 / scene.step).round() as usize).max(3);
     let mean = |w: usize| {
@@ -74,7 +75,7 @@ fn slow_part(scene: &WindowedData<'_>, j: usize, e: &[f64]) -> f64 {
     (products.iter().sum::<f64>() / products.len() as f64).max(0.0).sqrt()
 }
 
-/// Frequency of the largest line of the residual below 5 Hz, in the longest run.
+/// Frequency of the largest line of the residual below 5 Hz, in the longest run, Hz.
 fn loudest(scene: &WindowedData<'_>, j: usize, e: &[f64]) -> f64 {
     let Some(run) = scene.runs.iter().max_by_key(|r| r.len()) else { return 0.0 };
     let e: Vec<f64> = run.clone().map(|w| if scene.live[j][w] { e[w] } else { 0.0 }).collect();
@@ -94,10 +95,10 @@ fn loudest(scene: &WindowedData<'_>, j: usize, e: &[f64]) -> f64 {
         .unwrap_or(0.0)
 }
 
-/// A function of what one joint does, and of the number of the sample.
+/// A function of one joint's motion and the index of the sample.
 type Of = fn(&JointSeries<'_>, usize) -> f64;
 
-/// General families of functions of what is measured.
+/// General families of functions of the measured quantities.
 fn maps(scene: &WindowedData<'_>, j: usize) -> Vec<(&'static str, Vec<Vec<f64>>)> {
     let series =
         |f: &dyn Fn(&JointSeries<'_>, usize) -> f64| scene.own_series(j, |o| (0..o.v.len()).map(|k| f(o, k)).collect());
@@ -161,7 +162,7 @@ fn maps(scene: &WindowedData<'_>, j: usize) -> Vec<(&'static str, Vec<Vec<f64>>)
     maps
 }
 
-/// Share of the variance that a family predicts in parts of the data from the other parts.
+/// Share of the variance that a family predicts in each part of the data from the other parts.
 fn predicted_share(scene: &WindowedData<'_>, live: &[usize], e: &[f64], columns: &[Vec<f64>]) -> f64 {
     let n = columns.len();
     let mut grams = vec![(DMatrix::<f64>::zeros(n, n), DVector::<f64>::zeros(n), 0.0); BLOCKS];
@@ -195,7 +196,7 @@ fn predicted_share(scene: &WindowedData<'_>, live: &[usize], e: &[f64], columns:
                 with += b;
             }
         }
-        // A ridge of a thousandth keeps what hardly varies from running away.
+        // A ridge of a thousandth bounds the coefficients of nearly constant columns.
         for i in 0..n {
             gram[(i, i)] *= 1.001;
         }

@@ -1,5 +1,5 @@
-//! Changed bodies that can exist: the file's link with what a cause adds to it, or what is fixed to
-//! the flange by itself, is a distribution of mass.
+//! Keeps changed bodies physically possible: the file's link plus the change, or the payload by
+//! itself, is a mass distribution.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -14,16 +14,17 @@ use crate::model::{BaseParameter, Inertial, StandardParameter};
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
 
-/// A guess of what is fixed to the flange: a ball of 1 kg, 5 cm away, `I` about the frame's origin.
+/// Initial guess for a body fixed to the flange: a ball of 1 kg at 5 cm, `I` about the frame's
+/// origin.
 const BALL: [f64; 10] = [1.0, 0.0, 0.0, 0.05, 0.0035, 0.0035, 0.001, 0.0, 0.0, 0.0];
 
-/// Masses that are tried where the motion does not show how much was added to a link, or taken away,
-/// by its mass. The largest turn its inertia least.
+/// Mass changes that are tried where the motion does not determine the mass of a link, as shares of
+/// its mass. The largest are tried first, since they change the rotational inertia least.
 const ADDED: [f64; 6] = [1.0, 0.3, 0.1, -0.7, -0.3, -0.1];
 
-/// A body with the `changed` values of the parameters `which`; if that is not possible, the others
-/// are those of the `given` body and a mass where the first moments say. `None` where no such body
-/// exists.
+/// A body with the `changed` values of the parameters `which`. If they are not possible with the
+/// other parameters of the `given` body, a point mass at the centre that the first moments imply is
+/// added to these. `None` where no such body exists.
 pub fn completed(given: &[f64; 10], changed: &[f64; 10], which: &[usize]) -> Option<[f64; 10]> {
     if is_body(changed) {
         return Some(*changed);
@@ -50,21 +51,21 @@ pub fn completed(given: &[f64; 10], changed: &[f64; 10], which: &[usize]) -> Opt
 /// The body that a cause changes.
 #[derive(Debug, Clone)]
 pub struct Body {
-    /// Without the change; what is fixed to the flange is nothing.
+    /// Parameters without the change; zero for a payload.
     given: [f64; 10],
     prior: PriorBody,
-    /// What each coefficient adds, by one, to the ten parameters: one of them, and where a body is a
-    /// mass at a point, the inertia that goes with it.
+    /// Change of the ten parameters per unit of each coefficient: one of the ten, or for a point
+    /// mass also the inertia that belongs to it.
     columns: Vec<[f64; 10]>,
-    /// Which of the ten parameters that is.
+    /// Index of each coefficient among the ten parameters.
     which: Vec<usize>,
-    /// How large each coefficient may be, one standard deviation.
+    /// Prior standard deviation of each coefficient.
     std: Option<Vec<f64>>,
 }
 
 impl Body {
-    /// Of a chosen cause whose coefficients add to parameters of a body; `None` where that is none
-    /// of the file's, or where the file's is not possible itself.
+    /// The body of a chosen cause whose coefficients add to body parameters. `None` for other
+    /// causes, or where the file has no such body or an impossible one.
     pub fn of(scene: &WindowedData<'_>, chosen: &Chosen, terms: &[Term]) -> Option<Self> {
         let Chosen { cause, place, shape, .. } = chosen;
         let effect = cause.effect();
@@ -92,7 +93,7 @@ impl Body {
         self.which.len()
     }
 
-    /// The changed body.
+    /// Parameters of the body with these changes.
     fn changed(&self, x: &[f64]) -> [f64; 10] {
         let mut body = self.given;
         for (column, x) in self.columns.iter().zip(x) {
@@ -101,13 +102,13 @@ impl Body {
         body
     }
 
-    /// Whether some distribution of mass has these parameters, and any values of those that the motion
-    /// does not show.
+    /// Whether a mass distribution has these parameters, with any values of the unidentifiable
+    /// ones.
     pub fn holds(&self, x: &[f64]) -> bool {
         completed(&self.given, &self.changed(x), &self.which).is_some()
     }
 
-    /// Mass of the link with these changes, kg, where the motion does not show it and the file's is
+    /// Mass of the link with these changes, kg, if it is not identifiable and the file's mass is
     /// not possible with them.
     pub fn assumed_mass(&self, x: &[f64]) -> Option<f64> {
         let changed = self.changed(x);
@@ -115,15 +116,15 @@ impl Body {
         unseen.then(|| completed(&self.given, &changed, &self.which)).flatten().map(|body| body[0])
     }
 
-    /// Information of the prior on each coefficient: none where there is no prior.
+    /// Prior information on each coefficient: zero where there is no prior.
     fn precision(&self) -> Vec<f64> {
         let one = |k: usize| self.std.as_ref().map_or(0.0, |std| std[k].max(f64::MIN_POSITIVE).powi(-2));
         (0..self.len()).map(one).map(|p| if p.is_finite() { p } else { 0.0 }).collect()
     }
 }
 
-/// What one of the ten parameters adds to all of them, in a body with a centre of mass of its own
-/// if that is a `shape`.
+/// Change of all ten parameters per unit of one of them; `shape` is the centre of mass, if the body
+/// is a point mass.
 fn column(which: usize, shape: &[f64]) -> [f64; 10] {
     let mut column = [0.0; 10];
     column[which] = 1.0;
@@ -133,17 +134,17 @@ fn column(which: usize, shape: &[f64]) -> [f64; 10] {
     column
 }
 
-/// The normal matrix of some bodies' coefficients with what is known before: that the data leave
-/// directions open is no reason for a mass of tonnes there.
+/// The normal matrix of some bodies' coefficients plus their prior information, so that
+/// undetermined directions do not lead to masses of tonnes.
 fn with_prior(bodies: &[Body], mut normal: DMatrix<f64>) -> DMatrix<f64> {
     let precision: Vec<f64> = bodies.iter().flat_map(Body::precision).collect();
     precision.into_iter().enumerate().for_each(|(k, p)| normal[(k, k)] += p);
     normal
 }
 
-/// Least squares of changes of bodies, `normal` and `rhs` in units of the noise of independent
-/// windows, everything else refitted: the bodies' coefficients one after the other. `None` where the
-/// solver comes to a halt.
+/// Constrained least squares of changes of bodies, in the coefficients of all bodies in order, with
+/// everything else refitted. `normal` and `rhs` are in units of the noise of independent windows.
+/// `None` where the solver fails.
 pub fn possible_changes(bodies: &[Body], normal: &DMatrix<f64>, rhs: &DVector<f64>) -> Option<DVector<f64>> {
     let (mut standard, mut base, mut given) = (Vec::new(), Vec::new(), Vec::new());
     for (row, body) in bodies.iter().enumerate() {
@@ -175,14 +176,14 @@ pub fn possible_changes(bodies: &[Body], normal: &DMatrix<f64>, rhs: &DVector<f6
     problem.solve(normal, &(rhs + normal * &given)).ok().map(|found| found.x - given)
 }
 
-/// Independent windows by all windows.
+/// Ratio of independent windows to all windows.
 pub(super) fn independent_share(counts: &[f64], memory: &[f64]) -> f64 {
     let independent: f64 = counts.iter().zip(memory).map(|(n, m)| n / m).sum();
     (independent / counts.iter().sum::<f64>()).min(1.0)
 }
 
-/// Unknowns of bodies, and their values with what is known before, possible ones where a solver
-/// finds such, everything else refitted; `None` where the solution has them already.
+/// Unknowns of bodies, and their values with the prior, inside the limits where a solution is
+/// found, everything else refitted. `None` where the solution already has these values.
 pub(super) fn possible_values(
     bodies: &[(Body, usize)],
     x: &DVector<f64>,
@@ -198,7 +199,8 @@ pub(super) fn possible_values(
     (values != free).then_some((own, values))
 }
 
-/// Least squares of changes of bodies with what is known before; `free` where nothing is.
+/// Constrained least squares of changes of bodies with their priors; `free` is the solution
+/// without.
 fn limited(bodies: &[Body], normal: DMatrix<f64>, rhs: &DVector<f64>, free: DVector<f64>) -> Option<DVector<f64>> {
     let known = bodies.iter().any(|body| body.std.is_some());
     let normal = with_prior(bodies, normal);
@@ -212,8 +214,8 @@ fn limited(bodies: &[Body], normal: DMatrix<f64>, rhs: &DVector<f64>, free: DVec
 }
 
 impl ModelUnderTest<'_> {
-    /// Bodies that chosen causes change, with their unknowns. Where links are refitted, they are
-    /// none of the causes.
+    /// Bodies that chosen causes change, with the index of their first unknown. None where links
+    /// are refitted.
     pub(super) fn changed_bodies(&self, chosen: &[Chosen], fitted: &Fitted) -> Vec<(Body, usize)> {
         if self.mode == Mode::Refitted {
             return Vec::new();
@@ -223,8 +225,8 @@ impl ModelUnderTest<'_> {
         own.filter_map(|((c, first), terms)| Some((Body::of(&self.scene, c, terms)?, *first))).collect()
     }
 
-    /// A fit with the bodies that are not possible moved to where they are, all else refitted;
-    /// unchanged where the solver finds none.
+    /// A fit with impossible bodies moved to possible ones, all else refitted; unchanged where the
+    /// solver finds none.
     pub(super) fn with_possible_bodies(&self, chosen: &[Chosen], fitted: Fitted) -> Fitted {
         let bodies = self.changed_bodies(chosen, &fitted);
         if bodies.is_empty() {
@@ -240,14 +242,14 @@ impl ModelUnderTest<'_> {
         Fitted { solution, memory: self.memory(&residual), residual, ..fitted }
     }
 
-    /// Whether a body that a cause changes is possible with it.
+    /// Whether the body that a cause changes remains possible.
     pub(in crate::diagnose) fn is_possible(&self, chosen: &Chosen, terms: &[Term]) -> bool {
         let body = || Body::of(&self.scene, chosen, terms);
         self.mode == Mode::Refitted || !chosen.cause.within_links() || body().is_none_or(|b| b.holds(&chosen.x))
     }
 
-    /// What a cause's columns gain beside a fit; a body that a cause changes stays possible. `None`
-    /// where the fit explains the same, or no possible body was found.
+    /// Gain of a cause's columns beside a fit, with the changed body inside its limits. `None`
+    /// where the fit already explains the same, or no possible body was found.
     pub(in crate::diagnose) fn limited_gain(
         &self,
         fitted: &Fitted,
@@ -289,7 +291,7 @@ mod tests {
         Body { given: LINK, prior, columns, which: (0..10).collect(), std: None }
     }
 
-    /// A well-conditioned normal matrix of ten columns, in units of a noise that says much.
+    /// A well-conditioned normal matrix of ten columns, with a small noise.
     fn normal(random: &mut Random) -> DMatrix<f64> {
         let rows = DMatrix::from_fn(40, 10, |_, _| random.even(1.7));
         rows.tr_mul(&rows) * 1e6
@@ -304,8 +306,8 @@ mod tests {
         assert!((&found - &change).amax() < 1e-4, "{found}");
     }
 
-    /// Of all possible bodies none fits better than the one that is found, beyond what the prior
-    /// and the margin cost.
+    /// No possible body fits better than the one found, beyond the cost of the prior and the
+    /// margin.
     #[test]
     fn an_impossible_change_becomes_the_nearest_possible_one() {
         let mut random = Random::new(2);
@@ -336,7 +338,7 @@ mod tests {
         let mut random = Random::new(3);
         let rows = DMatrix::from_fn(60, 20, |_, _| random.even(1.7));
         let normal = rows.tr_mul(&rows) * 1e6;
-        // The first has lost more than it had, the second is possible.
+        // The first has lost more mass than it had, the second is possible.
         let mut wanted = DVector::zeros(20);
         wanted[0] = -3.0;
         wanted[10] = 1.0;
@@ -348,14 +350,14 @@ mod tests {
         assert!(pseudo_inertia(&body).symmetric_eigenvalues().min() >= 0.0);
     }
 
-    /// A direction of which the data say nothing has no size; what they say stays.
+    /// A direction without data keeps its prior size; determined directions keep their values.
     #[test]
     fn a_prior_keeps_what_the_data_leave_open_at_a_robots_size() {
         let columns: Vec<[f64; 10]> = (0..4).map(|k| column(k, &[0.0, 0.0, 0.0])).collect();
         let prior = PriorBody { body: LINK, source: Source::File };
         let std = Some(vec![2.0, 0.3, 0.3, 0.3]);
         let body = Body { given: LINK, prior, columns, which: (0..4).collect(), std };
-        // Known to a thousandth: MSX; 0.01 M - MSZ. Of their sum, MSY: nothing.
+        // Determined to a thousandth: MSX and 0.01 M - MSZ. Undetermined: their sum, and MSY.
         let mut normal = DMatrix::zeros(4, 4);
         normal[(1, 1)] = 1e6;
         for (i, a) in [(0, 0.01), (3, -1.0)] {
@@ -363,14 +365,15 @@ mod tests {
                 normal[(i, k)] = 1e6 * a * b;
             }
         }
-        // What least squares may answer: 300 kg, held by 3 kg m.
+        // A possible least-squares solution: 300 kg, balanced by 3 kg m.
         let free = DVector::from_vec(vec![300.0, 0.05, 0.0, 3.0 - 0.02]);
         let found = limited(&[body], normal.clone(), &(&normal * &free), free).unwrap();
         assert!(found[0].abs() < 0.5 && found[2].abs() < 0.01, "{found}");
         assert!((found[1] - 0.05).abs() < 1e-3 && (0.01 * found[0] - found[3] - 0.02).abs() < 1e-3, "{found}");
     }
 
-    /// First moments that a mass may have which the motion does not show, and none that it can't.
+    /// First moments are possible with some mass where the mass is unidentifiable, but not with
+    /// any.
     #[test]
     fn a_mass_that_does_not_show_makes_a_body_possible() {
         let prior = PriorBody { body: LINK, source: Source::File };
@@ -382,12 +385,12 @@ mod tests {
         assert_eq!(body.assumed_mass(&[0.05, 0.6]), Some(whole[0]));
         assert_eq!(body.assumed_mass(&[0.0, 0.01]), None);
         assert!(is_body(&whole) && whole[1..4] == added[1..4] && whole[0] > LINK[0]);
-        // All ten are seen: what is none is none.
+        // If all ten are identified, an impossible body stays impossible.
         assert!(completed(&LINK, &added, &(0..10).collect::<Vec<usize>>()).is_none());
     }
 
-    /// The inertia of a mass at a point goes with its first moments: a heavy one far away takes a
-    /// light link's inertia below zero nowhere, a negative one does.
+    /// The inertia of a point mass belongs to its first moments. A heavy mass far away never makes
+    /// a light link's inertia negative, but a negative mass does.
     #[test]
     fn a_mass_at_a_point_is_possible_where_the_whole_link_is() {
         let centre = [0.0, 0.0, 0.2];

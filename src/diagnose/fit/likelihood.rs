@@ -1,30 +1,31 @@
-//! Gain in likelihood where errors have a memory.
+//! Gain in log-likelihood with autoregressive errors.
 //!
-//! What is left of a joint is mostly slow: it goes with nothing measured, and hundreds of windows
-//! in a row repeat it. To count so many windows as one is right for a cause that is as slow, and
-//! wrong for one that is not: a step of friction stands out of a slow background at once. So
-//! errors are taken as an autoregression (Yule and Walker's equations by Levinson's recursion), and
-//! the gain is that of its innovations, what of each window the windows before it don't predict.
+//! The residual of a joint is mostly slow: it correlates with nothing measured, and lasts for
+//! hundreds of windows in a row. Counting such a run as one window is right for a cause that is as
+//! slow, and wrong for a fast one. A step of friction stands out of a slow background at once.
+//! Errors are therefore modelled as an autoregression (Yule-Walker equations by Levinson's
+//! recursion). The gain is that of its innovations: the part of each window that the previous
+//! windows do not predict.
 
-/// Windows that predict the next.
+/// Order of the autoregression: number of windows that predict the next.
 const ORDER: usize = 12;
 
-/// White part of an error that is never taken as predicted, by its root mean square. A model that
-/// is off by less than that from window to window is neither confirmed nor refuted by it.
+/// White part of an error that is never predicted, relative to its root mean square. Smaller
+/// deviations of a model from window to window neither confirm nor refute it.
 const WHITE: f64 = 0.1;
 
-/// Most by which a size found from the innovations alone may differ from that found from the
-/// errors, as a part of it.
+/// Largest relative difference between a size estimated from the innovations alone and that
+/// estimated from the errors.
 const APART: f64 = 0.5;
 
-/// An autoregression of errors.
+/// An autoregressive model of errors.
 struct Autoregression {
     coefficients: Vec<f64>,
     /// Variance of the innovations.
     variance: f64,
 }
 
-/// Autocovariances of a series at lags `0..=ORDER` over pairs of windows that count.
+/// Autocovariances of a series at lags `0..=ORDER`, over pairs of used windows.
 fn autocovariances(series: &[f64], live: &[bool]) -> Vec<f64> {
     let count = live.iter().filter(|l| **l).count().max(1) as f64;
     let at = |lag: usize| {
@@ -35,7 +36,7 @@ fn autocovariances(series: &[f64], live: &[bool]) -> Vec<f64> {
     (0..=ORDER).map(at).collect()
 }
 
-/// The autoregression of a series, with a white part of variance `white`.
+/// The autoregression of a series, with a white part of variance `white` added.
 fn autoregression(series: &[f64], live: &[bool], white: f64) -> Autoregression {
     let mut r = autocovariances(series, live);
     r[0] += white;
@@ -70,9 +71,9 @@ impl Autoregression {
     }
 }
 
-/// Twice the gain in log-likelihood from residuals `before` to `after` (per joint, zero where
-/// windows do not count), where errors are autoregressive; 0 where the sizes that slow and fast
-/// errors ask for are not the same.
+/// Twice the gain in log-likelihood from residuals `before` to `after` with autoregressive errors;
+/// per joint, zero where windows do not count. Returns 0 where the sizes estimated from slow and
+/// from fast errors disagree.
 pub(in crate::diagnose) fn gain(before: &[Vec<f64>], after: &[Vec<f64>], live: &[Vec<bool>]) -> f64 {
     let (mut gain, mut with, mut own) = (0.0, 0.0, 0.0);
     for ((before, after), live) in before.iter().zip(after).zip(live) {
@@ -97,12 +98,12 @@ mod tests {
     use super::*;
     use crate::numerics::prng::Random;
 
-    /// Nearly normal.
+    /// An approximately normal random number.
     fn normal(random: &mut Random) -> f64 {
         (0..12).map(|_| random.uniform(-0.5, 0.5)).sum()
     }
 
-    /// A slow error, and a column of steps that turns about once a second.
+    /// A slow error, and a column of steps that changes sign about once a second.
     fn slow(random: &mut Random, n: usize) -> [Vec<f64>; 2] {
         let mut x = 0.0;
         let error = (0..n).map(|_| {
@@ -137,7 +138,7 @@ mod tests {
         assert!(over <= 5, "{over}");
     }
 
-    /// `x' = 0.9 x + e`: the variance that is left is that of `e`.
+    /// `x' = 0.9 x + e`: the innovation variance is that of `e`.
     #[test]
     fn an_autoregression_leaves_its_innovations() {
         let mut random = Random::new(10);

@@ -1,5 +1,5 @@
-//! A model under test: the rigid arm, its friction, and the causes that were accepted so far;
-//! fitted to a [`WindowedData`].
+//! A model under test: the rigid arm, its friction and the accepted causes, fitted to
+//! [`WindowedData`].
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
@@ -21,14 +21,13 @@ use crate::diagnose::windows::recording::Recording;
 use crate::diagnose::windows::torque_noise::autocorrelation_time;
 use crate::diagnose::windows::windowed_data::{BLOCKS, Column, WindowedData};
 
-/// A delay that is taken as in proportion to its column, s: to move the data by it would change
-/// nothing.
+/// Delay, s, below which it is treated as linear in its column and the data are not shifted.
 const LINEAR: f64 = 2e-4;
 
 /// Unknown parameters of the rigid arm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Mode {
-    /// None: the file's links are right but for what a cause says.
+    /// None: link parameters are fixed at the file's values, apart from the causes.
     Trusted,
     /// All base parameters.
     Refitted,
@@ -37,31 +36,31 @@ pub enum Mode {
 /// An accepted cause.
 #[derive(Clone)]
 pub struct Chosen {
-    /// The cause.
+    /// Cause of the vocabulary.
     pub cause: &'static dyn Hypothesis,
-    /// The place: joints, from 0.
+    /// Joints on which it acts, from 0.
     pub place: Vec<usize>,
-    /// The numbers in which it is not linear.
+    /// Its nonlinear parameters.
     pub shape: Vec<f64>,
-    /// Its coefficients.
+    /// Its linear coefficients.
     pub x: Vec<f64>,
 }
 
 impl Chosen {
-    /// Samples in which a cause acts that acts in a part of the data, `step` s apart.
+    /// Range of samples, `step` s apart, in which a local cause acts; `None` for other causes.
     pub(in crate::diagnose) fn span(&self, step: f64) -> Option<std::ops::Range<usize>> {
         let [start, end] = self.cause.acts(&self.shape)?;
         let at = |t: f64| (t / step).round() as usize;
         Some(at(start)..at(end))
     }
 
-    /// Whether a number of the shape is an integer that stays one.
+    /// Whether a number of the shape is an integer that must remain one.
     pub(super) fn integer(&self, number: usize) -> bool {
         self.cause.integer_shape() == Some(number) && self.shape[number].fract() == 0.0
     }
 }
 
-/// Place among `[FV, FC, FO]`, and row, of the friction parameters that are handled beside the base
+/// Index among `[FV, FC, FO]`, and row, of friction parameters, which are separate from the base
 /// parameters.
 fn friction_of(parameter: StandardParameter) -> Option<(usize, usize)> {
     let StandardParameter::Drive(row, term) = parameter else { return None };
@@ -82,13 +81,13 @@ pub fn given_friction(plant: &dyn PerturbableArm) -> Vec<[Option<f64>; 3]> {
     out
 }
 
-/// Base parameters that belong to the rigid arm: all but friction.
+/// Indices of the base parameters of the rigid arm: all but friction.
 pub(in crate::diagnose) fn inertial(plant: &dyn PerturbableArm) -> Vec<usize> {
     let base = plant.base_parameters();
     (0..base.len()).filter(|&b| friction_of(base[b].leader).is_none()).collect()
 }
 
-/// Values of the base parameters in the file, friction left out.
+/// Values of the base parameters in the file, with zero friction.
 fn given_base(plant: &dyn PerturbableArm) -> Vec<f64> {
     let Some(standard) = plant.given() else { return vec![0.0; plant.base_parameters().len()] };
     plant
@@ -108,18 +107,18 @@ pub struct Fitted {
     pub moments: Moments,
     /// Its solution.
     pub solution: Solution,
-    /// Residuals, per joint.
+    /// Residuals, per joint and window, N m.
     pub residual: Vec<Vec<f64>>,
     /// Autocorrelation time of each joint's residual, windows.
     pub memory: Vec<f64>,
-    /// First unknown of friction; three per joint.
+    /// Index of the first friction unknown; three per joint.
     pub friction: usize,
-    /// First unknown of each chosen cause.
+    /// Index of the first unknown of each chosen cause.
     pub first: Vec<usize>,
-    /// Their terms.
+    /// Terms of each chosen cause.
     pub terms: Vec<Arc<Vec<Term>>>,
-    /// Standard parameters of possible bodies with these base parameters, friction left out;
-    /// `None`: not looked for.
+    /// Standard parameters of possible bodies with these base parameters, without friction; `None`
+    /// if not computed.
     pub standard: Option<Vec<f64>>,
 }
 
@@ -130,7 +129,7 @@ impl Fitted {
     }
 }
 
-/// Unknowns of causes that act in a part of a log only: other parts don't determine them.
+/// Unknowns of local causes: parts of the log where they do not act do not determine them.
 pub fn local(chosen: &[Chosen], fitted: &Fitted) -> Vec<usize> {
     let of = chosen.iter().zip(&fitted.first).zip(&fitted.terms).filter(|((c, _), _)| c.cause.local());
     of.flat_map(|((_, first), terms)| *first..first + terms.len()).collect()
@@ -142,31 +141,33 @@ pub(in crate::diagnose) fn units(chosen: &[Chosen], fitted: &Fitted) -> Vec<usiz
     of.flat_map(|((_, first), terms)| *first..first + terms.len()).collect()
 }
 
-/// Whether a shape that follows coefficients has settled: to a hundredth of its largest number.
+/// Whether a shape that depends on coefficients has converged: to a hundredth of its largest
+/// number.
 pub(in crate::diagnose) fn near(next: &[f64], shape: &[f64]) -> bool {
     let size = shape.iter().fold(1e-9_f64, |most, s| most.max(s.abs()));
     next.len() == shape.len() && next.iter().zip(shape).all(|(a, b)| (a - b).abs() <= 0.01 * size)
 }
 
-/// Key that distinguishes sets of terms.
+/// Key of a set of terms: cause, place, bits of the shape.
 type Key = (&'static str, Vec<usize>, Vec<u64>);
 
-/// Terms by cause, place and shape, as many as fit.
+/// Cache of terms by cause, place and shape, of limited size.
 #[derive(Default)]
 struct Known {
     terms: HashMap<Key, Arc<Vec<Term>>>,
-    /// Numbers in their series.
+    /// Numbers stored in their series.
     held: usize,
 }
 
 impl Known {
-    /// Drops what acts on the `moved` joints.
+    /// Drops terms that act on the `moved` joints.
     fn forget(&mut self, moved: &[bool]) {
         self.terms.retain(|_, terms| terms.iter().flat_map(|t| &t.column.rows).all(|(joint, _)| !moved[*joint]));
         self.held = self.terms.values().map(|terms| size(terms)).sum();
     }
 
-    /// Most numbers: 16 MB. What comes first stays, for a search walks through all in each round.
+    /// Maximum number of stored values: 16 MB. The first entries stay, because a search evaluates
+    /// all candidates in each round.
     const MOST: usize = 2 << 20;
 
     fn keep(&mut self, key: Key, terms: &Arc<Vec<Term>>) {
@@ -182,7 +183,7 @@ fn size(terms: &[Term]) -> usize {
     terms.iter().flat_map(|t| &t.column.rows).map(|(_, series)| series.len()).sum()
 }
 
-/// Data with what is known about them.
+/// A model under test: the data, the unknowns, and what is fixed or known about them.
 pub struct ModelUnderTest<'a> {
     /// The arm.
     pub plant: &'a dyn PerturbableArm,
@@ -192,36 +193,36 @@ pub struct ModelUnderTest<'a> {
     pub rate: f64,
     /// Unknowns of the rigid arm.
     pub mode: Mode,
-    /// The data as causes see them.
+    /// Windowed data on which causes are evaluated.
     pub scene: WindowedData<'a>,
-    /// Friction parameters (three per joint) that stay as the file has them.
+    /// Friction parameters (three per joint) that are fixed at the file's values.
     pub frozen: Vec<bool>,
-    /// Friction parameters that are fitted but no news: too little or too unsure to be named.
+    /// Friction parameters that are fitted but not reported: too small or too uncertain to be
+    /// named.
     pub quiet: Vec<bool>,
-    /// Friction parameters that changed by themselves, whatever law of friction is found beside
-    /// them.
+    /// Friction parameters that changed independently of any friction law found on their joint.
     pub separate: Vec<bool>,
-    /// Prior on directions that the motion does not show, at the file's values; made at the first
-    /// fit.
+    /// Prior at the file's values for directions that the motion does not determine; built at the
+    /// first fit.
     pub regulariser: Option<Regulariser>,
-    /// Torque errors of each joint due to errors of the recorded motion, N m; empty: unknown.
+    /// Torque errors of each joint due to errors of the recorded motion, N m; empty if unknown.
     pub motion_error: Vec<f64>,
     /// Whether every window counts.
     all: bool,
-    /// Terms of families that depend on the motion alone.
+    /// Cached terms of families that depend on the motion alone.
     known: Mutex<Known>,
-    /// Equations in the rigid arm's unknowns and friction's alone, in pieces from everywhere and in
-    /// stretches.
+    /// Equations in the unknowns of the rigid arm and friction alone: in interleaved pieces, and in
+    /// contiguous stretches.
     ground: [OnceLock<Moments>; 2],
     /// Columns of the rigid arm's unknowns, where it is fitted.
     base: Vec<Column>,
-    /// Those of friction, three per joint; none where every sample counts.
+    /// Columns of friction, three per joint; empty where every sample counts.
     friction: Vec<Column>,
     y: Vec<Vec<f64>>,
 }
 
 impl<'a> ModelUnderTest<'a> {
-    /// Sets up. `all`: every sample counts, for the final measure.
+    /// A model on these recordings. `all`: every window counts, as in the final evaluation.
     pub fn new(
         plant: &'a dyn PerturbableArm,
         recordings: &'a [Recording],
@@ -259,13 +260,13 @@ impl<'a> ModelUnderTest<'a> {
         tested
     }
 
-    /// Whether the columns of the rigid arm's unknowns are held. A model that only predicts adds
-    /// them up as it goes.
+    /// Whether the columns of the rigid arm's unknowns are stored. A model that only predicts
+    /// accumulates them on the fly.
     fn refits_here(&self) -> bool {
         self.mode == Mode::Refitted && !self.all
     }
 
-    /// Columns that do not depend on what is found, of the `moved` joints.
+    /// Computes the columns of the `moved` joints that do not depend on the found causes.
     fn prepare(&mut self, moved: &[bool]) {
         self.ground = Default::default();
         let mut friction = std::mem::take(&mut self.friction);
@@ -299,8 +300,8 @@ impl<'a> ModelUnderTest<'a> {
         }
     }
 
-    /// Torque of the `moved` joints without the file's friction, and without its rigid torque where
-    /// that is trusted.
+    /// Torque of the `moved` joints, N m, without the file's friction, and in mode `Trusted`
+    /// without its rigid torque.
     fn unexplained_by_file(&self, moved: &[bool]) -> Vec<Vec<f64>> {
         let (scene, plant) = (&self.scene, self.plant);
         let (given, base) = (given_friction(plant), given_base(plant));
@@ -326,7 +327,7 @@ impl<'a> ModelUnderTest<'a> {
         (0..scene.dof()).map(|j| if moved[j] { of(j) } else { Vec::new() }).collect()
     }
 
-    /// Columns of a joint's friction.
+    /// Friction columns of a joint.
     fn plain(&self, j: usize) -> [Column; 3] {
         match self.friction.get(3 * j..3 * j + 3) {
             Some(held) => std::array::from_fn(|which| held[which].clone()),
@@ -334,12 +335,12 @@ impl<'a> ModelUnderTest<'a> {
         }
     }
 
-    /// Torque to be explained: the measured one without the parts taken from the file.
+    /// Torque to be explained, N m: the measured one without the parts taken from the file.
     pub fn target(&self) -> &[Vec<f64>] {
         &self.y
     }
 
-    /// Shifts the torques of these joints, or of all if there are none, by a further delay, s.
+    /// Shifts the torques of these joints, or of all if the list is empty, by a further delay, s.
     fn delay(&mut self, joints: &[usize], by: f64) {
         let mut delays = self.scene.delays.clone();
         let own = |j: usize| joints.is_empty() || joints.contains(&j);
@@ -347,8 +348,8 @@ impl<'a> ModelUnderTest<'a> {
         self.set_delays(&delays);
     }
 
-    /// Takes the motion so many seconds earlier than the torque of each joint, and recomputes what
-    /// rests on that.
+    /// Sets the delay of each joint's torque relative to the motion, s, and recomputes dependent
+    /// data.
     pub fn set_delays(&mut self, delays: &[f64]) {
         let moved: Vec<bool> = self.scene.delays.iter().zip(delays).map(|(a, b)| a != b).collect();
         if !moved.contains(&true) {
@@ -359,16 +360,16 @@ impl<'a> ModelUnderTest<'a> {
         self.prepare(&moved);
     }
 
-    /// Terms of a chosen cause as the scene is now.
+    /// Terms of a chosen cause for the present state of the scene.
     pub fn terms(&self, chosen: &Chosen) -> Arc<Vec<Term>> {
         self.family(chosen.cause, &chosen.place, &chosen.shape)
     }
 
-    /// Terms of a cause; made once where they depend on the motion alone.
+    /// Terms of a cause; cached where they depend on the motion alone.
     pub fn family(&self, cause: &'static dyn Hypothesis, place: &[usize], shape: &[f64]) -> Arc<Vec<Term>> {
         let rests = cause.rests_on_model()
             && (self.mode == Mode::Refitted || cause.rests_on_friction() || cause.finite_difference());
-        // The times of what acts in a part of a log differ from trial to trial.
+        // Intervals of local causes differ from trial to trial: not cached.
         if rests || self.all || cause.local() {
             return Arc::new(cause.terms(&self.scene, place, shape));
         }
@@ -382,15 +383,15 @@ impl<'a> ModelUnderTest<'a> {
         made
     }
 
-    /// Gives back the memory of what can be computed again: a search has ended.
+    /// Frees caches after a search.
     pub fn forget(&mut self) {
         self.known = Mutex::default();
         self.scene.forget();
     }
 
-    /// Fits rigid arm (where unknown), friction and the chosen causes together. Families that are
-    /// difference quotients are recomputed about the estimate until it converges; so is everything
-    /// that depends on the rigid model.
+    /// Fits rigid arm (where unknown), friction and the chosen causes together. Families of finite
+    /// differences are recomputed about the estimate until it converges. So are all terms that
+    /// depend on the rigid model.
     pub fn fit(&mut self, chosen: &mut [Chosen]) -> Fitted {
         if self.regulariser.is_none() {
             self.regulariser = Some(self.held(&[]));
@@ -406,7 +407,7 @@ impl<'a> ModelUnderTest<'a> {
                 if c.cause.finite_difference() && !c.x.is_empty() {
                     let x = c.x[0];
                     if c.cause.moves_time() {
-                        // Smaller parts are taken on lines.
+                        // Smaller delays are treated as linear.
                         if x.abs() > LINEAR && x.is_finite() {
                             converged = false;
                             self.delay(&c.place, x.clamp(-0.05, 0.05));
@@ -438,7 +439,7 @@ impl<'a> ModelUnderTest<'a> {
         unreachable!("the loop returns")
     }
 
-    /// Sizes that stand in the shape of a law ([`Hypothesis::unit`]), by Gauss's and Newton's steps
+    /// Refines sizes that are part of a law's shape ([`Hypothesis::unit`]) by Gauss-Newton steps
     /// with everything else refitted; then the numbers of all other shapes.
     pub fn polish(&mut self, chosen: &mut [Chosen]) -> Fitted {
         let mut fitted = self.fit(chosen);
@@ -468,13 +469,13 @@ impl<'a> ModelUnderTest<'a> {
             }
         }
         let fitted = self.polish_shapes(chosen, fitted);
-        // The scene's model is that of the last trial.
+        // Restore the scene's model, which is that of the last trial.
         self.update_model(&fitted);
         fitted
     }
 
-    /// The step of the numbers of one law's shape to where the misfit is least on lines, its
-    /// coefficient known to be 1 to [`UNIT`].
+    /// Gauss-Newton step of the numbers of one law's shape, with the prior that its coefficient is
+    /// 1 within [`UNIT`].
     fn newton(&self, fitted: &Fitted, chosen: &[Chosen], index: usize) -> Option<Vec<f64>> {
         let (c, own) = (&chosen[index], fitted.first[index]);
         let columns: Option<Vec<Column>> = (0..c.shape.len())
@@ -511,8 +512,8 @@ impl<'a> ModelUnderTest<'a> {
         parallel(threads, residual.len(), |j| autocorrelation_time(&residual[j], &self.scene.live[j]))
     }
 
-    /// Equations in the rigid arm's unknowns, friction's and those of the causes with these terms, in
-    /// pieces or in stretches; index of each cause's first unknown.
+    /// Equations in the unknowns of the rigid arm, friction and the causes with these terms, in pieces
+    /// or in stretches. Also returns the index of each cause's first unknown.
     fn equations(&self, terms: &[Arc<Vec<Term>>], stretches: bool) -> (Moments, Vec<usize>) {
         let ground = self.ground[usize::from(stretches)].get_or_init(|| {
             let columns: Vec<&Column> = self.base.iter().chain(&self.friction).collect();
@@ -531,31 +532,30 @@ impl<'a> ModelUnderTest<'a> {
         (moments, first)
     }
 
-    /// Parameters that are fixed while some friction is fixed.
+    /// The regulariser without fixed friction parameters.
     fn holding(&self) -> Regulariser {
         let frozen = |k: usize| k.checked_sub(self.base.len()).is_some_and(|k| self.frozen.get(k) == Some(&true));
         self.regulariser.as_ref().map_or_else(Regulariser::none, |regulariser| regulariser.without(frozen))
     }
 
-    /// Holds nothing of these joints' friction. Beside a slow error the data seem to determine
-    /// little of it, and it is fixed; beside the cause of that error it need not be.
+    /// Removes the regulariser from these joints' friction. Beside a slow error the data seem to
+    /// determine little of it; beside the cause of that error they may determine it.
     pub fn release_joints(&mut self, joints: &[usize]) {
         let base = self.base.len();
         let own = |k: usize| k.checked_sub(base).is_some_and(|k| joints.contains(&(k / 3)));
         self.regulariser = self.regulariser.take().map(|regulariser| regulariser.without(own));
     }
 
-    /// Fits with the directions regularised that the data do not determine beside these causes. The
-    /// error of a cause that is not yet in the model is slow, and beside it a joint seems to show
-    /// little.
+    /// Fits with a regulariser for the directions that the data do not determine beside these
+    /// causes. The error of a missing cause is slow, and beside it a joint's parameters seem poorly
+    /// determined.
     pub fn fit_regularised_beside(&mut self, chosen: &mut [Chosen]) -> Fitted {
         self.regulariser = Some(Regulariser::none());
         self.regulariser = Some(self.held(chosen));
         self.fit(chosen)
     }
 
-    /// Determined directions of base parameters and friction, and those that stay at the file,
-    /// where these causes are fitted too.
+    /// The regulariser of base parameters and friction, chosen while these causes are fitted too.
     fn held(&self, chosen: &[Chosen]) -> Regulariser {
         let wanted = if self.mode == Mode::Refitted { inertial(self.plant) } else { Vec::new() };
         let torque: Vec<f64> = self
@@ -621,7 +621,7 @@ impl<'a> ModelUnderTest<'a> {
         LeftOut::new(&sums, &counts)
     }
 
-    /// The rigid model, and the torque with friction, as causes see them.
+    /// Updates the scene's rigid model, and the torque with friction, from a fit.
     pub(in crate::diagnose) fn update_model(&mut self, fitted: &Fitted) {
         if self.mode == Mode::Refitted {
             let mut beta = vec![0.0; self.plant.base_parameters().len()];
@@ -637,7 +637,7 @@ impl<'a> ModelUnderTest<'a> {
         for j in 0..self.scene.dof() {
             let value =
                 |which: usize| given[j][which].unwrap_or(0.0) + fitted.solution.x[fitted.friction + 3 * j + which];
-            // A shift that was found is the sensor's: no gear and no gain sees it.
+            // A fitted offset belongs to the sensor: neither the gear nor the gain includes it.
             let (fv, fc, fo) = (value(0), value(1), given[j][2].unwrap_or(0.0));
             let with_rigid = |fc: f64| -> Vec<f64> {
                 let own = self.scene.own[j].iter();
@@ -651,7 +651,7 @@ impl<'a> ModelUnderTest<'a> {
         }
     }
 
-    /// Takes over the rigid model and the friction that another model found.
+    /// Takes the rigid model and the friction of another fitted model.
     pub fn adopt(&mut self, other: &ModelUnderTest<'_>, fitted: &Fitted) {
         self.scene.set_model(other.scene.beta.clone(), other.scene.standard.clone());
         let keep = self.mode;
@@ -660,8 +660,8 @@ impl<'a> ModelUnderTest<'a> {
         self.mode = keep;
     }
 
-    /// Torques that the model predicts with unknowns `x` (in the order of the fit), beside what the
-    /// file explains, per joint: the target less this is the error.
+    /// Torques predicted with unknowns `x` (in the order of the fit), beyond the file's part, per
+    /// joint, N m: the target less this is the error.
     pub fn predict(&self, x: &DVector<f64>, chosen: &[Chosen]) -> Vec<Vec<f64>> {
         let mut rows = vec![vec![0.0; self.scene.len]; self.scene.dof()];
         let threads = threads_for(self.scene.len * self.scene.dof());
@@ -683,7 +683,7 @@ impl<'a> ModelUnderTest<'a> {
         self.base.iter().for_each(&mut add);
         (0..self.scene.dof()).for_each(|j| self.plain(j).iter().for_each(&mut add));
         for (chosen, terms) in chosen.iter().zip(&terms) {
-            // A family that this data can't show still has its place among the unknowns.
+            // A family that is not observable in these data keeps its place among the unknowns.
             for k in 0..chosen.x.len() {
                 match terms.get(k) {
                     Some(term) => add(&term.column),
@@ -695,7 +695,7 @@ impl<'a> ModelUnderTest<'a> {
     }
 }
 
-/// Columns of a joint's plain friction: viscous, Coulomb's, offset.
+/// Columns of a joint's plain friction: viscous, Coulomb, offset.
 fn friction_columns(scene: &WindowedData<'_>, j: usize) -> [Column; 3] {
     [&VISCOUS, &COULOMB, &OFFSET].map(|p| p.terms(scene, &[j], &[]).remove(0).column)
 }

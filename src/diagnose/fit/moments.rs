@@ -1,5 +1,5 @@
-//! Second moments of columns, joint by joint and part by part: all that least squares, its
-//! alternatives and its cross-validation need.
+//! Second moments of columns per joint and part of the data, sufficient for least squares, trials
+//! of further columns and cross-validation.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -21,11 +21,11 @@ struct Part {
     with_y: DVector<f64>,
     /// `y' y`.
     yy: f64,
-    /// Windows.
+    /// Number of windows.
     count: f64,
 }
 
-/// One joint's equations.
+/// Equations of one joint.
 #[derive(Debug, Clone)]
 struct Joint {
     /// Unknowns that act on it.
@@ -41,9 +41,9 @@ pub struct Moments {
     /// Number of unknowns.
     pub unknowns: usize,
     y: Arc<Vec<Vec<f64>>>,
-    /// Pieces of the data, and the part that each belongs to.
+    /// Pieces of the data (ranges of windows), each with the index of its part.
     pieces: Arc<Vec<(Range<usize>, usize)>>,
-    /// Of the whole data.
+    /// Sums over the whole data, per joint.
     whole: Vec<Part>,
     /// Prior of the first unknowns.
     regulariser: Regulariser,
@@ -58,29 +58,29 @@ pub struct Solution {
     pub weights: Vec<f64>,
     /// Sum of squared residuals of each joint.
     pub rss: Vec<f64>,
-    /// Windows of each joint.
+    /// Number of windows of each joint.
     pub counts: Vec<f64>,
-    /// `(sum_j w_j A_j' A_j + hold)^+`; zero for unknowns that a limit holds.
+    /// `(sum_j w_j A_j' A_j + hold)^+`; zero for unknowns at a limit.
     pub inverse: DMatrix<f64>,
-    /// The same of all unknowns, where a limit holds some.
+    /// The same matrix for all unknowns, if some are at a limit.
     pub unlimited: Option<DMatrix<f64>>,
 }
 
 /// Normal equations of a [`Trial`]'s columns, everything else refitted.
 pub struct Reduced {
-    /// Matrix.
+    /// Normal matrix.
     pub normal: DMatrix<f64>,
     /// Right-hand side.
     pub rhs: DVector<f64>,
-    /// By how much the others fall for one of each coefficient.
+    /// Decrease of the other unknowns per unit of each coefficient.
     solved: DMatrix<f64>,
 }
 
-/// Columns that are tried beside those of a [`Moments`].
+/// Products of columns that are tried beside those of a [`Moments`].
 pub struct Trial {
     terms: usize,
-    /// Per joint it acts on: the joint, the terms that act there, their products with the joint's
-    /// columns, with each other and with y, whole data.
+    /// Per joint that the trial acts on: the joint, its terms, and their products with the joint's
+    /// columns, with each other and with y, over the whole data.
     joints: Vec<TrialJoint>,
 }
 
@@ -102,15 +102,15 @@ pub struct Gain {
 }
 
 impl Reduced {
-    /// Coefficients of the least squares without limits.
+    /// Unconstrained least-squares coefficients.
     pub fn solution(&self) -> DVector<f64> {
         pseudo_inverse(&self.normal) * &self.rhs
     }
 }
 
 impl Moments {
-    /// Of these columns and the torque `y` (per joint, masked), in the parts `block` (one number
-    /// below [`BLOCKS`] a window).
+    /// Moments of these columns and the torque `y` (per joint, masked), in the parts `block` (one
+    /// number below [`BLOCKS`] per window).
     pub fn new(scene: &WindowedData<'_>, block: &[usize], y: &[Vec<f64>], columns: &[&Column]) -> Self {
         let mut pieces: Vec<(Range<usize>, usize)> = Vec::new();
         for (w, &part) in block.iter().enumerate() {
@@ -144,7 +144,7 @@ impl Moments {
         bare.with(columns)
     }
 
-    /// The same equations with further unknowns behind the others.
+    /// The same equations with further unknowns appended.
     pub fn with(&self, more: &[&Column]) -> Self {
         let mut all = Self { unknowns: self.unknowns + more.len(), ..self.clone() };
         for (c, column) in more.iter().enumerate() {
@@ -161,7 +161,7 @@ impl Moments {
         all
     }
 
-    /// Products of a joint's columns, of which the first `old` are known.
+    /// Products of a joint's columns, the first `old` of which are known.
     fn products_of(&self, j: usize, old: usize) -> Vec<Part> {
         let joint = &self.joints[j];
         let n = joint.columns.len();
@@ -186,7 +186,7 @@ impl Moments {
         joint.parts.iter().enumerate().map(extended).collect()
     }
 
-    /// The same equations in which some unknowns do nothing.
+    /// The same equations without the columns of some unknowns; the numbering is unchanged.
     pub fn without(&self, out: impl Fn(usize) -> bool) -> Self {
         let mut all = self.clone();
         for joint in &mut all.joints {
@@ -205,7 +205,7 @@ impl Moments {
         all
     }
 
-    /// Parts of the data.
+    /// Number of parts of the data.
     pub fn parts(&self) -> usize {
         BLOCKS
     }
@@ -246,7 +246,7 @@ impl Moments {
         (matrix, rhs)
     }
 
-    /// Values at which the regulariser pulls, of all unknowns.
+    /// Prior mean of all unknowns; zero where there is no prior.
     fn held(&self) -> DVector<f64> {
         let mut x = DVector::zeros(self.unknowns);
         x.rows_mut(0, self.regulariser.mean.len()).copy_from(&self.regulariser.mean);
@@ -279,7 +279,8 @@ impl Moments {
             .collect()
     }
 
-    /// Weighted least squares, each joint by its own residual, weights iterated from `start`.
+    /// Weighted least squares. Each joint is weighted by its own residual, with weights iterated
+    /// from `start`.
     pub fn solve(&self, start: Option<&[f64]>) -> Solution {
         let sums = &self.whole;
         let counts: Vec<f64> = sums.iter().map(|s| s.count).collect();
@@ -289,7 +290,7 @@ impl Moments {
         loop {
             let (matrix, rhs) = self.assemble(sums, &weights);
             let inverse = pseudo_inverse(&matrix);
-            // From where the regulariser pulls, so that what the equations leave open stays there.
+            // Solve relative to the prior mean, so that undetermined directions stay there.
             let held = self.held();
             let x = &inverse * (&rhs - &matrix * &held) + held;
             let rss = self.residuals(sums, &x);
@@ -305,8 +306,7 @@ impl Moments {
         }
     }
 
-    /// Normal matrix and right-hand side of the whole data with these weights, the regulariser
-    /// included.
+    /// Normal matrix and right-hand side of the whole data with these weights and the regulariser.
     pub fn normal(&self, weights: &[f64]) -> (DMatrix<f64>, DVector<f64>) {
         self.assemble(&self.whole, weights)
     }
@@ -316,7 +316,7 @@ impl Moments {
         self.whole.iter().map(|s| (s.yy / s.count.max(1.0)).sqrt()).collect()
     }
 
-    /// The solution with values of `own` unknowns that a limit holds, all others refitted.
+    /// The solution with the unknowns `own` fixed at `values`, all others refitted.
     pub fn limited(&self, solution: &Solution, own: &[usize], values: &DVector<f64>) -> Solution {
         let (x, inverse) = refitted_beside(&solution.x, &solution.inverse, own, values);
         let unlimited = Some(solution.inverse.clone());
@@ -328,13 +328,13 @@ impl Moments {
         Solution { rss: self.residuals(&self.whole, &x), x, ..solution.clone() }
     }
 
-    /// Sums of squared residuals per joint and part, each part predicted from all others (weights
-    /// as in `whole`).
+    /// Sums of squared residuals per part and joint, each part predicted from all others, with the
+    /// weights of `whole`.
     pub fn cross_validated(&self, whole: &Solution) -> Vec<Vec<f64>> {
         self.cross_validated_without(whole, &[], &[])
     }
 
-    /// The same with some unknowns at 0 (`out`), and others (`fixed`) at their values in the whole,
+    /// The same with some unknowns at 0 (`out`), and others (`fixed`) at their values in `whole`,
     /// since no other part determines them.
     pub fn cross_validated_without(&self, whole: &Solution, out: &[usize], fixed: &[usize]) -> Vec<Vec<f64>> {
         let held = self.held();
@@ -347,7 +347,7 @@ impl Moments {
         }
     }
 
-    /// The same with the unknowns inside limits: `limit` gives those that a limit holds, and their
+    /// The same with constrained unknowns. `limit` returns the unknowns at a limit with their
     /// values, from a solution and the inverse of its normal matrix.
     pub fn cross_validated_within(
         &self,
@@ -370,10 +370,10 @@ impl Moments {
         }
     }
 
-    /// The same by any solver of the normal equations, with these weights.
+    /// The same with any solver of the normal equations and these weights.
     ///
     /// # Errors
-    /// Those of the solver.
+    /// Errors of the solver.
     pub fn cross_validated_by<E: Send>(
         &self,
         whole: &Solution,
@@ -411,22 +411,22 @@ impl Moments {
         })
     }
 
-    /// Threads for a pass over the series of all joints.
+    /// Number of threads for a pass over the series of all joints.
     fn threads(&self) -> usize {
         threads_for(self.y.iter().map(Vec::len).sum())
     }
 
-    /// The same equations with another regulariser.
+    /// Replaces the regulariser.
     pub fn regularised_by(&mut self, regulariser: Regulariser) {
         self.regulariser = regulariser;
     }
 
-    /// Windows per part and joint.
+    /// Number of windows per part and joint.
     pub fn counts(&self) -> Vec<Vec<f64>> {
         (0..self.parts()).map(|part| self.joints.iter().map(|j| j.parts[part].count).collect()).collect()
     }
 
-    /// Products of further columns with those that are here.
+    /// Products of further columns with the present ones.
     pub fn trial(&self, terms: &[&Column]) -> Trial {
         let mut touched: Vec<usize> = terms.iter().flat_map(|t| t.rows.iter().map(|r| r.0)).collect();
         touched.sort_unstable();
@@ -455,7 +455,7 @@ impl Moments {
         Trial { terms: terms.len(), joints }
     }
 
-    /// Normal equations of the trial's columns, the others refitted beside them; `None` where those
+    /// Normal equations of the trial's columns with the others refitted; `None` where the others
     /// already explain the same.
     pub fn reduced(&self, at: &Solution, trial: &Trial) -> Option<Reduced> {
         let (n, k) = (self.unknowns, trial.terms);
@@ -501,7 +501,7 @@ impl Moments {
     }
 }
 
-/// [`products`] of a series that may be zero but for a part of it.
+/// [`products`] of a series that may be zero outside a part.
 fn products_of_part(one: &[f64], others: &[&[f64]]) -> Vec<f64> {
     let begin = one.iter().position(|x| *x != 0.0).unwrap_or(0) / 8 * 8;
     let end = one.iter().rposition(|x| *x != 0.0).map_or(0, |last| (last + 1).next_multiple_of(8).min(one.len()));
@@ -510,8 +510,8 @@ fn products_of_part(one: &[f64], others: &[&[f64]]) -> Vec<f64> {
     products(&one[part], &others)
 }
 
-/// Inner products of a series with others, in the widest registers of this processor: the bits are
-/// those of any other.
+/// Inner products of a series with others, in the widest registers of this processor, bitwise equal
+/// to any other width.
 #[multiversion::multiversion(targets("x86_64+avx2"))]
 fn products(one: &[f64], others: &[&[f64]]) -> Vec<f64> {
     let (fours, rest) = others.as_chunks::<4>();
@@ -525,12 +525,12 @@ fn products(one: &[f64], others: &[&[f64]]) -> Vec<f64> {
     all
 }
 
-/// Normal matrix of some unknowns, all others refitted, from the inverse of the whole.
+/// Normal matrix of some unknowns with all others refitted, from the inverse of the whole matrix.
 pub fn reduced_normal(inverse: &DMatrix<f64>, own: &[usize]) -> DMatrix<f64> {
     pseudo_inverse(&inverse.select_rows(own).select_columns(own))
 }
 
-/// A least-squares solution and the inverse of its normal matrix with some unknowns held at
+/// A least-squares solution and the inverse of its normal matrix with some unknowns fixed at
 /// `values`, all others refitted.
 pub fn refitted_beside(
     x: &DVector<f64>,
@@ -549,7 +549,7 @@ pub fn refitted_beside(
     (next, rest)
 }
 
-/// Pseudo-inverse of a symmetric positive semidefinite matrix, in units in which its diagonal is 1.
+/// Pseudo-inverse of a symmetric positive semidefinite matrix, scaled to a unit diagonal.
 pub fn pseudo_inverse(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     let n = matrix.nrows();
     let scale: Vec<f64> =
@@ -592,12 +592,12 @@ impl Moments {
     /// `inflation[j]` windows, `A^-1 (sum_j w_j lambda_j A_j' A_j) A^-1`. Each unknown's standard
     /// deviation is at least its scatter between the parts of the data: `A^-1 (sum_p g_p g_p') A^-1
     /// P / (P - 1)`, `g_p` the gradient of part `p` (P. J. Huber 1967; K.-Y. Liang and S. L. Zeger,
-    /// Biometrika 73, 1986). The second sees a law that is not the one that acts: what is left then
-    /// goes with what moves, and not as noise does.
+    /// Biometrika 73, 1986). The second estimate detects a wrong law: its residual correlates with
+    /// the motion, unlike noise.
     pub fn covariance(&self, at: &Solution, inflation: &[f64]) -> DMatrix<f64> {
         let weights: Vec<f64> = at.weights.iter().zip(inflation).map(|(w, l)| w * l).collect();
         let mut middle = self.information(&weights);
-        // The file may be wrong where the prior holds.
+        // The file may be wrong in the directions that the prior fixes.
         let n = self.regulariser.mean.len();
         let mut corner = middle.view_mut((0, 0), (n, n));
         corner += &self.regulariser.spread;
@@ -618,10 +618,10 @@ impl Moments {
         covariance
     }
 
-    /// How a set of unknowns recurs in the parts of the data. It is 1 if each part by itself, all
-    /// else as found, gives it the size of the whole, and tends to 0 if parts give it other sizes,
-    /// or none. `1 / (1 + s^2)`, `s` the deviation of the parts' factors from 1, each part weighted
-    /// by its information.
+    /// Recurrence of a set of unknowns over the parts of the data. It is 1 if each part by itself,
+    /// all else as found, gives them the size of the whole. It tends to 0 if parts give them other
+    /// sizes, or none. `1 / (1 + s^2)`, `s` the deviation of the parts' factors from 1, each part
+    /// weighted by its information.
     pub fn recurrence(&self, at: &Solution, own: &[usize]) -> f64 {
         let (mut off, mut all) = (0.0, 0.0);
         for part in 0..self.parts() {
@@ -645,8 +645,7 @@ impl Moments {
         if all > 0.0 { 1.0 / (1.0 + off / all) } else { 0.0 }
     }
 
-    /// Variance of each unknown by how the parts of the data pull at it, each about the mean of
-    /// all.
+    /// Variance of each unknown from the scatter of the parts' gradients about their mean.
     fn pulled_to_and_fro(&self, at: &Solution) -> DVector<f64> {
         let mut pulls = Vec::new();
         for part in 0..self.parts() {
@@ -675,8 +674,8 @@ impl Moments {
         spread
     }
 
-    /// The same equations and solution with further columns, of unknowns that are at their best
-    /// value already: zero.
+    /// The same equations and solution with further columns, whose unknowns are zero, which is
+    /// their optimum.
     pub fn beside(&self, at: &Solution, more: &[Column]) -> (Self, Solution) {
         let moments = self.with(&more.iter().collect::<Vec<&Column>>());
         let (matrix, _) = moments.assemble(&moments.whole, &at.weights);

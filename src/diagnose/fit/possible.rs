@@ -1,6 +1,5 @@
-//! The least-squares model inside what is physically possible: bodies that can exist, rotor
-//! inertias, friction levels and sizes of laws that are not negative. This is the model that is
-//! measured, offered and written.
+//! Constrained fit: possible bodies, and non-negative rotor inertias, friction levels and sizes of
+//! laws. The result is the model that is evaluated, offered and written.
 
 use dh_codegen::robot::EffectKind;
 use nalgebra::{DMatrix, DVector};
@@ -12,7 +11,7 @@ use crate::diagnose::select::model_choice::LeftOut;
 use crate::identify::{BoundedLeastSquares, ConsistentError, ConsistentSettings};
 use crate::model::{BaseParameter, LikelyBodies, StandardParameter};
 
-/// Torques are not known better than to this share of themselves, whatever little a fit leaves.
+/// Relative accuracy of torques: no residual is trusted below this share of them.
 const DIGITS: f64 = 1e-5;
 
 /// Constraints on the unknowns of a fit.
@@ -28,7 +27,7 @@ struct Limits {
 }
 
 impl Limits {
-    /// With these unknowns fixed at 1.
+    /// Solves with these unknowns fixed at 1.
     fn solve_at_one(
         &self,
         mut normal: DMatrix<f64>,
@@ -62,14 +61,14 @@ impl Limits {
 }
 
 impl ModelUnderTest<'_> {
-    /// A fit of this model moved to the least-squares solution inside the limits; unchanged if
-    /// nothing of it lies outside and no link is unknown. The scene has its model afterwards.
+    /// Moves a fit to the constrained least-squares solution. Unchanged if all of it is inside the
+    /// limits and no link is unknown. The scene then has the model of the result.
     ///
-    /// A law whose size is in its shape has the coefficient 1, as in a robot file. A fit that may
-    /// scale its column is another model than the written one.
+    /// The coefficient of a law whose size is in its shape is fixed at 1, as in a robot file. With
+    /// a scaled column the fit would be another model than the written one.
     ///
     /// # Errors
-    /// Where the solver finds no solution.
+    /// If the solver finds no solution.
     pub(in crate::diagnose) fn possible(
         &mut self,
         chosen: &mut [Chosen],
@@ -95,11 +94,11 @@ impl ModelUnderTest<'_> {
         Ok(moved)
     }
 
-    /// [`ModelUnderTest::left_out`] of the model inside the limits: each stretch is predicted by
-    /// the possible model that fits the others best.
+    /// [`ModelUnderTest::left_out`] with constraints: each stretch is predicted by the possible
+    /// model that fits the others best.
     ///
     /// # Errors
-    /// Where the solver finds no solution.
+    /// If the solver finds no solution.
     pub(in crate::diagnose) fn possible_left_out(
         &self,
         chosen: &[Chosen],
@@ -110,7 +109,7 @@ impl ModelUnderTest<'_> {
         fixed.extend(units(chosen, fitted));
         let first = limits.base.len();
         let weights = limits.weights.clone();
-        // A fixed value is no unknown of the others.
+        // Fixed values are not constrained.
         fixed.iter().for_each(|&k| limits.least[k - first] = None);
         let solve = |normal: &DMatrix<f64>, rhs: &DVector<f64>| limits.solve(normal, rhs).map(|(x, _)| x);
         let sums = stretches.cross_validated_by(&fitted.solution, &weights, &[], &fixed, solve)?;
@@ -126,7 +125,7 @@ impl ModelUnderTest<'_> {
             Some(_) => inertial(plant).into_iter().map(|b| all[b].clone()).collect(),
             None => Vec::new(),
         };
-        // Base parameters of which no body is known are of any sign, rotors of drives alone are not.
+        // Base parameters without a body may have any sign; rotors of drives alone may not.
         let any = if plant.has_bodies() { None } else { Some(0.0) };
         let mut least = vec![any; if bodies.is_some() { 0 } else { count }];
         for (k, file) in given_friction(plant).iter().flatten().enumerate() {

@@ -1,49 +1,48 @@
 //! Regularises poorly identified directions of base parameters and friction towards the file.
 //!
-//! Where data don't determine a combination of parameters, least squares gives it the value that
-//! suits the errors of the rest, and on another motion that is worse than any drawing. The prior is
-//! normal about the file's values and as wide as links may be off: mass by 100 %, first moments by
-//! the mass times the link's size, inertia by the mass times its square. Rotors may be off by 100
-//! %, friction by half of the measured torque. In the axes in which that is white, the data have so
-//! much information on each direction (Hansen 1998, generalised singular values). `mu` is the ratio
-//! of their variance to the prior's, with windows counted by the autocorrelation time of residuals.
-//! Well identified directions are left to the data alone; those that are not stay with the file:
-//! what least squares says is taken by `mu^4 / (mu^4 + strength^4)`. So no direction that the data
-//! determine is drawn to the file, as a plain normal prior would. How strong is left to the data as
-//! well: what predicts stretches of the logs best that are left out in turn.
+//! In directions that the data do not determine, least squares fits the errors of the remaining
+//! model, which can be arbitrarily wrong on another motion. The prior is normal about the file's
+//! values, and as wide as links may be off. Masses may be off by 100 %, first moments by the mass
+//! times the link's size, inertias by the mass times its square. Rotors may be off by 100 %,
+//! friction by half of the measured torque.
+//!
+//! In the axes that whiten the prior, the eigenvalues `mu` of the data's information rank the
+//! directions (Hansen 1998, generalised singular values). `mu` is the ratio of the prior's variance
+//! to that of the data, with windows counted by the autocorrelation time of residuals. The
+//! least-squares value of a direction has the weight `mu^4 / (mu^4 + strength^4)`. Well identified
+//! directions are thus left to the data alone, unlike with a plain normal prior, and the others
+//! stay with the file. The strength is the one that predicts left-out stretches of the logs best.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
 use crate::model::{Inertial, PerturbableArm, StandardParameter};
 use crate::numerics::eigen;
 
-/// How many times less than that of the prior the data's variance has to be for a direction to be
-/// taken by half: what is tried.
+/// Candidate strengths: the ratio `mu` at which a direction has half weight.
 pub const STRENGTHS: [f64; 3] = [30.0, 10.0, 3.0];
 
-/// The strongest regulariser, as a multiple of the prior's own weight.
+/// Upper limit of the regulariser's weight, as a multiple of the prior's own weight.
 const MAX_WEIGHT: f64 = 1e3;
 
 /// Prior of the first unknowns of a fit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Regulariser {
-    /// Added to the normal equations.
+    /// Matrix added to the normal equations.
     pub precision: DMatrix<f64>,
-    /// Values at which it pulls.
+    /// Prior mean: the values towards which it pulls.
     pub mean: DVector<f64>,
-    /// Variance of what the regulariser adds to the right-hand side if the prior is true.
+    /// Covariance of the regulariser's contribution to the right-hand side if the prior is true.
     pub spread: DMatrix<f64>,
 }
 
 impl Regulariser {
-    /// Nothing is held.
+    /// No regularisation.
     pub fn none() -> Self {
         Self { precision: DMatrix::zeros(0, 0), mean: DVector::zeros(0), spread: DMatrix::zeros(0, 0) }
     }
 
-    /// From the prior and the data: the normal matrix of the first unknowns with all windows
-    /// counted (`full`), and with windows counted as far as they are independent (`thinned`).
-    /// `strength`: see [`STRENGTHS`].
+    /// Built from the prior and the data's normal matrix of the first unknowns. `full`: with all
+    /// windows counted; `thinned`: with independent windows counted. `strength`: see [`STRENGTHS`].
     pub fn new(prior: &Prior, full: &DMatrix<f64>, thinned: &DMatrix<f64>, strength: f64) -> Option<Self> {
         let n = prior.mean.len();
         let root = &prior.root;
@@ -69,7 +68,7 @@ impl Regulariser {
         Some(Self { precision, mean: prior.mean.clone(), spread })
     }
 
-    /// Without the unknowns that are out of the question, which then have the value 0.
+    /// Without the unknowns for which `out` holds; their mean becomes 0.
     pub fn without(&self, out: impl Fn(usize) -> bool) -> Self {
         let mut held = self.clone();
         for k in (0..held.mean.len()).filter(|k| out(*k)) {
@@ -83,7 +82,7 @@ impl Regulariser {
     }
 }
 
-/// Prior of the first unknowns.
+/// Prior distribution of the first unknowns.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prior {
     /// The file's values.
@@ -92,23 +91,23 @@ pub struct Prior {
     root: DMatrix<f64>,
 }
 
-/// The prior is as wide as errors may be; as a share of it, what they typically are: of this size
-/// is the error that a regulariser leaves.
+/// Typical error relative to the prior, which is as wide as errors may be: the size of the error
+/// that a regulariser leaves.
 const TYPICAL: f64 = 0.2;
 
 /// Least size of a body, m.
 const SMALLEST: f64 = 0.05;
-/// A link without a mass in the file has a prior of up to this share of the mean link's.
+/// Mass of a link without one in the file, as a share of the mean link's, for the prior.
 const FORGOTTEN: f64 = 0.3;
-/// Friction, as a share of the torque that the joint was seen to need: Coulomb level, viscous part
-/// at 1 rad/s.
+/// Friction, as a share of the measured torque of the joint: Coulomb level, viscous part at 1
+/// rad/s.
 const FRICTION: f64 = 0.5;
-/// Offset of a torque sensor, as such a share.
+/// Offset of a torque sensor, as a share of the same.
 const OFFSET: f64 = 0.2;
 
-/// Of these base parameters (none if the links are trusted) and three friction parameters a joint
-/// behind them, which are counted from the file's. `None` where the file has no links but base
-/// parameters are unknown. `torque`: root mean square of each joint's, N m.
+/// The prior of these base parameters (none if the links are trusted), followed by three friction
+/// parameters per joint, counted from the file's values. `None` where the file has no links but
+/// base parameters are unknown. `torque`: root mean square of each joint's torque, N m.
 pub fn prior(plant: &dyn PerturbableArm, wanted: &[usize], torque: &[f64]) -> Option<Prior> {
     let (b, n) = (wanted.len(), wanted.len() + 3 * torque.len());
     let (mut mean, mut root) = (DVector::zeros(n), DMatrix::zeros(n, n));
@@ -124,7 +123,7 @@ pub fn prior(plant: &dyn PerturbableArm, wanted: &[usize], torque: &[f64]) -> Op
             mean[row] = base[index].coefficients.iter().map(|&(p, k)| k * given[p]).sum();
         }
         let mut covariance = &factor * factor.transpose();
-        // A hair more, so that it can be inverted where two leaders share their columns but for
+        // A slight increase keeps it invertible where two leaders share their columns up to
         // rounding.
         (0..b).for_each(|i| covariance[(i, i)] *= 1.0 + 1e-9);
         root.view_mut((0, 0), (b, b)).copy_from(&Cholesky::new(covariance)?.l());
@@ -140,14 +139,14 @@ pub fn prior(plant: &dyn PerturbableArm, wanted: &[usize], torque: &[f64]) -> Op
     Some(Prior { mean, root })
 }
 
-/// Size of one of a body's ten parameters (`M MSX MSY MSZ XX YY ZZ XY XZ YZ`, from 0): kg, kg m,
-/// kg m^2 of a mass (kg) so far away (m).
+/// Size of one of a body's ten parameters (`M MSX MSY MSZ XX YY ZZ XY XZ YZ`, from 0), in kg, kg m,
+/// kg m^2, for a mass (kg) at a distance (m).
 pub fn of_size(which: usize, mass: f64, away: f64) -> f64 {
     mass * away.powi([0, 1, 2][usize::from(which > 0) + usize::from(which > 3)])
 }
 
-/// How far each standard parameter may be from the file's, one standard deviation; `None`: no link
-/// has a mass.
+/// Standard deviation of each standard parameter about the file's value; `None` if no link has a
+/// mass.
 pub fn deviations(parameters: &[StandardParameter], given: &[f64]) -> Option<Vec<f64>> {
     const TEN: usize = Inertial::ALL.len();
     let mass = |i: &usize| matches!(parameters[*i], StandardParameter::Link(_, Inertial::M));
@@ -168,7 +167,7 @@ pub fn deviations(parameters: &[StandardParameter], given: &[f64]) -> Option<Vec
             *std = of_size(k, mass, size);
         }
     }
-    // Rotors: as heavy as the file says, or as the arm's lighter links.
+    // Rotors: the file's inertia, or that of the arm's lighter links.
     let inertia = mean * SMALLEST * SMALLEST;
     for (i, parameter) in parameters.iter().enumerate().filter(|(_, p)| p.is_drive()) {
         std[i] = if parameter.is_rotor() { given[i].abs().max(10.0 * inertia) } else { 1.0 };
@@ -183,15 +182,15 @@ mod tests {
     #[test]
     fn what_is_told_is_left_alone_and_what_is_not_stays() {
         let prior = Prior { mean: DVector::from_vec(vec![1.0, 2.0]), root: DMatrix::from_diagonal_element(2, 2, 0.5) };
-        // The data say (3, 7): the first ten thousand times as sharply as the prior, the second a
-        // hundredth of that.
+        // The data give (3, 7): the first ten thousand times as precise as the prior, the second a
+        // hundredth.
         let information = DMatrix::from_diagonal(&DVector::from_vec(vec![1e4 / 0.25, 1e-2 / 0.25]));
         let regulariser = Regulariser::new(&prior, &information, &information, 10.0).unwrap();
         let right = &information * DVector::from_vec(vec![3.0, 7.0]) + &regulariser.precision * &regulariser.mean;
         let x = (&information + &regulariser.precision).lu().solve(&right).unwrap();
         assert!((x[0] - 3.0).abs() < 1e-4, "{x}");
         assert!((x[1] - 2.0).abs() < 1e-3, "{x}");
-        // One that is out of the question does not pull at the others.
+        // A removed unknown does not affect the others.
         let without = regulariser.without(|k| k == 1);
         assert_eq!((without.precision[(1, 1)], without.precision[(0, 1)], without.mean[1]), (0.0, 0.0, 0.0));
     }

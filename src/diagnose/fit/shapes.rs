@@ -1,8 +1,8 @@
-//! The numbers in which laws are not linear, all together: by Gauss's and Newton's steps with
-//! everything else refitted.
+//! Joint refinement of the nonlinear numbers of all laws, by Gauss-Newton steps with everything
+//! else refitted.
 //!
-//! The search walks each of them beside what was found before. Numbers that stand for each other (a
-//! Stribeck speed and its exponent, two orders of ripple) stop on that walk before they have arrived.
+//! The search refines each law separately, beside those found before. Strongly correlated numbers
+//! (a Stribeck speed and its exponent, two orders of ripple) stop short of their optimum there.
 
 use super::model::{Chosen, Fitted, ModelUnderTest};
 use super::moments::Solution;
@@ -10,24 +10,24 @@ use super::uncertainty::derivative;
 use crate::diagnose::hypotheses::{Sign, at_edge};
 use crate::diagnose::windows::windowed_data::Column;
 
-/// Most steps, and the shares of a step that are tried.
+/// Maximum number of steps, and the shares of a step that are tried.
 const STEPS: usize = 6;
 const SHARES: [f64; 3] = [1.0, 0.4, 0.15];
 
-/// Gain of the misfit below which steps end.
+/// Decrease of the misfit below which the iteration ends.
 const LEAST: f64 = 0.1;
 
-/// Largest change of a number in one step: of one that is refined by shares of itself by this share,
-/// of another by so many of its first steps.
+/// Largest change of a number in one step: this share of a number that is refined in relative
+/// steps, or this many first steps of another.
 const FARTHEST: f64 = 0.5;
 const MOST_STEPS: f64 = 5.0;
 
-/// A number of a shape: its cause's place in the model, and its own in the shape.
+/// Position of a number: index of its cause in the model, and index in the shape.
 type Number = (usize, usize);
 
 impl ModelUnderTest<'_> {
-    /// The fit with these numbers where the misfit is least; the causes have them. Sizes that stand in
-    /// a shape have a walk of their own ([`ModelUnderTest::polish`]).
+    /// Minimises the misfit over these numbers, and updates the causes. Sizes that are part of a
+    /// shape are refined separately ([`ModelUnderTest::polish`]).
     pub(super) fn polish_shapes(&mut self, chosen: &mut [Chosen], mut fitted: Fitted) -> Fitted {
         for _ in 0..STEPS {
             let Some(step) = self.step(&fitted, chosen) else { break };
@@ -56,7 +56,7 @@ impl ModelUnderTest<'_> {
         fitted
     }
 
-    /// A model and its fit, if that has less misfit and each of its causes still stands.
+    /// A model with its fit, if its misfit is below `known` and each of its causes remains valid.
     fn better(&mut self, mut trial: Vec<Chosen>, known: f64) -> Option<(Vec<Chosen>, Fitted)> {
         let shows = |c: &Chosen| !at_edge(c.cause, &c.shape) && c.cause.shows(&self.scene, &c.place, &c.shape);
         if !trial.iter().all(shows) {
@@ -70,12 +70,12 @@ impl ModelUnderTest<'_> {
         (stands && misfit(&next) < known).then_some((trial, next))
     }
 
-    /// The step of all numbers; `None` where there are none.
+    /// The Gauss-Newton step of all numbers; `None` where there are none.
     fn step(&self, fitted: &Fitted, chosen: &[Chosen]) -> Option<Vec<(Number, f64)>> {
         let (mut numbers, mut columns): (Vec<Number>, Vec<Column>) = (Vec::new(), Vec::new());
         for (index, c) in chosen.iter().enumerate().filter(|(_, c)| moves(c)) {
             for (k, number) in c.cause.shape().iter().enumerate() {
-                // An order that is an integer stays one.
+                // An integer order stays an integer.
                 let Some(first) = number.step.filter(|_| !c.integer(k)) else { continue };
                 if let Some(column) = derivative(self, fitted, index, c, k, first) {
                     numbers.push((index, k));
@@ -94,13 +94,13 @@ impl ModelUnderTest<'_> {
     }
 }
 
-/// Whether the numbers of a cause are estimates that may move.
+/// Whether the numbers of a cause are refined here.
 fn moves(chosen: &Chosen) -> bool {
     let cause = chosen.cause;
     !cause.unit() && !cause.moves_time() && !cause.local() && !chosen.x.is_empty()
 }
 
-/// Twice the negative logarithm of the likelihood, but for a constant.
+/// Twice the negative log-likelihood, up to a constant.
 pub(super) fn misfit(fitted: &Fitted) -> f64 {
     let Solution { rss, counts, .. } = &fitted.solution;
     rss.iter().zip(counts).map(|(r, n)| n * r.max(1e-290).ln()).sum()

@@ -1,5 +1,5 @@
-//! Uncertainty of a fit: standard deviations that include the shapes', and directions that the data
-//! leave open.
+//! Uncertainty of a fit: standard deviations including those of shapes, and undetermined
+//! directions.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -11,15 +11,16 @@ use crate::numerics::eigen;
 
 /// Covariance of everything that was estimated.
 pub struct Uncertainty {
-    /// Of the unknowns of the fit, and behind them the numbers in which the causes are not linear.
+    /// Covariance of the unknowns of the fit, followed by the nonlinear numbers of the causes.
     pub covariance: DMatrix<f64>,
-    /// Position of each cause's shape in it; `None` for a value that is no estimate.
+    /// Index of each number of each cause's shape in the covariance; `None` for a value that is not
+    /// estimated.
     shapes: Vec<Vec<Option<usize>>>,
 }
 
 impl Uncertainty {
-    /// Of a fit. A number of a shape is an unknown too, and its column is the derivative of what
-    /// its cause says.
+    /// The uncertainty of a fit. A number of a shape is an unknown too; its column is the
+    /// derivative of its cause's torque.
     pub fn of(tested: &ModelUnderTest<'_>, fitted: &Fitted, chosen: &[Chosen]) -> Self {
         let (mut shapes, mut more, mut integer_priors) = (Vec::new(), Vec::new(), Vec::new());
         for (index, c) in chosen.iter().enumerate() {
@@ -39,7 +40,7 @@ impl Uncertainty {
         }
         let (moments, solution) = fitted.moments.beside(&fitted.solution, &more);
         let mut covariance = moments.covariance(&solution, &fitted.memory);
-        // Prior information: one more measurement of an unknown.
+        // Prior information enters as one more measurement of an unknown.
         let units = chosen.iter().enumerate().filter(|(_, c)| c.cause.unit() && !c.x.is_empty());
         for (at, std) in units.map(|(index, _)| (fitted.first[index], UNIT)).chain(integer_priors) {
             measure(&mut covariance, at, std);
@@ -49,16 +50,16 @@ impl Uncertainty {
 }
 
 impl Uncertainty {
-    /// By how much a cause's parameters exceed zero, in Wald's statistic, above a level that chance
-    /// reaches once in a hundred times: its coefficients with the shape that was found, or the
-    /// number of its shape that is its size.
+    /// Wald statistic of a cause's parameters, less a level that chance reaches once in a hundred
+    /// cases. The parameters are its coefficients with the found shape, or the number of its shape
+    /// that is its size.
     pub fn exceeds_zero(&self, tested: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
         let unknowns = if self.size_of(index, chosen).is_some() { 1 } else { chosen.x.len() };
         self.wald(tested, fitted, index, chosen) - once_in_a_hundred(unknowns as f64)
     }
 
-    /// Wald's statistic of a cause's parameters: their squares by their covariance. Below zero
-    /// where the data show none of them.
+    /// Wald statistic of a cause's parameters: their squares weighted by the inverse covariance.
+    /// Negative infinity where the cause has no coefficients.
     pub fn wald(&self, tested: &ModelUnderTest<'_>, fitted: &Fitted, index: usize, chosen: &Chosen) -> f64 {
         let Some(x) = above_resolution(tested, chosen) else { return f64::NEG_INFINITY };
         match self.size_of(index, chosen) {
@@ -67,31 +68,32 @@ impl Uncertainty {
         }
     }
 
-    /// Position in the covariance of the size of a cause that has it in its shape.
+    /// Index in the covariance of the size of a cause that has it in its shape.
     fn size_of(&self, index: usize, chosen: &Chosen) -> Option<usize> {
         *self.shapes.get(index).filter(|_| chosen.cause.unit())?.first()?
     }
 }
 
-/// A cause's coefficients above the resolution of the data; `None` where its columns are gone: of
-/// what is known now it is nothing.
+/// A cause's coefficients above the resolution of the data; `None` where it has no columns in the
+/// present model.
 fn above_resolution(tested: &ModelUnderTest<'_>, chosen: &Chosen) -> Option<DVector<f64>> {
     let x = || DVector::from_vec(chosen.cause.above_resolution(&tested.scene, &chosen.place, &chosen.x));
     (!chosen.x.is_empty()).then(x)
 }
 
-/// Wald's statistic of some unknowns, from `first` on: their squares by their covariance.
+/// Wald statistic of some unknowns, from `first` on: their squares weighted by the inverse
+/// covariance.
 fn wald(covariance: &DMatrix<f64>, first: usize, x: &DVector<f64>) -> f64 {
     let own = covariance.view((first, first), (x.len(), x.len())).into_owned();
     x.dot(&(pseudo_inverse(&own) * x))
 }
 
-/// What chi-squared of so many degrees of freedom exceeds once in a hundred times, on a line.
+/// Linear approximation of the 99 % quantile of chi-squared with `unknowns` degrees of freedom.
 fn once_in_a_hundred(unknowns: f64) -> f64 {
     4.2 + 2.1 * unknowns
 }
 
-/// The covariance when one unknown has been measured, too.
+/// Updates the covariance with a measurement of one unknown, with standard deviation `std`.
 fn measure(covariance: &mut DMatrix<f64>, at: usize, std: f64) {
     let own = covariance.column(at).into_owned();
     if own[at] > 0.0 {
@@ -99,11 +101,11 @@ fn measure(covariance: &mut DMatrix<f64>, at: usize, std: f64) {
     }
 }
 
-/// Share of a number's first step in a search by which a difference quotient changes it.
+/// Step of a difference quotient, as a share of a number's first step in a search.
 const OF_FIRST_STEP: f64 = 1e-2;
 
-/// Difference quotient of what a cause adds, by a number of its shape whose first step in a search is
-/// `first`: a share of the number where positive, else so much.
+/// Difference quotient of a cause's torque by a number of its shape. `first` is that number's first
+/// step in a search: a share of the number if positive, else its negative absolute step.
 pub(in crate::diagnose) fn derivative(
     tested: &ModelUnderTest<'_>,
     fitted: &Fitted,
@@ -180,10 +182,11 @@ pub fn parameters(
     })
 }
 
-/// Directions, one a column, of unknowns in units of their prior deviation (`std`), on which the
-/// data (`information`, their normal matrix) have less information than that prior. Of a mass on
-/// the axis and a first moment along it, for example, often only a sum is determined. There the
-/// least change is as good as any other, and as uncertain as the prior.
+/// Directions, one per column, in which the data have less information than the prior.
+/// `information` is the normal matrix of the data; unknowns are in units of their prior deviation
+/// `std`. For a mass on the axis and a first moment along it, for example, often only a sum is
+/// determined. In these directions the smallest change is chosen, and the uncertainty is that of
+/// the prior.
 fn undetermined(information: &DMatrix<f64>, std: &[f64]) -> DMatrix<f64> {
     let n = std.len();
     let white = DMatrix::from_fn(n, n, |i, k| information[(i, k)] * std[i] * std[k]);
@@ -208,7 +211,7 @@ mod tests {
         information[(2, 2)] = 1e4;
         let loose = undetermined(&information, &[2.0, 0.5, 1.0]);
         assert_eq!(loose.shape(), (3, 1));
-        // Along it 2 u + 0.5 v stays: (0.5, -2, 0).
+        // Along it 2 u + 0.5 v is constant: (0.5, -2, 0).
         let norm = f64::hypot(0.5, 2.0);
         assert!((loose[(0, 0)] * loose[(1, 0)] + 1.0 / norm.powi(2)).abs() < 1e-9, "{loose}");
         assert!(loose[(2, 0)].abs() < 1e-9);

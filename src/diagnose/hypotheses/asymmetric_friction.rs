@@ -1,5 +1,5 @@
-//! `asymmetric_friction`: viscous levels that differ with direction. A difference of the Coulomb
-//! levels alone is a torque offset while the joint moves; see `torque_offset`.
+//! `asymmetric_friction`: viscous levels that differ with direction. While the joint moves, a
+//! difference of the Coulomb levels alone is a torque offset; see `torque_offset`.
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
@@ -11,7 +11,7 @@ use super::Term;
 use super::moves;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
-/// `FVA |v|`, beside the offset that is always among the unknowns.
+/// `FVA |v|`, in addition to the offset that is always among the unknowns.
 pub struct AsymmetricFriction;
 
 impl Hypothesis for AsymmetricFriction {

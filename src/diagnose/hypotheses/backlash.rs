@@ -1,11 +1,11 @@
-//! `backlash`: a dead zone in the transmission: the link stands half the gap to the side to which
-//! its torque pushes it.
+//! `backlash`: a dead zone in the transmission. The link rests half the gap to the side towards
+//! which its torque pushes it.
 //!
-//! The motor passes the gap in hundredths of a second. What a log shows of that is what its
-//! low-pass left: a hump in the acceleration that the link never had. So the passage goes through
-//! the same low-pass before it is taken off the motion. Sides are decided by the slow part of the
-//! load, recomputed along the link's motion, for along the motor's the model's load contains the
-//! hump.
+//! The motor crosses the gap in hundredths of a second. The low-pass of the log leaves a hump in
+//! the acceleration that the link never had. The transition is therefore filtered by the same
+//! low-pass before it is subtracted from the motion. The side is the sign of the slow part of the
+//! load, recomputed along the link's motion: along the motor's motion the modelled load contains
+//! the hump.
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
@@ -25,28 +25,28 @@ use crate::diagnose::windows::windowed_data::WindowedData;
 /// Link angle `q - (BL / 2) load / sqrt(load^2 + (TB rms)^2)`.
 pub struct Backlash;
 
-/// Step with which the search begins, rad.
+/// First step of the search, rad.
 const FIRST: f64 = 1e-4;
-/// How often the load is worked out: along the motor's motion, then along that of the link that the
-/// load before says.
+/// Number of evaluations of the load: first along the motor's motion, then along that of the link
+/// given by the previous load.
 const ROUNDS: usize = 3;
 
-/// Whether the joint carries load to both sides, so that it passes through a gap.
+/// Whether the joint carries load to both sides, so that it crosses a gap.
 pub(super) fn both_ways(scene: &WindowedData<'_>, j: usize) -> bool {
     let torque = &scene.rigid[j];
     let rms = (torque.iter().map(|t| t * t).sum::<f64>() / scene.len.max(1) as f64).sqrt();
     rms > 0.0 && torque.iter().any(|t| *t > 0.05 * rms) && torque.iter().any(|t| *t < -0.05 * rms)
 }
 
-/// Torque that the gear of joint `j` transmits if its link moves as its motor, over the windows, N
-/// m.
+/// Torque that the gear of joint `j` transmits if its link moves like its motor, over the windows,
+/// N m.
 fn transmitted(scene: &WindowedData<'_>, j: usize) -> Vec<f64> {
     let states = &scene.states[scene.state_of_joint[j]];
     let acceleration = &states.ddq[j * scene.len..(j + 1) * scene.len];
     scene.rigid[j].iter().zip(acceleration).map(|(t, a)| t - scene.rotors[j] * a).collect()
 }
 
-/// The part below `cutoff`, Hz.
+/// Low-pass of a load at `cutoff`, Hz.
 fn slow(scene: &WindowedData<'_>, load: &[f64], cutoff: f64) -> Vec<f64> {
     let mut load = load.to_vec();
     if let Ok(filter) = low_pass(2, cutoff, 1.0 / scene.step) {

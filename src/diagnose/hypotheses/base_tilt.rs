@@ -1,4 +1,4 @@
-//! `base_tilt`: the base is not where gravity says it is.
+//! `base_tilt`: the base is inclined relative to the gravity direction of the file.
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
@@ -12,7 +12,7 @@ use super::Sign;
 use super::Term;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
-/// Base turned by `RotY(pitch) RotX(roll)`.
+/// Base rotated by `RotY(pitch) RotX(roll)`.
 pub struct BaseTilt;
 
 impl Hypothesis for BaseTilt {

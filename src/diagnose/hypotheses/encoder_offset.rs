@@ -1,4 +1,4 @@
-//! `encoder_offset`: a joint's zero is wrong.
+//! `encoder_offset`: the zero of a joint's encoder is wrong.
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
@@ -54,7 +54,7 @@ impl Hypothesis for EncoderOffset {
     }
 
     fn indistinguishable(&self, scene: &WindowedData<'_>, place: &[usize]) -> &'static [&'static str] {
-        // A gap that always lies to the same side.
+        // A gap that always lies to the same side has the same column.
         if both_ways(scene, place[0]) { &[] } else { &[effects::Backlash::NAME] }
     }
 

@@ -1,4 +1,4 @@
-//! `external_contact`: an external wrench acts during part of the log, constant in the axes of the
+//! `external_contact`: an external wrench during a part of the log, constant in the axes of the
 //! tool or of the base.
 
 use std::ops::Range;
@@ -19,26 +19,26 @@ use super::Symbol;
 use super::Term;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData, parts};
 
-/// A constant wrench on the tool between `start` and `end` (seconds of used data, over all logs). It
-/// is given in the tool's axes or, with `base` 1, in those of the base; without `moment` it is a
-/// force at the origin of the tool's frame.
+/// A constant wrench on the tool between `start` and `end` (seconds of used data, over all logs).
+/// It is expressed in the tool's axes or, with `base` 1, in those of the base. Without `moment` it
+/// is a force at the origin of the tool's frame.
 pub struct ExternalContact;
 
 /// Distance from an end of a recording, s, within which a push must be longer than [`SHORT`], s.
 const NEAR_END: f64 = 0.3;
 const SHORT: f64 = 1.0;
 
-/// Least duration, s: what is shorter is an impact, not a force that stays.
+/// Least duration, s: anything shorter is an impact, not a sustained force.
 const BRIEFEST: f64 = 0.25;
 
-/// Least duration of a push with a moment, s. At one posture a wrench fits whatever error six joints
-/// have.
+/// Least duration of a push with a moment, s. At a single posture a wrench fits any error of six
+/// joints.
 const WITH_MOMENT: f64 = 0.5;
 
-/// Largest moment of a push about the joints, by the largest torque that a motor has.
+/// Largest moment of a push about the joints, as a multiple of the largest motor torque.
 const LARGEST: f64 = 2.0;
 
-/// Stretches of the log that are tried.
+/// Number of stretches of the log that are tried.
 const TRIED: usize = 6;
 
 impl Hypothesis for ExternalContact {
@@ -73,7 +73,7 @@ impl Hypothesis for ExternalContact {
         ]
     }
 
-    /// The stretches in which a constant force would take more of the residual than elsewhere.
+    /// Stretches in which a constant force would take more of the residual than elsewhere.
     fn grid(&self, scene: &WindowedData<'_>, _: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let mut found: Vec<Push> = [0.0, 1.0].into_iter().flat_map(|base| pushes(scene, residual, base)).collect();
         found.sort_by(|a, b| b.worth.total_cmp(&a.worth));
@@ -85,8 +85,8 @@ impl Hypothesis for ExternalContact {
         found.iter().flat_map(|p| [0.0, 1.0].map(|moment| shape(p, moment))).collect()
     }
 
-    /// What is very short is an impact; what is short and at an end of a recording is a bristle
-    /// that bends or a low-pass that settles. A push does not go on in the next recording.
+    /// Very short contacts are impacts. Short ones at an end of a recording are presliding
+    /// deflection or a settling low-pass. A push does not continue in the next recording.
     fn shows(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> bool {
         let [start, end] = [shape[0], shape[1]];
         let ends = |run: &Range<usize>| [run.start, run.end].map(|w| w as f64 * scene.step);
@@ -143,7 +143,7 @@ impl Hypothesis for ExternalContact {
         Some([shape[0], shape[1]])
     }
 
-    /// Pushes one after the other, in any of the logs.
+    /// Successive pushes, in any of the logs.
     fn most(&self) -> usize {
         4
     }
@@ -183,14 +183,14 @@ impl Hypothesis for ExternalContact {
 /// A stretch of a log in which a constant force may act.
 struct Push {
     windows: Range<usize>,
-    /// 1 where it is constant in the axes of the base.
+    /// 1 if it is constant in the axes of the base, else 0.
     base: f64,
-    /// What it would gain there beside what one would gain in most other stretches as long.
+    /// Its gain there relative to that of a force in most other stretches of the same length.
     worth: f64,
 }
 
-/// The best stretch of each length. What a force would gain there is compared with what it would gain
-/// in the upper quartile of all stretches as long, and by how many of them there are.
+/// The best stretch of each length. Its gain is compared with the upper quartile of all stretches
+/// of the same length, and penalised by their number.
 fn pushes(scene: &WindowedData<'_>, residual: &[Vec<f64>], base: f64) -> Vec<Push> {
     let (n, dof) = (scene.len, scene.dof());
     let weight: Vec<f64> = residual.iter().map(|row| quiet(row)).collect();
@@ -232,7 +232,7 @@ fn pushes(scene: &WindowedData<'_>, residual: &[Vec<f64>], base: f64) -> Vec<Pus
     found
 }
 
-/// One over the median of a joint's squares, which a short push does not move.
+/// Inverse of the median of a joint's squared residual, which a short push does not affect.
 pub(super) fn quiet(row: &[f64]) -> f64 {
     let mut sizes: Vec<f64> = row.iter().map(|e| e * e).filter(|e| *e > 0.0).collect();
     sizes.sort_by(f64::total_cmp);

@@ -1,4 +1,4 @@
-//! `friction_drift`: friction that changes over time, as grease warms up, or with the temperature
+//! `friction_drift`: friction that changes over time as grease warms up, or with the temperature
 //! where that was recorded.
 
 use dh_codegen::robot::EffectKind;
@@ -17,15 +17,14 @@ use super::geometric;
 use super::moves;
 use crate::diagnose::windows::windowed_data::{JointSeries, WindowedData};
 
-/// `(DC sign(v) + DV v) exp(-t / DT)`; with a temperature column the exponential gives way to
-/// `temp - 25`.
+/// `(DC sign(v) + DV v) exp(-t / DT)`. With a recorded temperature, `temp - 25` replaces the
+/// exponential.
 pub struct FrictionDrift;
 
-/// Temperature at which friction is taken to be the plain terms', deg C: the default of the file's
-/// `T0`.
+/// Reference temperature of the plain friction terms, deg C: the default of the file's `T0`.
 const REFERENCE: f64 = 25.0;
 
-/// Time in which friction fades by the length of the logs, above which it is a level, and not one that fades.
+/// Largest ratio of the fading time to the length of the logs; slower fading is a constant level.
 const SLOWEST: f64 = 1.5;
 
 /// Least length of a log that shows a drift, s.
@@ -37,7 +36,7 @@ impl FrictionDrift {
         scene.own[j].iter().all(|o| o.temperature.len() == o.v.len()) && !scene.own[j].is_empty()
     }
 
-    /// Whether it changed.
+    /// Whether the recorded temperature changed by more than 1 deg C.
     fn warms(scene: &WindowedData<'_>, j: usize) -> bool {
         let all = || scene.own[j].iter().flat_map(|o| o.temperature.iter().copied());
         let (low, high) = (all().fold(f64::INFINITY, f64::min), all().fold(f64::NEG_INFINITY, f64::max));
@@ -72,7 +71,7 @@ impl Hypothesis for FrictionDrift {
         grid
     }
 
-    /// Grease takes minutes to warm up: of a few seconds only a recorded temperature tells.
+    /// Grease takes minutes to warm up: in short logs only a recorded temperature shows it.
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
         moves(scene, place[0]) && (length(scene) > SHORTEST || shape[0] == 0.0)
     }
@@ -101,7 +100,7 @@ impl Hypothesis for FrictionDrift {
     }
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
-        // The file's law scales all friction; of the two parts the larger one says by how much.
+        // The file's law scales all friction; its factor follows from the larger of the two parts.
         let [slope, level, _] = found.levels;
         let share = if level.abs() > 0.2 * slope.abs() { found.x[0] / level } else { found.x[1] / slope };
         let mut all = match found.shape[0] {

@@ -1,5 +1,5 @@
-//! `gear_coupling`: one motor moves another joint's axis, as in wrists whose drives pass through
-//! each other.
+//! `gear_coupling`: one motor moves another joint's axis, as in wrists with drives on concentric
+//! shafts.
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
@@ -16,7 +16,7 @@ use super::moves;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 use crate::model::coupled::CouplingTerm;
 
-/// The farthest that a joint's axis turns with another motor, turns per turn.
+/// Largest turn of a joint's axis per turn of another motor.
 const MOST_TURNS: f64 = 3.0;
 
 /// Motor `m` turns with `dq_m + KC dq_k`: see the table of effects. `place` is `[m, k]`.
@@ -46,12 +46,13 @@ impl Hypothesis for GearCoupling {
         ]
     }
 
-    /// With all of its parts, or without what comes out below zero: no rotor and no friction is.
+    /// All combinations of its terms: those that come out negative are dropped, since no rotor
+    /// inertia and no friction is negative.
     fn grid(&self, _: &WindowedData<'_>, _: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
         [1.0, -1.0].into_iter().flat_map(|ratio| (1..8).map(move |parts| vec![ratio, f64::from(parts)])).collect()
     }
 
-    /// With one part fewer, or two.
+    /// Laws with fewer of these terms.
     fn simpler(&self, _: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> Vec<Law> {
         let parts = shape[1] as u32;
         let with = |count: u32| {
@@ -105,7 +106,7 @@ impl Hypothesis for GearCoupling {
     }
 }
 
-/// The link of joint m stands at `q_m + CQ q_k`: the gear of joint k carries it along, and motor k
+/// The link of joint m is at `q_m + CQ q_k`: the gear of joint k carries it along, and motor k
 /// bears `CQ` times its torque. `place` is `[m, k]`.
 pub struct CarriedAxis;
 
@@ -147,7 +148,7 @@ impl Hypothesis for CarriedAxis {
         let of = |x: &[f64], j: usize| x[j * scene.len..(j + 1) * scene.len].to_vec();
         let by = [of(&states.q, k), of(&states.dq, k), of(&states.ddq, k)];
         let mut rows = scene.moved(m, &by, ratio);
-        // Motor m stands where it was: its rotor does not feel the change.
+        // Motor m does not move: its rotor is not affected by the change.
         rows[m].iter_mut().zip(&by[2]).for_each(|(t, a)| *t -= scene.rotors[m] * a);
         let own = of(&states.ddq, m);
         let on_link: Vec<f64> = scene.rigid[m].iter().zip(&own).map(|(t, a)| t - scene.rotors[m] * a).collect();

@@ -16,7 +16,7 @@ use crate::diagnose::windows::windowed_data::WindowedData;
 /// One of `DALPHA`, `DD`, `DR` of the joint's row. (`DTHETA` is `encoder_offset`.)
 pub struct GeometricError;
 
-/// Keys of the row, and the step of each, rad or m.
+/// Keys of the row with their steps, rad or m.
 const WHICH: [(Key, f64); 3] =
     [(effects::GeometricError::DALPHA, 1e-4), (effects::GeometricError::DD, 1e-4), (effects::GeometricError::DR, 1e-4)];
 
@@ -56,8 +56,8 @@ impl Hypothesis for GeometricError {
         vec![Term::new(WHICH[which].0, column, Sign::Any)]
     }
 
-    /// A length that is off by more than a part of the arm's reach, or a twist that anybody sees,
-    /// is something else that these columns can say.
+    /// A length error beyond a share of the arm's reach, or a clearly visible twist, is another
+    /// error that these columns absorb.
     fn plausible(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64], x: &[f64]) -> bool {
         let most = if shape[1] == 0.0 { TWIST } else { (LENGTH * scene.reach()).max(0.02) };
         x.iter().all(|x| x.abs() <= most)

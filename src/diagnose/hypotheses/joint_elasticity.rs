@@ -1,11 +1,12 @@
 //! `joint_elasticity`: the measured angle is the motor's, and a spring lies between it and the
 //! link.
 //!
-//! The link swings on that spring, excited by the motor's fast motion (it sticks and breaks away at
-//! each reversal), and this swing distinguishes a spring from anything else. So its column is the
-//! link's own equation along the recorded motion (`src/numerics/elastic_joint.rs`), and not the
-//! static deflection alone. Where the motion is too slow to show the swing of a stiff spring, that
-//! spring is damped so far that it winds with its load.
+//! The link oscillates on that spring, excited by the motor's fast motion (it sticks and breaks
+//! away at each reversal), and this oscillation distinguishes a spring from all other causes. The
+//! column is therefore the link's equation of motion along the recorded motion
+//! (`src/numerics/elastic_joint.rs`), and not the static deflection alone. If the motion is too
+//! slow to show the oscillation of a stiff spring, that spring is damped so strongly that it
+//! deflects with its load.
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
@@ -23,22 +24,21 @@ use super::geometric;
 use crate::diagnose::windows::windowed_data::{Slopes, WindowedData};
 use crate::numerics::elastic_joint::{Deflection, LinkLoad, Spring};
 
-/// `KE d + DE d'` is what the link at `q - d` takes.
+/// `KE d + DE d'` is the torque on the link at `q - d`.
 pub struct JointElasticity;
 
-/// Hypotheses on a link behind a spring, in the windows of the data.
+/// Dynamics of a link behind a spring, over the windows of the data.
 struct Link<'s, 'a> {
     scene: &'s WindowedData<'a>,
     joint: usize,
     slopes: std::sync::Arc<Slopes>,
-    /// Torque on the link where it stands as its motor, N m.
+    /// Torque on the link if it moves like its motor, N m.
     load: Vec<f64>,
-    /// Difference of the load if the link moves as its motor, N m; the arm is not linear in the
-    /// deflection.
+    /// Correction of the load for the deflection, N m: the arm is not linear in it.
     bent: Vec<f64>,
-    /// Its inertia, kg m^2.
+    /// Inertia of the link about its axis, kg m^2.
     inertia: Vec<f64>,
-    /// Of the inertia, the usual.
+    /// Median of the inertia, kg m^2.
     usual: f64,
 }
 
@@ -55,7 +55,7 @@ impl<'s, 'a> Link<'s, 'a> {
         if usual.is_nan() || usual <= 0.0 {
             return None;
         }
-        // Of a model that is only estimated the inertia may be anything.
+        // The inertia of an estimated model may have any value.
         inertia.iter_mut().for_each(|m| *m = m.max(0.05 * usual));
         let states = &scene.states[scene.state_of_joint[joint]];
         let acceleration = &states.ddq[joint * scene.len..(joint + 1) * scene.len];
@@ -63,14 +63,14 @@ impl<'s, 'a> Link<'s, 'a> {
         Some(Self { scene, joint, slopes, load, bent: vec![0.0; scene.len], inertia, usual })
     }
 
-    /// The highest resonance that the motion can show, Hz.
+    /// The highest resonance observable in the motion, Hz.
     fn highest(&self) -> f64 {
         let filters = self.scene.own[self.joint].iter().filter_map(|own| own.filters.narrow.first());
         filters.map(|filter| SEEN * filter.cutoff).fold(HIGHEST, f64::min)
     }
 
-    /// Whether the motion shows a spring of this resonance, Hz, and damping ratio: its swing, or,
-    /// above the motion's band, how far the load winds it.
+    /// Whether the motion shows a spring of this resonance, Hz, and damping ratio: its oscillation
+    /// or, above the motion's band, its deflection under load.
     fn shows(&self, frequency: f64, ratio: f64) -> bool {
         let highest = self.highest();
         frequency <= highest || frequency <= HIGHEST && ratio >= STILL
@@ -95,9 +95,9 @@ impl<'s, 'a> Link<'s, 'a> {
             .collect()
     }
 
-    /// The deflection in each run, from rest in the spring. When a model is fitted, it starts from
-    /// the state that explains most of the torque: a log begins somewhere, and the link may swing
-    /// then.
+    /// The deflection in each run, starting from quasi-static equilibrium. While a model is fitted,
+    /// it starts from the state that explains most of the torque, since the link may oscillate when
+    /// a log begins.
     fn wound(&self, spring: Spring) -> Vec<Deflection> {
         let begins = |run: &std::ops::Range<usize>| {
             let asked = self.asked(run.clone());
@@ -118,7 +118,7 @@ impl<'s, 'a> Link<'s, 'a> {
         let (j, scene, asked) = (self.joint, self.scene, self.asked(run.clone()));
         let nothing = vec![0.0; run.len()];
         let free = LinkLoad { load: &nothing, ..asked };
-        // An angle of `start`'s size and a rate that swings as far.
+        // Unit responses: an initial angle, and an initial rate with the same amplitude.
         let rate = (spring.stiffness / self.usual).sqrt();
         let ways = Spring::damped(spring.stiffness, [spring.damping; 2], &free, [[1.0, 0.0], [0.0, rate]]);
         let ways = ways.map(|way| self.adds(j, &way, run.clone()));
@@ -140,8 +140,8 @@ impl<'s, 'a> Link<'s, 'a> {
         spring.integrate(&asked, [start[0] + x, start[1] + y * rate])
     }
 
-    /// How much springs of one resonance, Hz, take of the residual of their joint by their damping
-    /// ratios, N^2 m^2 times windows, without its first second.
+    /// Decrease of the squared residual of the joint by springs of one resonance, Hz, with these
+    /// damping ratios, N^2 m^2 times windows, without the first second.
     fn takes<const N: usize>(&self, frequency: f64, ratios: [f64; N], residual: &[f64]) -> [f64; N] {
         let skip = (1.0 / self.scene.step) as usize;
         let springs = ratios.map(|ratio| self.spring(frequency, ratio));
@@ -163,7 +163,7 @@ impl<'s, 'a> Link<'s, 'a> {
         gains
     }
 
-    /// Of a resonance, Hz, and a damping ratio.
+    /// The spring with this resonance, Hz, and damping ratio.
     fn spring(&self, frequency: f64, ratio: f64) -> Spring {
         let w = std::f64::consts::TAU * frequency;
         Spring { stiffness: w * w * self.usual, damping: 2.0 * ratio * w * self.usual }
@@ -204,7 +204,7 @@ impl Hypothesis for JointElasticity {
     }
 
     /// Spring that explains most of the joint's residual torque: resonances from 0.4 Hz to the
-    /// highest visible one, then finer about the best of them.
+    /// highest observable one, then a finer search about the best of them.
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let Some(link) = Link::new(scene, place[0]) else { return Vec::new() };
         let residual = &residual[place[0]];
@@ -218,7 +218,7 @@ impl Hypothesis for JointElasticity {
             let [gain] = link.takes(frequency, [WINDS], residual);
             all.push((gain, [frequency, WINDS]));
         }
-        // The two highest peaks.
+        // Select the two highest peaks.
         let peak = |i: &usize| {
             let at = |k: usize| all.get(k).map_or(f64::NEG_INFINITY, |a| a.0);
             all[*i].0 > 0.0 && all[*i].0 >= at(i + 1) && (*i == 0 || all[*i].0 >= at(i - 1))
@@ -253,7 +253,7 @@ impl Hypothesis for JointElasticity {
         peaks.iter().take(2).map(finer).collect()
     }
 
-    /// The swing with which a log begins is two more.
+    /// The initial state of the oscillation adds two unknowns.
     fn free(&self, _: &[f64]) -> usize {
         3
     }
@@ -277,7 +277,7 @@ impl Hypothesis for JointElasticity {
         let mut wound = link.wound(spring);
         let mut rows = linear(&link, &wound);
         if wound.iter().flat_map(|w| &w[0]).any(|d| d.abs() > SMALL) {
-            // Once more with what the linear arm lacks.
+            // Repeat with the nonlinear part of the arm's torque.
             let behind: [Vec<f64>; 3] = std::array::from_fn(|k| wound.iter().flat_map(|w| &w[k]).map(|x| -x).collect());
             let mut lacks = scene.moved(j, &behind, 1.0);
             lacks[j].iter_mut().zip(&behind[2]).for_each(|(t, a)| *t -= scene.rotors[j] * a);
@@ -303,7 +303,7 @@ impl Hypothesis for JointElasticity {
         true
     }
 
-    /// A gear that gives way by a radian under the torque that the joint can have is none.
+    /// A gear that deflects by more than a radian under the joint's largest torque is implausible.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], _: &[f64]) -> bool {
         shape[0] * SOFTEST >= scene.rated[place[0]]
     }
@@ -328,16 +328,16 @@ impl Hypothesis for JointElasticity {
 
 /// Least damping ratio, as in the law of the file.
 const LEAST: f64 = dh_codegen::drive::LEAST_DAMPING;
-/// Share of the low-pass's cutoff above which no resonance is searched. A swing there is excited by
-/// motion that the low-pass removed, and the removed motion looks like it.
+/// Share of the low-pass's cutoff above which no resonance is searched. An oscillation there is
+/// excited by motion that the low-pass removed, and resembles that removed motion.
 const SEEN: f64 = 0.7;
-/// Damping ratio of a spring that winds with its load and does not swing, and the least one that a
-/// spring above the band may have: the inertia that it is reckoned with is that of each log.
+/// Damping ratio of a spring that deflects with its load without oscillation, and the least one of
+/// a spring above the band. The inertia used with it is that of each log.
 const WINDS: f64 = 0.7;
 const STILL: f64 = 0.35;
-/// The highest resonance that is searched, Hz.
+/// The highest resonance in the search, Hz.
 const HIGHEST: f64 = 45.0;
-/// The farthest that a spring of a gear winds under the joint's torque, rad.
+/// The largest deflection of a gear under the joint's largest torque, rad.
 const SOFTEST: f64 = 1.0;
-/// A winding beyond which the arm is not taken as linear in it, rad.
+/// Deflection, rad, above which the arm is not treated as linear in it.
 const SMALL: f64 = 3e-3;

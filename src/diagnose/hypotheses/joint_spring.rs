@@ -1,4 +1,5 @@
-//! `joint_spring`: an elastic torque in the joint's angle (gravity spring, cable, hose).
+//! `joint_spring`: an elastic torque as a function of the joint's angle (gravity spring, cable,
+//! hose).
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
@@ -15,8 +16,8 @@ use super::Term;
 use super::moves;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
-/// `KS (q - QS)`, `KS` above zero: what pushes on from its rest is gravity of a wrong mass, or a gain.
-/// The constant part is among the unknowns anyway.
+/// `KS (q - QS)`, `KS` above zero: a torque away from the rest position is due to gravity of a
+/// wrong mass, or to a gain. The constant part is among the unknowns anyway.
 pub struct JointSpring;
 
 impl Hypothesis for JointSpring {
@@ -37,7 +38,7 @@ impl Hypothesis for JointSpring {
         vec![Term::new(effects::JointSpring::KS, scene.pointwise(j, |o, k| o.q[k]), Sign::Positive)]
     }
 
-    /// Over the travel no more than the joint can hold.
+    /// Over the travel its torque is at most what the joint can hold.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
         let [low, high] = scene.travel[place[0]];
         x.iter().all(|stiffness| 0.5 * stiffness.abs() * (high - low) <= scene.rated[place[0]])
@@ -68,14 +69,14 @@ impl Hypothesis for JointSpring {
     }
 }
 
-/// A cable that hangs on one side of `QS` and is taut on the other, or one that stiffens, or both:
+/// A cable that is slack on one side of `QS` and taut on the other, or one that stiffens, or both:
 /// `KS x + KQ x^3`, `x = q - QS`.
 pub struct CableSpring;
 
-/// The numbers of its shape: where it is at rest, and which law it has.
+/// Indices of the shape's numbers: rest position, and index of the law in [`FORMS`].
 const REST: usize = 0;
 const FORM: usize = 1;
-/// The side that is taut (0: both) and whether it stiffens.
+/// Laws: the side that is taut (0: both), and whether the cable stiffens.
 const FORMS: [(f64, bool); 5] = [(1.0, false), (-1.0, false), (1.0, true), (-1.0, true), (0.0, true)];
 
 impl CableSpring {
@@ -120,7 +121,7 @@ impl Hypothesis for CableSpring {
         laws
     }
 
-    /// At the ends of the travel a cable that is always taut, or never, is none.
+    /// Near the ends of the travel a cable is always taut, or never, and not identifiable.
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
         let [low, high] = scene.travel[place[0]];
         let edge = 0.05 * (high - low);
@@ -141,7 +142,8 @@ impl Hypothesis for CableSpring {
         terms
     }
 
-    /// It pulls back from its rest on, and over the travel with no more than the joint can hold.
+    /// It pulls back towards its rest position, over the travel with at most what the joint can
+    /// hold.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], x: &[f64]) -> bool {
         let (side, _) = Self::form(shape);
         let pull = |at: f64| x.iter().zip([at, at.powi(3)]).map(|(k, x)| k * x).sum::<f64>();

@@ -1,4 +1,4 @@
-//! `link_inertia_error`: the given inertial parameters of a link are wrong.
+//! `link_inertia_error`: the inertial parameters of a link in the file are wrong.
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
@@ -15,7 +15,7 @@ use crate::diagnose::fit::regulariser::deviations;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::{Inertial, StandardParameter};
 
-/// The ten parameters of the joint's link.
+/// Changes of the ten parameters of the joint's link.
 pub struct LinkInertiaError;
 
 impl Hypothesis for LinkInertiaError {
@@ -56,8 +56,7 @@ impl Hypothesis for LinkInertiaError {
         rotor.then_some(DATA_SHEET)
     }
 
-    /// A last link that is heavier by something that can be a body has a payload on it: the columns
-    /// are the same.
+    /// A heavier last link is reported as a payload, which has the same columns.
     fn equivalent_robot_cause(
         &self,
         scene: &WindowedData<'_>,

@@ -1,4 +1,4 @@
-//! `load_dependent_friction`: friction grows with the torque that the gear transmits.
+//! `load_dependent_friction`: friction that grows with the torque that the gear transmits.
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
@@ -14,7 +14,7 @@ use super::Term;
 use super::moves;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
-/// `FL |tau_load| sign(v)`; where the load drives the motor, `FLB` may take the place of `FL`.
+/// `FL |tau_load| sign(v)`; optionally with `FLB` in place of `FL` where the load drives the motor.
 pub struct LoadDependentFriction;
 
 impl Hypothesis for LoadDependentFriction {
@@ -56,7 +56,7 @@ impl Hypothesis for LoadDependentFriction {
         ]
     }
 
-    /// A gear that loses as much as it transmits is locked.
+    /// A gear that loses as much torque as it transmits is locked.
     fn plausible(&self, _: &WindowedData<'_>, _: &[usize], _: &[f64], x: &[f64]) -> bool {
         x.iter().all(|x| *x < 1.0)
     }

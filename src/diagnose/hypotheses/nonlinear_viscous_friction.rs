@@ -15,11 +15,11 @@ use super::geometric;
 use super::moves;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
-/// `FN |v|^EN sign(v)`, or `FN v / (|v| + VN)`, which saturates.
+/// `FN |v|^EN sign(v)`, or the saturating `FN v / (|v| + VN)`.
 pub struct NonlinearViscousFriction;
 
-/// Least speed of half of the friction, by the joint's fastest: below it the law is dry friction
-/// whose sign changes smoothly.
+/// Least speed at half of the friction, relative to the joint's maximum. Below it the law is dry
+/// friction whose sign changes smoothly.
 const SLOWEST: f64 = 0.05;
 
 impl Hypothesis for NonlinearViscousFriction {
@@ -55,17 +55,17 @@ impl Hypothesis for NonlinearViscousFriction {
         powers.chain(geometric(slow, fast, 4).into_iter().map(|v| vec![1.0, v])).collect()
     }
 
-    /// A power, or one that saturates.
+    /// Law of a shape: 0 a power, 1 saturating.
     fn law(&self, shape: &[f64]) -> usize {
         usize::from(shape[1] > 0.0)
     }
 
-    /// Of the two numbers one is in use.
+    /// One of the two numbers is in use.
     fn free(&self, _: &[f64]) -> usize {
         1
     }
 
-    /// Neither what is constant over nearly all speeds nor what is in proportion to them.
+    /// Laws that are constant over nearly all speeds, or proportional to speed, are excluded.
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
         let fast = scene.fastest[place[0]];
         let differs = match shape[1] {
@@ -75,7 +75,7 @@ impl Hypothesis for NonlinearViscousFriction {
         moves(scene, place[0]) && differs
     }
 
-    /// A speed that runs to the least that is looked for is no estimate.
+    /// A speed at the lower end of the search range is no estimate.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], _: &[f64]) -> bool {
         shape[1] == 0.0 || shape[1] > 1.1 * SLOWEST * scene.fastest[place[0]]
     }

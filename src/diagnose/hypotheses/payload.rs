@@ -15,16 +15,16 @@ use crate::diagnose::fit::regulariser::of_size;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData};
 use crate::model::{Inertial, StandardParameter};
 
-/// A payload by the arm's own mass: a third to a half is what light arms are rated for.
+/// Prior mass of a payload relative to the arm's mass: light arms are rated for a third to a half.
 const CARRIED: f64 = 0.3;
-/// How far its centre of mass may be from the last frame, m.
+/// Prior distance of its centre of mass from the last frame, m.
 const AWAY: f64 = 0.15;
 
 /// The ten parameters of a body in the last frame.
 pub struct Payload;
 
-/// Torques of one unit of each of the ten parameters of a row's body, per joint, through the base
-/// parameters that they belong to.
+/// Torques per unit of each of the ten parameters of a row's body, per joint, through the base
+/// parameters to which they belong.
 pub(super) fn body_columns(scene: &WindowedData<'_>, row: usize) -> [Vec<Vec<f64>>; 10] {
     let base = scene.plant.base_parameters();
     let factors: [Vec<f64>; 10] = std::array::from_fn(|which| {
@@ -41,7 +41,8 @@ pub(super) fn body_columns(scene: &WindowedData<'_>, row: usize) -> [Vec<Vec<f64
     columns
 }
 
-/// Columns of the ten parameters of a row's body under these keys, those without effect left out.
+/// Columns of the ten parameters of a row's body under these keys, without those that have no
+/// effect.
 pub(super) fn body_terms(scene: &WindowedData<'_>, row: usize, keys: [Key; 10]) -> Vec<Term> {
     let columns = keys.into_iter().zip(body_columns(scene, row));
     let term = |(key, torques): (Key, Vec<Vec<f64>>)| {
@@ -83,7 +84,7 @@ impl Hypothesis for Payload {
         &[effects::LinkInertiaError::NAME]
     }
 
-    /// As heavy as arms carry, a hand's breadth away.
+    /// As heavy as arms carry, at [`AWAY`] from the last frame.
     fn prior_std(&self, scene: &WindowedData<'_>, _: &[usize], terms: &[Term]) -> Option<Vec<f64>> {
         let given = scene.plant.given()?;
         let arm: f64 = scene

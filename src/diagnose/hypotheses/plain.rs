@@ -1,5 +1,5 @@
 //! `viscous_friction`, `coulomb_friction`, `torque_offset`: always among the unknowns, so that no
-//! other cause has to stand in for them.
+//! other cause has to absorb them.
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects::{self, Key};
@@ -10,7 +10,7 @@ use super::Sign;
 use super::Term;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
-/// One of the three.
+/// One of the three plain friction terms.
 pub struct Plain {
     effect: EffectKind,
     key: Key,

@@ -1,8 +1,8 @@
-//! A body with few unknowns: a mass at a point, as a law of `payload` and of `link_inertia_error`.
+//! A body with few unknowns: a point mass, as a law of `payload` and of `link_inertia_error`.
 //!
-//! Ten free parameters find something in any structured error, mostly inertias that no body has. A
-//! mass at a point has four numbers: the mass, and its first moments. Its inertia follows from
-//! them, and is taken as linear in the first moments, at the centre of mass of the fit before.
+//! Ten free parameters fit a part of any structured error, mostly with inertias that no body has. A
+//! point mass has four numbers: the mass, and its first moments. Its inertia follows from them. It
+//! is linearised in the first moments, at the centre of mass of the previous fit.
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects::{self, Key};
@@ -12,27 +12,28 @@ use super::{Estimate, Hypothesis, Kind, Named, Scope, Shape, Sign, Symbol, Term,
 use crate::diagnose::windows::windowed_data::WindowedData;
 use link_inertia_error::LinkInertiaError;
 
-/// A mass at a point of the last frame, or of the frame of a joint's link.
+/// A point mass in the last frame, or in the frame of a joint's link.
 pub struct PointMass {
     /// Whether it is fixed to the flange.
     payload: bool,
 }
 
-/// At the flange.
+/// Point mass at the flange.
 pub const POINT_PAYLOAD: PointMass = PointMass { payload: true };
-/// On a link.
+/// Point mass on a link.
 pub const POINT_LINK: PointMass = PointMass { payload: false };
 
-/// Farthest centre of mass from its frame, m; beyond it the data don't tell mass and moments apart.
+/// Largest distance of the centre of mass from its frame, m; farther away the data do not separate
+/// mass and moments.
 const FARTHEST: f64 = 0.6;
 
-/// A number of the centre of mass; it follows the coefficients, so no search moves it.
+/// A coordinate of the centre of mass. It follows from the coefficients, so no search changes it.
 const fn axis(name: &'static str) -> Shape {
     Shape { symbol: Symbol::Own(name), unit: "m", range: [-FARTHEST, FARTHEST], step: None }
 }
 
 /// Inertia of a first moment of 1 kg m along axis `k` at centre of mass `c`: `XX, YY, ZZ, XY, XZ,
-/// YZ`. Of `m c` at `c` the sum over the axes is that of a point mass.
+/// YZ`. For `m c` at `c` the sum over the axes is that of a point mass.
 pub fn inertia(k: usize, c: &[f64]) -> [f64; 6] {
     let along = |i: usize| if i == k { c[i] } else { 0.0 };
     let product = |i: usize, j: usize| {
@@ -52,12 +53,12 @@ impl PointMass {
         if self.payload { &Payload } else { &LinkInertiaError }
     }
 
-    /// First moments that were found.
+    /// Fitted first moments.
     fn moments(&self, terms: &[Term], x: &[f64]) -> [f64; 3] {
         std::array::from_fn(|k| self.value(terms, x, 1 + k).unwrap_or(0.0))
     }
 
-    /// One of the ten that was found, if it has a column.
+    /// One of the ten fitted parameters, if it has a column.
     fn value(&self, terms: &[Term], x: &[f64], which: usize) -> Option<f64> {
         let symbol = Symbol::Key(self.keys()[which]);
         terms.iter().zip(x).find(|(t, _)| t.symbol == symbol).map(|(_, x)| *x)
@@ -77,7 +78,7 @@ impl Hypothesis for PointMass {
         self.body().scope()
     }
 
-    /// The centre of mass, at which the inertia is taken.
+    /// Centre of mass at which the inertia is linearised.
     fn shape(&self) -> &'static [Shape] {
         const { &[axis("cx"), axis("cy"), axis("cz")] }
     }
@@ -143,7 +144,7 @@ impl Hypothesis for PointMass {
         self.body().prior_std(scene, place, terms)
     }
 
-    /// The ten parameters: those of inertia as the first moments make them.
+    /// The ten parameters; the inertias follow from the first moments.
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
         let moments = self.moments(found.terms, found.x);
         let mut sums = [0.0; 6];

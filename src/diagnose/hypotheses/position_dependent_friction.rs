@@ -70,7 +70,7 @@ impl Hypothesis for PositionDependentFriction {
         ]
     }
 
-    /// Friction that varies by more than the joint can overcome is none.
+    /// Friction that varies by more than the joint can overcome is implausible.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
         x.iter().map(|x| x * x).sum::<f64>().sqrt() <= 0.5 * scene.rated[place[0]]
     }

@@ -13,16 +13,17 @@ use super::geometric;
 use super::moves;
 use crate::diagnose::windows::windowed_data::{JointSeries, WindowedData};
 
-/// `HC z`, `dz/dt = (v / HX) (1 - z sign v)`, in place of as much Coulomb friction as the fit
-/// gives.
+/// `HC z`, `dz/dt = (v / HX) (1 - z sign v)`, which replaces a part of the Coulomb friction in the
+/// fit.
 pub struct PreslidingHysteresis;
 
-/// Shortest presliding distance, by the joint's travel: a third of the first that is tried.
+/// Shortest presliding distance, relative to the joint's travel: a third of the first in the grid.
 const SHORTEST: f64 = 1e-4;
 
-/// Dahl's state, integrated in closed form over each sample: `z -> s + (z - s) exp(-|dq| / HX)`.
+/// State of the Dahl model, integrated in closed form over each sample: `z -> s + (z - s) exp(-|dq|
+/// / HX)`.
 pub fn bristle(own: &JointSeries<'_>, distance: f64) -> Vec<f64> {
-    // Begins sheared by the motion that the stretch begins with.
+    // Initially fully deflected in the direction of the first motion.
     let mut z = own.sign.iter().find(|s| *s != 0.0).unwrap_or(0.0);
     let mut last = own.q.first().copied().unwrap_or(0.0);
     own.q
@@ -76,7 +77,8 @@ impl Hypothesis for PreslidingHysteresis {
         )]
     }
 
-    /// Less than the joint can overcome, over a distance that is more than none: else it is a level.
+    /// Friction below what the joint can overcome, over a significant distance: otherwise it is a
+    /// level.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], x: &[f64]) -> bool {
         let [low, high] = scene.travel[place[0]];
         shape[0] >= SHORTEST * (high - low) && x.iter().all(|level| *level <= scene.rated[place[0]])

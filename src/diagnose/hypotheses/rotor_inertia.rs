@@ -17,15 +17,15 @@ use crate::diagnose::windows::windowed_data::WindowedData;
 /// `IA ddq`.
 pub struct RotorInertia;
 
-/// Part of the largest acceleration by which two columns of the same series differ at most. Right
-/// angles that a file has rounded leave as much of what they should have made 0.
+/// Largest difference between two equal columns, as a share of the largest acceleration. Right
+/// angles that a file has rounded leave such remainders in place of 0.
 const ROUNDED: f64 = 1e-4;
 
-/// What tells a rotor from a link that [`shows_as_a_rotor`].
+/// Information that separates a rotor from a link that [`shows_as_a_rotor`].
 pub(super) const DATA_SHEET: &str = "the rotor's inertia in the drive's data sheet";
 
-/// Whether all that the torques show of a joint's link is the torque of a rotor, as with the inertia
-/// of a first link about its vertical axis.
+/// Whether a joint's link acts on the torques like a rotor only, as the inertia of a first link
+/// about its vertical axis does.
 pub(super) fn shows_as_a_rotor(scene: &WindowedData<'_>, j: usize) -> bool {
     let own = scene.pointwise(j, |o, k| o.a[k]);
     let link = body_terms(scene, scene.plant.rows()[j], effects::LinkInertiaError::BODY);
@@ -59,7 +59,7 @@ impl Hypothesis for RotorInertia {
         vec![Term::new(effects::RotorInertia::IA, scene.pointwise(j, |o, k| o.a[k]), Sign::Any)]
     }
 
-    /// No rotor has less than none.
+    /// The total rotor inertia must not be negative.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
         x.iter().all(|x| scene.rotors[place[0]] + x >= 0.0)
     }

@@ -66,7 +66,7 @@ impl Hypothesis for StribeckFriction {
     }
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
-        // The breakaway level: the sum of the Coulomb level and the part that falls.
+        // The breakaway level: the sum of the Coulomb level and the decaying part.
         let [_, coulomb, _] = found.levels;
         vec![
             Named::new(effects::StribeckFriction::FS, coulomb + found.x[0], Some(found.std_with(0, 1))),
@@ -76,7 +76,7 @@ impl Hypothesis for StribeckFriction {
         ]
     }
 
-    /// Less than the joint can overcome.
+    /// The joint must be able to overcome it.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
         x.iter().all(|level| *level <= scene.rated[place[0]])
     }

@@ -18,7 +18,7 @@ use crate::diagnose::windows::windowed_data::{MOST_DELAY, WindowedData};
 /// `tau(t)` belongs to the motion at `t - TD`: of one joint, or of all.
 pub struct TimeDelay;
 
-/// The delay that most joints have.
+/// Median of the delays: that of most joints.
 fn common(delays: &[f64]) -> f64 {
     let mut sorted = delays.to_vec();
     sorted.sort_by(f64::total_cmp);
@@ -56,7 +56,7 @@ impl Hypothesis for TimeDelay {
                 if !place.is_empty() && place[0] != j {
                     return vec![0.0; scene.len];
                 }
-                // By less than a window no step of friction comes into a window that is used.
+                // With a delay shorter than a window, no step of friction enters a used window.
                 let torque = if shape[0].abs() < scene.step { &scene.smooth[j] } else { &scene.whole[j] };
                 let late = scene.delayed(torque, shape[0]);
                 late.iter().zip(&**torque).map(|(a, b)| (a - b) / shape[0]).collect()
@@ -87,7 +87,8 @@ impl Hypothesis for TimeDelay {
             && self.above_resolution(scene, place, x)[0] > 0.0
     }
 
-    /// Beyond half a sample, the resolution of sampling times. Of one joint: from the others.
+    /// Beyond half a sample, the resolution of sampling times; for one joint relative to the
+    /// others.
     fn above_resolution(&self, scene: &WindowedData<'_>, place: &[usize], x: &[f64]) -> Vec<f64> {
         let late = match place {
             [] => common(&scene.delays) + x[0],

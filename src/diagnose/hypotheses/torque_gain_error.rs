@@ -1,4 +1,4 @@
-//! `torque_gain_error`: a joint's torque is scaled.
+//! `torque_gain_error`: the measured torque of a joint has a wrong scale.
 
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
@@ -42,7 +42,7 @@ impl Hypothesis for TorqueGainError {
         true
     }
 
-    /// A torque that hardly goes with the arm's own any more is not a scaled one.
+    /// A torque that hardly correlates with the arm's is not a scaled one.
     fn plausible(&self, _: &WindowedData<'_>, _: &[usize], _: &[f64], x: &[f64]) -> bool {
         x.first().is_none_or(|x| (-0.7..2.0).contains(x))
     }

@@ -13,20 +13,20 @@ use super::moves;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::numerics::periodogram::{Orders, Sample, periodogram};
 
-/// The largest ripple, as a share of the joint's torque.
+/// The largest ripple, as a share of the joint's rated torque.
 const LARGEST: f64 = 0.3;
 
 /// `RC cos(RN q) + RS sin(RN q)`.
 pub struct TorqueRipple;
 
-/// Orders whose periodogram of the residual over the angle stands out, highest first.
+/// Orders of the peaks in the residual's periodogram over the angle, highest first.
 fn peaks(scene: &WindowedData<'_>, j: usize, residual: &[f64]) -> Vec<f64> {
     let [low, high] = scene.travel[j];
     let range = (high - low).max(0.05);
     let q: Vec<f64> = scene.own_series(j, |o| o.q.to_vec());
     let v: Vec<f64> = scene.own_series(j, |o| o.v.to_vec());
     let used: Vec<usize> = (0..scene.len).filter(|&w| scene.live[j][w]).collect();
-    // Beyond this an order goes round within a window for most of the data.
+    // Above this order, most windows contain more than a period.
     let mut speeds: Vec<f64> = used.iter().map(|&w| v[w].abs()).collect();
     speeds.sort_by(f64::total_cmp);
     let typical = speeds.get(speeds.len() / 3).copied().unwrap_or(0.0).max(1e-3);
@@ -86,7 +86,7 @@ impl Hypothesis for TorqueRipple {
     }
 
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
-        // Less than a period and a half in the travel is no ripple.
+        // Less than a period and a half within the travel is not identifiable as ripple.
         let [low, high] = scene.travel[place[0]];
         moves(scene, place[0]) && shape[0] * (high - low) >= 9.4
     }
@@ -103,8 +103,8 @@ impl Hypothesis for TorqueRipple {
         ]
     }
 
-    /// Ripple that gears and motors have anyway: measured are 0.5 to 1.3 % of the torque limit (see
-    /// the table of effects).
+    /// At most [`LARGEST`]. Ripple of gears and motors was measured as 0.5 to 1.3 % of the torque
+    /// limit (see the table of effects).
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
         x.iter().map(|x| x * x).sum::<f64>().sqrt() <= LARGEST * scene.rated[place[0]]
     }

@@ -36,7 +36,7 @@ impl Hypothesis for TorqueSaturation {
     }
 
     fn grid(&self, scene: &WindowedData<'_>, place: &[usize], _: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        // A clipped torque lies on its bound for some of the time.
+        // A clipped torque is at its bound for some of the time.
         let mut sizes: Vec<f64> = scene.y[place[0]].iter().map(|t| t.abs()).filter(|t| *t > 0.0).collect();
         sizes.sort_by(f64::total_cmp);
         let at = |share: f64| sizes.get((share * sizes.len() as f64) as usize).copied();
@@ -63,7 +63,7 @@ impl Hypothesis for TorqueSaturation {
         true
     }
 
-    /// A bound holds: next to nothing beyond it but noise.
+    /// Hardly any measured torque exceeds the bound, apart from noise.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], x: &[f64]) -> bool {
         let j = place[0];
         let most = shape[0] + (0.02 * shape[0]).max(4.0 * scene.noise[j]);

@@ -1,5 +1,5 @@
-//! A wall: a second law of `external_contact`. It pushes along its normal in proportion to the depth
-//! of the tool's origin behind it, whenever that is there.
+//! A wall: a second law of `external_contact`. It pushes the tool's origin along the wall's normal,
+//! in proportion to its depth behind the wall.
 
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -20,43 +20,43 @@ use super::Term;
 use super::external_contact::{ExternalContact, quiet};
 use crate::diagnose::windows::windowed_data::WindowedData;
 
-/// `k max(at - n'p, 0)` along `n`.
+/// Force `k max(at - n'p, 0)` along `n`.
 pub struct Wall;
 
-/// Numbers of its shape: one of [`directions`], two tilts of the normal from it in radians, the point
-/// about which it tilts, and the plane's distance from that along the normal, in metres.
+/// Indices of the shape's numbers: one of [`directions`], two tilts of the normal from it in
+/// radians, distance of the plane from the pivot along the normal in metres, pivot.
 const DIRECTION: usize = 0;
 const TILTS: [usize; 2] = [1, 2];
 const BEYOND: usize = 3;
 const PIVOT: usize = 4;
 
-/// Directions of the normal that are tried: along axes, edges and diagonals of a cube.
+/// Candidate directions of the normal: along axes, edges and diagonals of a cube.
 fn directions() -> impl Iterator<Item = Vector3<f64>> {
     let three = || [-1.0, 0.0, 1.0].into_iter();
     let all = three().flat_map(move |x| three().flat_map(move |y| three().map(move |z| Vector3::new(x, y, z))));
     all.filter(|n| n.norm() > 0.5).map(|n| n.normalize())
 }
 
-/// Largest tilt from a direction: to the next one are 0.62 to 0.79 rad.
+/// Largest tilt from a direction, rad: the angle to the next one is 0.62 to 0.79 rad.
 const TILTED: f64 = 0.8;
 
-/// Parts of the log that are behind the wall in the first trial of each direction.
+/// Shares of the log behind the wall in the first trial of each direction.
 const BEHIND: [f64; 6] = [0.05, 0.12, 0.22, 0.35, 0.5, 0.65];
 
-/// Least and largest part of the log behind it. What is always behind is a spring.
+/// Least and largest share of the log behind it. Permanent contact is a spring.
 const SHARE: [f64; 2] = [0.02, 0.8];
 
 /// Least time behind it, s.
 const LEAST: f64 = 0.5;
 
-/// Shapes that are tried with everything else refitted.
+/// Number of shapes tried with everything else refitted.
 const TRIED: usize = 8;
 
-/// Unit normal of a shape. It does not lean out of the plane of an arm that has one: along what is
-/// across it a force gives no torque.
+/// Unit normal of a shape. For a planar arm it stays in the arm's plane, since a force normal to
+/// that plane causes no torque.
 fn normal(scene: &WindowedData<'_>, shape: &[f64]) -> Vector3<f64> {
     let middle = directions().nth(shape[DIRECTION].max(0.0) as usize).unwrap_or_else(Vector3::z);
-    // An axis that is not along it.
+    // An axis that is not parallel to it.
     let aside = if middle.x.abs() < FRAC_1_SQRT_2 { Vector3::x() } else { Vector3::y() };
     let first = middle.cross(&aside).normalize();
     let second = middle.cross(&first);
@@ -64,17 +64,18 @@ fn normal(scene: &WindowedData<'_>, shape: &[f64]) -> Vector3<f64> {
     inside(scene, &free).unwrap_or(middle)
 }
 
-/// A direction without what gives no torque in it, of length 1; `None` where little is left of it.
+/// Normalised projection of a direction onto those in which a force causes torque; `None` where
+/// little of it remains.
 fn inside(scene: &WindowedData<'_>, direction: &Vector3<f64>) -> Option<Vector3<f64>> {
     let idle = scene.directions_without_torque();
     let across: Vector3<f64> = idle.iter().map(|across| across * across.dot(direction)).sum();
     (direction - across).try_normalize(LEAST_INSIDE * direction.norm())
 }
 
-/// Least part of a direction inside the plane of an arm for it to be one there.
+/// Least share of a direction within the plane of an arm for the projection to be used.
 const LEAST_INSIDE: f64 = 0.1;
 
-/// The same of one that is tried: what leans out farther is one of the others there.
+/// The same for a candidate direction: one with a smaller share is close to another candidate.
 const MOSTLY: f64 = 0.85;
 
 /// Distance of the plane of a shape from the base along its normal, m.
@@ -92,24 +93,24 @@ fn depths(positions: &[f64], normal: &Vector3<f64>, at: f64) -> Vec<f64> {
     (0..positions.len() / 3).map(|w| (at - height(positions, normal, w)).max(0.0)).collect()
 }
 
-/// Torques of a unit force along the normal, `[joint][window]`.
+/// Torques of a unit force along the normal, `[joint][window]`, N m/N.
 fn along(scene: &WindowedData<'_>, normal: &Vector3<f64>) -> Vec<Vec<f64>> {
     let (unit, dof, len) = (scene.forces(), scene.dof(), scene.len);
     let torque = |j: usize, w: usize| -(0..3).map(|c| normal[c] * unit[(c * dof + j) * len + w]).sum::<f64>();
     (0..dof).map(|j| (0..len).map(|w| torque(j, w)).collect()).collect()
 }
 
-/// A plane on trial: what its force would take of the residual.
+/// A candidate plane, with the gain of its force.
 struct Plane {
     direction: usize,
     normal: Vector3<f64>,
     at: f64,
-    /// Its torques times the residual, and times themselves, weighted.
+    /// Weighted sums of its torques times the residual, and of its torques squared.
     sums: [f64; 2],
 }
 
 impl Plane {
-    /// Those of one normal that have parts of the log behind them.
+    /// Candidate planes of one normal, each with a share of the log behind it.
     fn of(direction: usize, normal: Vector3<f64>, positions: &[f64]) -> impl Iterator<Item = Self> {
         let mut heights: Vec<f64> = (0..positions.len() / 3).map(|w| height(positions, &normal, w)).collect();
         heights.sort_by(f64::total_cmp);
@@ -122,8 +123,8 @@ impl Plane {
         self.sums[1] += depth * depth * own;
     }
 
-    /// As a shape, which tilts about the middle of what is behind it: about a point far from there a
-    /// tilt would also move it.
+    /// The plane as a shape, which tilts about the mean position behind it: a tilt about a distant
+    /// point would also move the plane.
     fn shape(&self, positions: &[f64]) -> Vec<f64> {
         let len = positions.len() / 3;
         let behind: Vec<usize> = (0..len).filter(|&w| height(positions, &self.normal, w) < self.at).collect();
@@ -133,7 +134,7 @@ impl Plane {
         vec![self.direction as f64, 0.0, 0.0, beyond, middle.x, middle.y, middle.z]
     }
 
-    /// It pushes and does not pull.
+    /// Only a pushing force counts.
     fn gain(&self) -> f64 {
         let [with, own] = self.sums;
         if with > 0.0 && own > 0.0 { with * with / own } else { 0.0 }
@@ -197,7 +198,7 @@ impl Hypothesis for Wall {
         depth.into_iter().map(|depth| depth > 0.0).collect()
     }
 
-    /// What is met nowhere, or never left, is no wall.
+    /// A plane that is never reached, or never left, is not a wall.
     fn shows(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> bool {
         let behind = self.touches(scene, shape).into_iter().filter(|behind| *behind).count();
         let share = behind as f64 / scene.len.max(1) as f64;
@@ -213,7 +214,7 @@ impl Hypothesis for Wall {
         if column.rows.is_empty() { Vec::new() } else { vec![Term::new(Keys::K, column, Sign::Positive)] }
     }
 
-    /// The force where the tool is deepest is one that the motors can bear.
+    /// The force at the largest depth must be within what the motors can bear.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64], x: &[f64]) -> bool {
         let deepest = depths(scene.tool_positions(), &normal(scene, shape), distance(scene, shape))
             .into_iter()
@@ -227,7 +228,7 @@ impl Hypothesis for Wall {
             [n.x, n.y, n.z, distance(found.scene, shape)]
         };
         let values = of(found.shape);
-        // Each number of the shape moved by its deviation: the pivot is where they are independent.
+        // Vary each number by its standard deviation: about the pivot they are independent.
         let moved = (0..found.shape.len()).filter_map(|k| {
             let mut shape = found.shape.to_vec();
             shape[k] += found.shape_std[k]?;

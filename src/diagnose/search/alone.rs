@@ -1,31 +1,30 @@
-//! Whether what acts in a part of a log shows there alone.
+//! Whether a cause that acts in a part of a log is supported in that part alone.
 
 use super::candidate::evaluate;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::windows::windowed_data::WindowedData;
 
-/// What acts in a part of a log gains at least so many times what it would gain elsewhere.
+/// Factor by which the gain of a local cause must exceed its gain elsewhere in the log.
 const ALONE: f64 = 3.0;
 
-/// Duration, s, up to which a stretch must stand out from all others but one: errors of the motion
-/// are as brief, and rare. A longer one stands out from three quarters of the others, since there
-/// may be several.
+/// Duration, s, up to which a stretch must stand out from all others but one, because errors of the
+/// recorded motion are as brief, and rare. A longer stretch must stand out from three quarters of
+/// the others, since several causes may act.
 const BRIEF: f64 = 0.5;
 
-/// Stretches that are looked at on either side.
+/// Maximum number of stretches compared on either side.
 const MOST: usize = 400;
 
-/// Whether a cause acts for so short a time that errors of the motion last as long.
+/// Whether a cause acts for so short a time that errors of the recorded motion last as long.
 pub(in crate::diagnose) fn is_brief(chosen: &Chosen) -> bool {
     chosen.cause.acts(&chosen.shape).is_some_and(|[start, end]| end - start <= BRIEF)
 }
 
-/// Share of its windows in which something else touches the robot that leaves a push no evidence of
-/// its own.
+/// Share of its windows with another contact above which a push has no evidence of its own.
 const TOUCHED: f64 = 0.5;
 
-/// Whether what acts in a part of a log does so while another cause touches the robot: it is then an
-/// error of that one's law, which says how a force depends on the position and not what else it does.
+/// Whether a local cause acts while another cause is in contact with the robot. It is then an error
+/// of that contact's law, which models the force as a function of position alone.
 pub(in crate::diagnose) fn is_an_error_of_contact<'c>(
     scene: &WindowedData<'_>,
     last: &Chosen,
@@ -40,10 +39,11 @@ pub(in crate::diagnose) fn is_an_error_of_contact<'c>(
     others.into_iter().any(|other| share(other) > TOUCHED)
 }
 
-/// Least motion of a stretch, by that in the part of a log where a cause acts, for it to be compared.
+/// Least motion of a compared stretch, as a share of the motion in the part where the cause acts.
 const AS_MUCH: f64 = 0.5;
 
-/// Sums up to each window of how much the arm moves: of all joints, the speed by the joint's fastest.
+/// Cumulative motion of the arm up to each window: the speeds of all joints, each divided by its
+/// maximum, summed.
 fn motion(scene: &WindowedData<'_>) -> Vec<f64> {
     let mut sums = vec![0.0; scene.len + 1];
     for j in 0..scene.dof() {
@@ -57,11 +57,11 @@ fn motion(scene: &WindowedData<'_>) -> Vec<f64> {
     sums
 }
 
-/// Whether a cause gains far more in its part of a log than it would anywhere else: a slow error
-/// looks like a constant wrench in any short piece, and one of the motion in any piece with as much of
-/// it. So it stands out from all stretches, and from those in which the arm moves as much. `before` is the
-/// model without it.
-/// Where there is nothing to compare with, that is unknown, and it is not taken for alone.
+/// Whether a cause gains far more in its part of the log than it would anywhere else. A slow error
+/// resembles a constant wrench in any short stretch, and a motion-related one in any stretch with
+/// as much motion. The gain is therefore compared with all stretches, and with those in which the
+/// arm moves as much. `before` is the model without the cause. Without any stretch to compare with,
+/// the answer is unknown, and `false` is returned.
 pub(in crate::diagnose) fn is_alone(tested: &ModelUnderTest<'_>, before: &Fitted, chosen: &Chosen) -> bool {
     let Chosen { cause, place, shape, .. } = chosen;
     let Some([start, end]) = cause.acts(shape) else { return true };
@@ -81,7 +81,7 @@ pub(in crate::diagnose) fn is_alone(tested: &ModelUnderTest<'_>, before: &Fitted
     let least = AS_MUCH * moved(start);
     let brief = is_brief(chosen);
     let step = length.max(1e-3);
-    // From its ends onwards, so that a short log has some too.
+    // Start at the ends of the stretch, so that a short log also has stretches to compare.
     let [room_before, room_after] = [start, all - end].map(|room| room - length + 1e-9);
     let steps = |room: f64| (0..MOST).map(move |k| k as f64 * step).take_while(move |by| *by <= room);
     let begins = steps(room_before).map(|by| start - length - by).chain(steps(room_after).map(|by| end + by));

@@ -1,4 +1,5 @@
-//! Plain friction, which is always among the unknowns, on a par with the other causes.
+//! Compares plain friction, which is always among the unknowns, with the other causes on equal
+//! terms.
 
 use super::candidate::{Candidate, candidates, logs, rivals, unknowns};
 use super::judge::{Accepted, Judge, adopt, chosen_of};
@@ -7,22 +8,22 @@ use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
 use crate::diagnose::hypotheses::Hypothesis;
 use dh_codegen::robot::effects;
 
-/// Causes of plain friction, and which of a joint's three columns each has.
+/// Plain friction causes, each with the index of its column among a joint's three.
 const PLAIN: [(&str, usize); 3] =
     [(effects::ViscousFriction::NAME, 0), (effects::CoulombFriction::NAME, 1), (effects::TorqueOffset::NAME, 2)];
 
-/// Alternatives to the plain friction of a joint.
+/// Alternatives to the plain friction of one joint.
 pub struct BaselineFriction {
     /// Joint, from 0.
     pub joint: usize,
-    /// Near alternatives in its place: cause, place, difference of support.
+    /// Near alternatives to it: cause, place, difference of support.
     pub rivals: Vec<(&'static str, Vec<usize>, f64)>,
 }
 
-/// Puts plain friction, which is always among the unknowns, on a par with the other causes. If a
-/// joint has no cause of its own but changed friction or an offset, that is taken out and every
-/// cause of the joint is tried in its place. One that says more with its unknowns takes the place;
-/// those that say nearly as much are rivals.
+/// Compares plain friction with the other causes on equal terms. If a joint has no cause of its own
+/// but changed friction or an offset, that friction is taken out and every cause of the joint is
+/// tried instead. A candidate that explains more for its unknowns replaces the friction; those that
+/// explain nearly as much become rivals.
 pub fn reconsider(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
@@ -33,8 +34,8 @@ pub fn reconsider(
     let mut all = Vec::new();
     for j in 0..tested.scene.dof() {
         let free: Vec<usize> = (3 * j..3 * j + 3).filter(|k| !tested.frozen[*k]).collect();
-        // A joint whose friction went back to the file's, and left more than noise, is looked at
-        // once more.
+        // Reconsider a joint whose friction returned to the file's values if it leaves more than
+        // noise.
         let left = fitted.solution.rss[j] > fitted.solution.counts[j] * (0.7 * noise[j]).powi(2);
         if free.is_empty() && !left || accepted.iter().any(|a| a.chosen.place.contains(&j)) {
             continue;
@@ -85,8 +86,8 @@ pub fn reconsider(
     (fitted, all)
 }
 
-/// Whether a candidate says more than plain friction with this score and number of terms. What
-/// needs as many unknowns and explains hardly more is no better a name.
+/// Whether a candidate explains more than plain friction with this score and number of terms. A
+/// candidate with as many unknowns must explain clearly more to be preferred.
 pub(in crate::diagnose) fn is_better(candidate: &Candidate, plain: f64, terms: usize, memory: f64) -> bool {
     let unknowns = unknowns(candidate.cause, &candidate.shape, candidate.gain.x.len());
     let margin = match terms > 0 && unknowns >= terms as f64 {

@@ -1,5 +1,5 @@
-//! Candidates: every cause in every place with its best shape, by what it gains with everything
-//! else refitted.
+//! Candidates: every cause in every place with its best shape, ranked by gain with everything else
+//! refitted.
 
 use super::judge::SURE;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, near};
@@ -7,29 +7,29 @@ use crate::diagnose::fit::moments::Gain;
 use crate::diagnose::hypotheses::{Hypothesis, Sign, UNIT, at_edge, causes};
 use crate::numerics::parallel::{parallel, threads};
 
-/// A cause in a place with its best shape.
+/// A cause in a place with its best shape and gain.
 #[derive(Clone)]
 pub struct Candidate {
-    /// The cause.
+    /// Cause of the vocabulary.
     pub cause: &'static dyn Hypothesis,
-    /// The place.
+    /// Joints on which it acts, from 0; empty for the whole robot.
     pub place: Vec<usize>,
-    /// Its shape.
+    /// Shape: the nonlinear parameters of the cause.
     pub shape: Vec<f64>,
-    /// Its gain.
+    /// Gain of the fit, with the coefficients.
     pub gain: Gain,
-    /// Sum over joints of windows times the logarithm of the ratio of residuals, less what its
-    /// unknowns cost.
+    /// Sum over joints of windows times the logarithm of the ratio of residuals, less the cost of
+    /// its unknowns.
     pub score: f64,
 }
 
 impl Candidate {
-    /// Its score before its unknowns are paid for.
+    /// The score without the cost of its unknowns.
     pub(in crate::diagnose) fn raw(&self, fitted: &Fitted) -> f64 {
         self.score + unknowns(self.cause, &self.shape, self.gain.x.len()) * price(fitted)
     }
 
-    /// As a part of a model.
+    /// The candidate as a term of a model.
     pub(in crate::diagnose) fn chosen(&self) -> Chosen {
         Chosen { cause: self.cause, place: self.place.clone(), shape: self.shape.clone(), x: self.gain.x.clone() }
     }
@@ -39,12 +39,12 @@ pub(in crate::diagnose) fn unknowns(cause: &dyn Hypothesis, shape: &[f64], terms
     (terms + cause.free(shape)) as f64
 }
 
-/// What an unknown costs: the logarithm of the number of windows.
+/// Cost of one unknown: the logarithm of the number of windows.
 pub(super) fn price(fitted: &Fitted) -> f64 {
     fitted.solution.counts.iter().sum::<f64>().max(2.0).ln()
 }
 
-/// Evaluates one shape.
+/// Evaluates one shape of a cause; `None` if it is not observable or not plausible.
 pub(in crate::diagnose) fn evaluate(
     tested: &ModelUnderTest<'_>,
     fitted: &Fitted,
@@ -79,13 +79,14 @@ pub(in crate::diagnose) fn logs<'a>(before: &'a [f64], after: &'a [f64]) -> impl
     before.iter().zip(after).map(|(a, b)| if *a > 1e-290 && *b > 1e-290 { (a / b).ln() } else { 0.0 })
 }
 
-/// Threads that search at once: a body's ten columns of all joints may take 32 MB together.
+/// Number of threads of the search: the ten columns of a body on all joints may take 32 MB
+/// together.
 fn at_once(tested: &ModelUnderTest<'_>) -> usize {
     let body = 10 * tested.scene.dof() * tested.scene.len;
     threads().min((4 << 20) / body.max(1)).max(1)
 }
 
-/// The best shape of every cause in every place, best first.
+/// The best shape of every cause in every place, sorted by score, best first.
 pub fn candidates(
     tested: &ModelUnderTest<'_>,
     fitted: &Fitted,
@@ -119,8 +120,8 @@ pub fn candidates(
     all
 }
 
-/// The best of the shapes of one cause. If they belong to several laws each law's best is refined
-/// first: a coarse grid does not decide which of them holds.
+/// The best of the shapes of one cause. If they belong to several laws, the best of each law is
+/// refined first, because a coarse grid cannot decide between laws.
 fn best_of(tested: &ModelUnderTest<'_>, fitted: &Fitted, tried: impl Iterator<Item = Candidate>) -> Option<Candidate> {
     let mut best: Vec<Candidate> = Vec::new();
     for next in tried {
@@ -134,32 +135,32 @@ fn best_of(tested: &ModelUnderTest<'_>, fitted: &Fitted, tried: impl Iterator<It
     if best.len() > 1 {
         best.iter_mut().for_each(|candidate| refine(tested, fitted, candidate));
     }
-    // What acts in a part of a log follows errors that last for several windows: its further
-    // unknowns pay in independent ones.
+    // A local cause follows errors that last for several windows, so its further unknowns are
+    // charged in independent windows.
     let more = (mean(&fitted.memory) - 1.0).max(0.0);
     let worth = |c: &Candidate| if c.cause.local() { c.score - more * (c.raw(fitted) - c.score) } else { c.score };
     best.into_iter().max_by(|a, b| worth(a).total_cmp(&worth(b)))
 }
 
-/// Beyond this many times a residual's autocorrelation time, or this share of itself, a difference
-/// of scores separates two candidates.
+/// Difference of scores that separates two candidates: 10 times the residual's autocorrelation
+/// time, or 1.5 % of the best score.
 fn tolerance(best: &Candidate, memory: f64) -> f64 {
     (10.0 * memory).max(0.015 * best.score)
 }
 
-/// Two links are the same to the data within this share of what they gain: both have ten columns,
-/// so that nothing else decides.
+/// Share of the gain below which a difference between two links is not significant. Both have ten
+/// columns, so no other criterion decides.
 const SAME: f64 = 0.002;
 
-/// Of wrong links that gain nearly the same (a neighbour's mass on the common axis is the link's
-/// own) the one with the least change goes first.
+/// Puts first, of wrong links that gain nearly the same, the one with the least change. A
+/// neighbour's mass on the common axis is equivalent to the link's own.
 fn least_change_first(all: &mut [Candidate], tested: &ModelUnderTest<'_>) {
     let change = |c: &Candidate| {
         let terms = tested.family(c.cause, &c.place, &c.shape);
         let std = c.cause.prior_std(&tested.scene, &c.place, &terms)?;
         Some(c.gain.x.iter().zip(std).map(|(x, s)| (x / s).powi(2)).sum::<f64>().sqrt())
     };
-    // A payload is on the last link.
+    // The last link is left out: errors there are a payload.
     let last = |c: &Candidate| c.place.first().is_none_or(|j| j + 1 == tested.scene.dof());
     let Some(best) = all.first().filter(|c| !last(c)) else { return };
     let Some(mut least) = change(best) else { return };
@@ -173,9 +174,9 @@ fn least_change_first(all: &mut [Candidate], tested: &ModelUnderTest<'_>) {
     all[..=at].rotate_right(1);
 }
 
-/// Of candidates on one joint that gain nearly the same, the one beside which fewest terms of plain
-/// friction are needed goes first. Whether models were fitted for that, so that the model under
-/// test is left with another.
+/// Puts first, of candidates on one joint that gain nearly the same, the one that needs the fewest
+/// terms of plain friction beside it. Returns whether models were fitted for this, which leaves
+/// another model in `tested`.
 pub(in crate::diagnose) fn sparest_first(
     all: &mut [Candidate],
     tested: &mut ModelUnderTest<'_>,
@@ -213,13 +214,13 @@ fn mean(x: &[f64]) -> f64 {
     x.iter().sum::<f64>() / x.len().max(1) as f64
 }
 
-/// Share, in the logarithm, by which the gain of a candidate with more unknowns must exceed that of
-/// one with fewer. Errors that are not noise (of derivatives, of a law's shape) give many unknowns
-/// something foreign to fit.
+/// Share of the raw gain that a candidate with fewer unknowns may lack and still be preferred.
+/// Errors that are not noise (of derivatives, of a law's shape) give many unknowns something
+/// unrelated to fit.
 const WORTH_UNKNOWNS: f64 = 0.03;
 
-/// Puts a candidate with several unknowns fewer before the best one where it gains nearly as much
-/// in the same place or on the whole robot.
+/// Puts a candidate with at least three fewer unknowns before the best one where it gains nearly as
+/// much in the same place or on the whole robot.
 fn simplest_first(all: &mut [Candidate], fitted: &Fitted) {
     let Some(best) = all.first() else { return };
     let count = |c: &Candidate| unknowns(c.cause, &c.shape, c.gain.x.len());
@@ -231,7 +232,7 @@ fn simplest_first(all: &mut [Candidate], fitted: &Fitted) {
     }
 }
 
-/// Lets a shape that follows the coefficients settle.
+/// Iterates a shape that depends on the coefficients until both agree.
 fn follow(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate) {
     for _ in 0..4 {
         let terms = tested.family(candidate.cause, &candidate.place, &candidate.shape);
@@ -246,16 +247,16 @@ fn follow(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidat
     }
 }
 
-/// How often three or more numbers of a shape are walked, and by how much smaller the steps are each
-/// time.
+/// Number of passes over a shape of three or more numbers, and the factor of the steps from pass to
+/// pass.
 const PASSES: i32 = 6;
 const FINER: f64 = 0.4;
 
-/// Refines the numbers of a shape.
+/// Refines the numbers of a shape by a pattern search.
 pub(in crate::diagnose) fn refine(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate) {
     let shape = candidate.cause.shape();
     if candidate.cause.finite_difference() && shape.first().is_some_and(|s| s.step.is_none()) {
-        // The step follows the coefficient.
+        // Set the step of the finite difference to the coefficient.
         for _ in 0..6 {
             let x = candidate.gain.x[0];
             let step = x.clamp(shape[0].range[0], shape[0].range[1]);
@@ -271,8 +272,8 @@ pub(in crate::diagnose) fn refine(tested: &ModelUnderTest<'_>, fitted: &Fitted, 
         }
     }
     follow(tested, fitted, candidate);
-    // Many numbers depend on each other: they are walked again, with smaller steps, and together along
-    // the way that they took (Hooke and Jeeves 1961).
+    // Many numbers depend on each other: repeat the search with smaller steps, and extrapolate
+    // along the direction of the last pass (Hooke and Jeeves 1961).
     let many = shape.iter().filter(|number| number.step.is_some()).count() > 2;
     for pass in 0..if many { PASSES } else { 1 } {
         let before = candidate.clone();
@@ -295,7 +296,8 @@ pub(in crate::diagnose) fn refine(tested: &ModelUnderTest<'_>, fitted: &Fitted, 
     }
 }
 
-/// Goes on in the direction from an earlier shape, farther each time, while that is better.
+/// Extrapolates in the direction from an earlier shape, with doubled steps while the score
+/// improves.
 fn stride(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate, from: &[f64]) {
     let way: Vec<f64> = candidate.shape.iter().zip(from).map(|(to, from)| to - from).collect();
     let mut length = 1.0;
@@ -310,8 +312,8 @@ fn stride(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidat
     }
 }
 
-/// Walks each number of the shape up and down with shrinking steps, the first ones this part of those
-/// that the shape names.
+/// Moves each number of the shape up and down with shrinking steps. The first steps are `part`
+/// times those that the shape defines.
 fn walk(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate, part: f64) {
     for (k, number) in candidate.cause.shape().iter().enumerate() {
         let Some(first) = number.step.map(|step| part * step) else { continue };
@@ -342,14 +344,14 @@ fn walk(tested: &ModelUnderTest<'_>, fitted: &Fitted, candidate: &mut Candidate,
     }
 }
 
-/// The last link's parameters and a payload are one thing; the vocabulary's table says so, the
-/// rivals need not.
+/// Whether two candidates are the last link's parameters and a payload, which are equivalent. The
+/// vocabulary's table states that equivalence, so the rivals need not.
 fn same_body(a: &Candidate, b: &Candidate) -> bool {
     let body = |c: &Candidate| c.cause.within_links();
     body(a) && body(b) && (a.score - b.score).abs() < 1e-6 * a.score.abs().max(1.0)
 }
 
-/// Candidates that explain nearly as much as the one that was taken.
+/// Candidates that explain nearly as much as the one that was accepted.
 pub(in crate::diagnose) fn rivals(
     ranked: &[Candidate],
     taken: usize,

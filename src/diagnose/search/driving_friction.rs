@@ -1,23 +1,24 @@
-//! Friction that would drive a joint is none: another error has its form along the motion that was
-//! recorded, as an offset has along a motion in one direction.
+//! Rejects friction that would do positive work on its joint. Another error then has the same form
+//! along the recorded motion, as an offset has along a motion in one direction.
 
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::hypotheses::Kind;
 
-/// By how much friction that is zero may seem to drive: a part of the file's level, or of the noise
-/// in N m (of a viscous one: in N m at 1 rad/s); of a law, a part of the work that it takes, and of
-/// what the noise can do.
+/// Tolerance for friction that appears to drive a joint. For a level: this share of the file's
+/// level, or of the noise in N m (for a viscous one: in N m at 1 rad/s). For a law: this share of
+/// the work that it dissipates and of the work that the noise can do.
 const BELOW: f64 = 0.25;
 
-/// Whether a level of plain friction (number `k` among the unknowns) is far below zero in a fit.
+/// Whether a plain friction level (number `k` among the unknowns) is far below zero in a fit.
 pub(super) fn level_drives(tested: &ModelUnderTest<'_>, k: usize, fitted: &Fitted, noise: f64) -> bool {
     let file = given_friction(tested.plant)[k / 3][k % 3].unwrap_or(0.0).max(0.0);
     let level = file + fitted.solution.x[fitted.friction + k];
     k % 3 < 2 && level < -BELOW * file.max(noise)
 }
 
-/// Whether a joint's friction, its laws among `chosen` included, does work on it: more than a part
-/// of what it takes elsewhere on the motion, and of what noise can seem to do.
+/// Whether the friction of a joint, including its laws among `chosen`, does positive work on it.
+/// The limit is a share of the work that it dissipates elsewhere in the motion, plus what noise can
+/// do.
 pub(in crate::diagnose) fn friction_drives(
     tested: &ModelUnderTest<'_>,
     joint: usize,

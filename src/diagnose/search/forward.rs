@@ -1,10 +1,10 @@
-//! Searches what changed in the robot file: forward selection from the unchanged file.
+//! Finds what changed relative to the robot file: forward selection from the unchanged file.
 //!
-//! Friction that the file has is fixed until a term of it is the best candidate of a round,
-//! so that a changed level competes with every other cause. In the best place, the candidate with
-//! the fewest unknowns goes first where it gains nearly as much. It is accepted if it takes enough
-//! of a joint's error, in the fit and on stretches of the logs that are left out in turn, and makes
-//! no other joint worse there.
+//! Friction that the file has is fixed until one of its terms is the best candidate of a round, so
+//! that a changed level competes with every other cause. In the best place, the candidate with the
+//! fewest unknowns is preferred where it gains nearly as much. It is accepted if it removes enough
+//! of a joint's error, in the fit and on left-out stretches of the logs. It must make no other
+//! joint worse there.
 
 use super::alone::is_an_error_of_contact;
 use super::baseline_friction::BaselineFriction;
@@ -23,51 +23,51 @@ use dh_codegen::robot::EffectKind;
 /// Plain friction and offset, in the order of a joint's unknowns.
 pub(in crate::diagnose) const PLAIN: [&dyn Hypothesis; 3] = [&VISCOUS, &COULOMB, &OFFSET];
 
-/// Candidates that are refused before a round ends.
+/// Number of candidates rejected before a round ends.
 const REFUSED: usize = 8;
 
-/// Part of its score by which a candidate with fewer unknowns in the same place may lag behind.
+/// Share of its score by which a candidate with fewer unknowns in the same place may lag behind.
 const SIMPLER: f64 = 0.05;
 
-/// The same of plain friction beside a friction law with a memory or of position, which follow any
-/// error that turns with the motion, and of an offset beside ripple or a spring, which are as good
-/// as constant where a joint hardly moves.
+/// The same share for plain friction against a law with memory or of position, which follows any
+/// error that reverses with the motion. It also applies to an offset against ripple or a spring,
+/// which are nearly constant where a joint hardly moves.
 const PLAINER: f64 = 0.2;
 
-/// Part of its score by which a candidate may lag behind one that says the same.
+/// Share of its score by which a candidate may lag behind an equivalent one.
 const SAME: f64 = 1e-3;
 
-/// Share by which the error of a joint on left-out stretches may grow.
+/// Largest relative growth of a joint's squared error on left-out stretches.
 const SPOILT: f64 = 0.3;
 
-/// The same by a body that [`pays_as_a_whole`].
+/// The same limit for a body that [`pays_as_a_whole`].
 const SPOILT_BY_BODY: f64 = 1.0;
 
-/// By how many times what a body gains on some joints must exceed what it loses on others.
+/// Factor by which the gain of a body on some joints must exceed its loss on others.
 const WHOLE: f64 = 2.0;
 
-/// Evidence for one cause as it was accepted.
+/// Evidence for one cause at the time it was accepted.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::diagnose) struct Evidence {
     pub(in crate::diagnose) effect: EffectKind,
     pub(in crate::diagnose) place: Vec<usize>,
-    /// Whether it acts in a part of a log: of contacts, a push and no wall.
+    /// Whether it acts in a part of a log: of contacts, a push and not a wall.
     pub(in crate::diagnose) local: bool,
-    /// Share of the squared error of its main joint that it takes; of a cause that acts in a part
-    /// of a log, there.
+    /// Share of the squared error of its main joint that the cause removes. For a local cause: the
+    /// share within the part of the log where it acts.
     pub(in crate::diagnose) share: f64,
 }
 
-/// What the search found.
+/// Result of the forward selection.
 pub(in crate::diagnose) struct Found {
     pub(in crate::diagnose) accepted: Vec<Accepted>,
-    /// Of each cause, in the order in which they were accepted.
+    /// Evidence for each cause, in the order of acceptance.
     pub(in crate::diagnose) evidence: Vec<Evidence>,
     /// Terms of plain friction that changed, with their alternatives; by joint.
     pub(in crate::diagnose) friction: Vec<BaselineFriction>,
 }
 
-/// Cause, place and number of coefficients: of several laws of one cause each is tried.
+/// Cause, place and number of coefficients. Each of several laws of one cause is tried.
 type Law = (&'static str, Vec<usize>, usize);
 
 fn law(candidate: &Candidate) -> Law {
@@ -79,7 +79,7 @@ fn local(name: &str) -> bool {
     causes().any(|c| c.name() == name && c.local())
 }
 
-/// A term of plain friction: its number among the unknowns.
+/// Index among the friction unknowns, if the candidate is a term of plain friction.
 pub(super) fn plain(candidate: &Candidate) -> Option<usize> {
     let which = PLAIN.iter().position(|p| p.effect() == candidate.cause.effect())?;
     candidate.place.first().map(|j| 3 * j + which)
@@ -88,8 +88,8 @@ pub(super) fn plain(candidate: &Candidate) -> Option<usize> {
 /// An effect in a place.
 pub(in crate::diagnose) type Placed = (EffectKind, Vec<usize>);
 
-/// Searches until nothing more is worth having, without what is `excluded`. The model under test is
-/// left with the friction terms that were found free, and all others of the file fixed.
+/// Forward selection until no candidate is accepted, without those `excluded`. Leaves `tested` with
+/// the friction terms that were found free, and all others of the file fixed.
 pub(in crate::diagnose) fn forward(
     tested: &mut ModelUnderTest<'_>,
     noise: &[f64],
@@ -132,7 +132,7 @@ pub(in crate::diagnose) fn forward(
     Found { accepted, evidence, friction }
 }
 
-/// A part of the model that was found: one of the causes, or a term of friction.
+/// A part of the model: one of the causes, or a term of friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Part {
     Cause(usize),
@@ -163,7 +163,7 @@ impl Forward<'_, '_> {
             let at = other.filter(|i| !tried.contains(i)).unwrap_or(first);
             tried.push(at);
             if let Some(next) = self.accept(&ranked, at, fitted, &before) {
-                // What acts in a part of a log may stand out from what is left now.
+                // A local cause may stand out from the smaller residual.
                 refused.retain(|(name, ..)| !local(name));
                 return Some(next);
             }
@@ -172,9 +172,9 @@ impl Forward<'_, '_> {
         None
     }
 
-    /// Puts another law of a cause in the place of it and of all causes of its joints alone, where it
-    /// explains as much: the first law that was taken may have been a part of it. What is left then
-    /// looked like friction of those joints.
+    /// Replaces a cause, and all causes of its joints alone, by another law of that cause where it
+    /// explains as much. The law that was accepted first may have been a part of it, with the
+    /// remainder taken for friction of those joints.
     fn unite(&mut self, fitted: &mut Fitted) {
         for index in 0..self.accepted.len() {
             let Some(own) = self.accepted.get(index).map(|a| a.chosen.clone()) else { break };
@@ -212,7 +212,7 @@ impl Forward<'_, '_> {
         adopt(&mut self.accepted, &self.chosen);
     }
 
-    /// Takes out pushes that a wall found later explains but for an error of its law.
+    /// Removes pushes that a wall found later explains up to an error of its law.
     fn without_errors_of_contact(&mut self, fitted: &mut Fitted) {
         let other = |i: usize| self.chosen.iter().enumerate().filter(move |(k, _)| *k != i).map(|(_, c)| c);
         let error = |i: &usize| is_an_error_of_contact(&self.tested.scene, &self.chosen[*i], other(*i));
@@ -223,7 +223,7 @@ impl Forward<'_, '_> {
         for i in errors.into_iter().rev() {
             let gone = self.chosen.remove(i);
             self.accepted.remove(i);
-            // The evidence of several pushes has one name; the last is that of what was found last.
+            // The evidence of several pushes has one name; the last belongs to the one found last.
             let of_it = |e: &Evidence| e.local && e.effect == gone.cause.effect() && e.place == gone.place;
             if let Some(at) = self.evidence.iter().position(of_it) {
                 self.evidence.remove(at);
@@ -233,8 +233,8 @@ impl Forward<'_, '_> {
         adopt(&mut self.accepted, &self.chosen);
     }
 
-    /// Takes out, the least first, what takes less than the least gain of a joint's error beside all
-    /// others: what was accepted before the cause that it stood for.
+    /// Removes parts, the smallest share first, that take less than the least gain of a joint's
+    /// error beside all others. Such a part was accepted in place of a cause found later.
     fn prune(&mut self, fitted: &mut Fitted) {
         loop {
             let parts = self.parts();
@@ -252,8 +252,8 @@ impl Forward<'_, '_> {
         adopt(&mut self.accepted, &self.chosen);
     }
 
-    /// A law that follows reversals and has become a level of its joint: it says the level as well,
-    /// and hardly more. It goes in the place of the level, which has fewer unknowns.
+    /// Finds a law that follows reversals and has degenerated to a level of its joint: it contains
+    /// the level and hardly more. It is removed instead of the level, which has fewer unknowns.
     fn law_for_a_level(&self, part: Part, shares: &[(f64, Part)]) -> Option<Part> {
         let Part::Friction(k) = part else { return None };
         let hardly_more = |(share, other): &&(f64, Part)| match other {
@@ -266,8 +266,8 @@ impl Forward<'_, '_> {
         shares.iter().find(hardly_more).map(|(_, law)| *law)
     }
 
-    /// What was found and can be taken out: neither delays, which have moved the data, nor what acts
-    /// in a part of a log.
+    /// Parts that can be removed. Delays are excluded because they have shifted the data, and so
+    /// are causes that act in a part of a log.
     fn parts(&self) -> Vec<Part> {
         let of = |e: &Evidence| {
             if let Some(which) = PLAIN.iter().position(|p| p.effect() == e.effect) {
@@ -281,7 +281,7 @@ impl Forward<'_, '_> {
         self.evidence.iter().filter_map(of).collect()
     }
 
-    /// Share of its main joint's squared error that a part takes beside all others.
+    /// Share of its main joint's squared error that a part removes beside all others.
     fn share_of(&mut self, part: Part, fitted: &Fitted) -> f64 {
         let mut rest = self.chosen.clone();
         match part {
@@ -297,7 +297,7 @@ impl Forward<'_, '_> {
         if a > 0.0 { 1.0 - b / a } else { 0.0 }
     }
 
-    /// Takes a part out, with its evidence; the fit is left to the caller.
+    /// Removes a part with its evidence. The caller refits.
     fn remove(&mut self, part: Part) {
         let (effect, place) = match part {
             Part::Cause(index) => {
@@ -313,8 +313,8 @@ impl Forward<'_, '_> {
         self.evidence.retain(|e| e.local || e.effect != effect || e.place != place);
     }
 
-    /// The best law of a cause beside the `rest`, if it loses no more than the unknowns of what it
-    /// replaces cost: `saved` causes and terms of the whole model.
+    /// The best law of a cause beside the `rest`, if its loss is below the cost of the unknowns
+    /// that it replaces. `saved` is the number of replaced causes and terms of the whole model.
     fn united(
         &mut self,
         own: &Chosen,
@@ -338,8 +338,8 @@ impl Forward<'_, '_> {
         (pays && self.judge().stands(trial.last()?, &next)).then_some((trial, next))
     }
 
-    /// All candidates, plain friction among them, best first. Beside the most causes that act
-    /// throughout, those that act in a part of a log: the others do not stand for them.
+    /// All candidates including plain friction, best first. Once the maximum number of causes that
+    /// act throughout is reached, only local ones remain, which the others cannot replace.
     fn ranked(&self, fitted: &Fitted, refused: &[Law]) -> Vec<Candidate> {
         let full = self.chosen.iter().filter(|c| !c.cause.local()).count() >= self.settings.most;
         let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| {
@@ -355,20 +355,20 @@ impl Forward<'_, '_> {
             }
         }
         all.retain(|c| !refused.contains(&law(c)));
-        // Stable: what `candidates` put first stays there among equals.
+        // Stable sort: keeps the order of `candidates` among equals.
         all.sort_by(|a, b| b.score.total_cmp(&a.score));
         all
     }
 
     /// Makes a term of plain friction an unknown.
     pub(super) fn free(&mut self, k: usize, candidate: &Candidate) {
-        // Beside a law of friction its level is a part of that.
+        // Beside a friction law the level counts as a part of that law.
         let law = |c: &Chosen| c.place == candidate.place && c.cause.kind() == Kind::Friction;
         self.tested.separate[k] = !self.chosen.iter().any(law);
         self.tested.frozen[k] = false;
     }
 
-    /// The model with a candidate, if that is accepted; else all is as before.
+    /// Adds a candidate if it is accepted; otherwise restores the model.
     fn accept(&mut self, ranked: &[Candidate], at: usize, fitted: &Fitted, before: &LeftOut) -> Option<Fitted> {
         let candidate = &ranked[at];
         let delays = self.tested.scene.delays.clone();
@@ -399,13 +399,13 @@ impl Forward<'_, '_> {
             self.tested.frozen[k] = true;
         }
         self.tested.set_delays(&delays);
-        // The scene's model is that of the last fit.
+        // Restore the scene's model, which is that of the last fit.
         self.tested.update_model(fitted);
         None
     }
 
-    /// Evidence for one of the candidates that was fitted (`after`, as the last of `trial` unless it
-    /// is plain friction); `None` if it is not worth having.
+    /// Evidence for a fitted candidate; `None` if it is rejected. It is the last of `trial` unless
+    /// it is plain friction; `after` is the fit with it.
     pub(super) fn holds(
         &self,
         (ranked, at): (&[Candidate], usize),
@@ -475,7 +475,7 @@ impl Forward<'_, '_> {
         let variance = of(before).iter().zip(of(after)).map(|(a, b)| (a - b).max(0.0)).sum();
         self.accepted.push(Accepted {
             chosen: last.clone(),
-            // Left-out stretches have decided.
+            // Left-out stretches have decided, so the support is at least this.
             support: gained(&ranked[at], ranked.len(), before, after).max(THROUGHOUT),
             confirmed: 1.0,
             rivals: rivals(ranked, at, after),
@@ -484,8 +484,8 @@ impl Forward<'_, '_> {
     }
 }
 
-/// Whether a body that takes these shares of the joints' squared errors is worth having over all
-/// joints. It acts on each of them, beside errors that each has of its own.
+/// Whether a body with these gains (shares of the joints' squared errors) pays over all joints. It
+/// acts on every joint, beside errors that each joint has of its own.
 fn pays_as_a_whole(shares: &[f64]) -> bool {
     let gains = || shares.iter().map(|share| -(1.0 - share).max(1e-3).ln());
     let (won, lost): (f64, f64) = (gains().map(|g| g.max(0.0)).sum(), gains().map(|g| (-g).max(0.0)).sum());
@@ -501,7 +501,7 @@ fn gained(candidate: &Candidate, candidates: usize, before: &Fitted, after: &Fit
     gain - unknowns * windows().sum::<f64>().max(2.0).ln() - 2.0 * (candidates as f64).ln()
 }
 
-/// The joint on which most is gained.
+/// The joint with the largest gain.
 pub(super) fn main_joint(before: &Fitted, after: &Fitted) -> usize {
     let gains: Vec<f64> =
         logs(&before.solution.rss, &after.solution.rss).zip(&before.solution.counts).map(|(l, n)| l * n).collect();
@@ -509,8 +509,8 @@ pub(super) fn main_joint(before: &Fitted, after: &Fitted) -> usize {
 }
 
 /// The candidate to try next: the best one, or one in its place with fewer unknowns that gains
-/// nearly as much. Of causes that say the same, as a level and one that differs by direction do
-/// along a motion in one direction, plain friction goes first.
+/// nearly as much. Plain friction goes first among equivalent causes, such as a level and a
+/// difference by direction on a motion in one direction.
 fn best(ranked: &[Candidate], tried: &[usize]) -> Option<usize> {
     let left = || (0..ranked.len()).filter(|i| !tried.contains(i));
     let first = left().next().filter(|&i| ranked[i].score > 0.0)?;

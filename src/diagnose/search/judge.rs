@@ -1,6 +1,6 @@
-//! Decides whether a candidate is accepted. Its gain must pay for its unknowns and for the number
-//! of candidates, parts of the data that were not used to fit it must confirm it, and it must be
-//! large enough to matter beside the noise.
+//! Decides whether a candidate is accepted. Its gain must exceed the cost of its unknowns and of
+//! the number of candidates. Parts of the data that were not used to fit it must confirm it, and
+//! its effect must be large enough beside the noise.
 
 use super::SearchSettings;
 use super::alone::{is_alone, is_an_error_of_contact};
@@ -11,10 +11,10 @@ use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::fit::moments::Solution;
 use crate::diagnose::hypotheses::{Hypothesis, Kind, Sign, at_edge};
 
-/// An accepted cause with the evidence.
+/// An accepted cause with its evidence.
 #[derive(Clone)]
 pub struct Accepted {
-    /// The cause.
+    /// The cause, with place, shape and coefficients.
     pub chosen: Chosen,
     /// Twice the gain in log-likelihood, in independent windows, less the cost.
     pub support: f64,
@@ -22,61 +22,61 @@ pub struct Accepted {
     pub confirmed: f64,
     /// Near alternatives: cause, place, difference of support.
     pub rivals: Vec<(&'static str, Vec<usize>, f64)>,
-    /// Variance that it takes, summed over joints, (N m)^2.
+    /// Variance that it removes, summed over joints, (N m)^2.
     pub variance: f64,
 }
 
-/// The choice, in the form that a model takes.
+/// The chosen causes, as a model takes them.
 pub(in crate::diagnose) fn chosen_of(accepted: &[Accepted]) -> Vec<Chosen> {
     accepted.iter().map(|a| a.chosen.clone()).collect()
 }
 
-/// Takes over what a fit made of the chosen causes.
+/// Copies the fitted shapes and coefficients back to the accepted causes.
 pub(in crate::diagnose) fn adopt(accepted: &mut [Accepted], chosen: &[Chosen]) {
     accepted.iter_mut().zip(chosen).for_each(|(a, c)| a.chosen = c.clone());
 }
 
-/// Standard deviations from 0 at which a term of plain friction is needed: what chance gives once
-/// in some 150,000 times, for there are many to choose from.
+/// Standard deviations from 0 from which a plain friction term is needed. Chance exceeds it once in
+/// some 150,000 cases; the limit is high because many terms are tested.
 pub(in crate::diagnose) const SURE: f64 = 4.5;
 
-/// Less than this share of a joint's squared error is left by what takes nearly all of it.
+/// Share of a joint's squared error below which a cause removes nearly all of it.
 const NEARLY: f64 = 0.1;
-/// Support of a cause that holds in every stretch, where correlated windows can't decide.
+/// Support assigned to a cause that holds in every stretch, where correlated windows cannot decide.
 pub(super) const THROUGHOUT: f64 = 1.0;
 
-/// Part of the logs in which what acts now and then may act.
+/// Largest share of the logs in which local causes may act together.
 const PART: f64 = 0.5;
 
-/// By what a cause is judged.
+/// Data, thresholds and accepted causes by which a candidate is judged.
 pub(in crate::diagnose) struct Judge<'a> {
     pub(in crate::diagnose) tested: &'a ModelUnderTest<'a>,
     pub(in crate::diagnose) noise: &'a [f64],
     pub(in crate::diagnose) settings: &'a SearchSettings,
-    /// Accepted before.
+    /// Causes accepted before.
     pub(in crate::diagnose) accepted: &'a [Accepted],
-    /// How many candidates there were.
+    /// Number of candidates tried.
     pub(in crate::diagnose) tried: usize,
 }
 
 impl Judge<'_> {
-    /// Whether some joint's error is beyond the noise of its torque.
+    /// Whether some joint's residual exceeds the noise of its torque.
     pub(in crate::diagnose) fn leaves_more_than_noise(&self, fitted: &Fitted) -> bool {
         let Solution { rss, counts, .. } = &fitted.solution;
         rss.iter().zip(counts).zip(self.noise).any(|((rss, count), noise)| *rss > count * noise * noise)
     }
 
-    /// Least that a cause takes of a joint's squared error, (N m)^2: a share of the noise, and where
-    /// errors of derivatives look like it, more than they can make.
+    /// Least reduction of a joint's mean squared error by a cause, (N m)^2. It is a share of the
+    /// noise, and for causes that resemble errors of derivatives at least what these can produce.
     fn least(&self, cause: &dyn Hypothesis, joint: usize) -> f64 {
         let motion = self.tested.motion_error.get(joint).filter(|_| cause.follows_acceleration());
         let motion = motion.copied().unwrap_or(0.0);
         (self.settings.least_effect * self.noise[joint]).max(motion).powi(2)
     }
 
-    /// Whether the last of `trial` takes nearly all of a joint's error in every stretch of the logs
-    /// that is left out. Its residual may then be autocorrelated for so long that hardly a window
-    /// is independent: a slow rest does not refute a cause that predicts all but that.
+    /// Whether the last of `trial` removes nearly all of a joint's error in every left-out stretch.
+    /// Its residual may be autocorrelated for so long that hardly a window is independent. A slow
+    /// remainder does not refute a cause that predicts everything else.
     fn throughout(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> bool {
         let Some((last, others)) = trial.split_last() else { return false };
         let nearly = |j: usize| after.solution.rss[j] < NEARLY * before.solution.rss[j];
@@ -90,8 +90,8 @@ impl Judge<'_> {
     }
 
     /// Twice the gain in log-likelihood, in independent windows, less the cost of the unknowns and
-    /// of the choice; `None` where it is not enough. [`THROUGHOUT`] where correlated windows count
-    /// for too few and the errors of stretches, or innovations, decide.
+    /// of the choice; `None` where it is too small. [`THROUGHOUT`] where correlated windows count
+    /// too little and the errors of left-out stretches, or innovations, decide.
     pub(in crate::diagnose) fn support(
         &self,
         before: &Fitted,
@@ -111,8 +111,8 @@ impl Judge<'_> {
         (self.throughout(before, after, trial) || stands_out()).then_some(THROUGHOUT)
     }
 
-    /// Whether a cause that was fitted has plausible numbers: inside its ranges, with the signs
-    /// that its name implies.
+    /// Whether a fitted cause has plausible parameters: within their ranges, with the signs that
+    /// its name implies.
     pub(in crate::diagnose) fn stands(&self, last: &Chosen, after: &Fitted) -> bool {
         let Chosen { cause, place, shape, x } = last;
         let Some(terms) = after.terms.last().filter(|terms| !terms.is_empty()) else { return false };
@@ -123,21 +123,22 @@ impl Judge<'_> {
             && self.tested.is_possible(last, terms)
     }
 
-    /// Whether the last of `trial` is a law of friction with which a joint's friction drives it.
+    /// Whether the last of `trial` is a friction law with which a joint's friction does positive
+    /// work.
     pub(super) fn drives(&self, trial: &[Chosen], after: &Fitted) -> bool {
         let joint = |c: &Chosen| c.place.first().copied().filter(|_| c.cause.kind() == Kind::Friction);
         trial.last().and_then(joint).is_some_and(|j| friction_drives(self.tested, j, trial, after, self.noise[j]))
     }
 
-    /// Whether a cause takes enough of some joint's error beside the noise.
+    /// Whether a cause removes enough of some joint's error beside the noise.
     pub(in crate::diagnose) fn matters(&self, cause: &dyn Hypothesis, before: &Fitted, after: &Fitted) -> bool {
         let taken = variance_taken(before, after);
         let enough = |j: usize| taken[j] > self.least(cause, j).max(self.settings.least_gain * mean_square(before, j));
         (0..taken.len()).any(enough)
     }
 
-    /// Whether a cause in a place is the misfit of an earlier law of its kind there, or of another
-    /// kind unless it takes half of what is left.
+    /// Whether a cause is only the misfit of an earlier law of its kind in the same place. For a
+    /// law of another kind this applies unless the cause removes half of the remaining error.
     pub(in crate::diagnose) fn overshadowed(
         &self,
         cause: &dyn Hypothesis,
@@ -156,8 +157,8 @@ impl Judge<'_> {
         })
     }
 
-    /// Largest share of a joint's squared error that a cause takes while it acts, if it acts in a
-    /// part of a log; `None` where that is less than a quarter, or too little beside the noise.
+    /// Largest share of a joint's squared error that a local cause removes while it acts. `None`
+    /// where that is less than a quarter, or too small beside the noise.
     pub(in crate::diagnose) fn share_within(&self, last: &Chosen, before: &Fitted, after: &Fitted) -> Option<f64> {
         let span = last.span(self.tested.scene.step)?;
         let square = |f: &Fitted, j: usize| {
@@ -171,9 +172,9 @@ impl Judge<'_> {
         (0..self.noise.len()).filter_map(share).reduce(f64::max)
     }
 
-    /// Whether a cause that acts in a part of a log shows there alone; see [`is_alone`]. Several such
-    /// parts that make up most of the logs are not apart from anything, and beside what touches the
-    /// robot there nothing stands alone.
+    /// Whether a local cause is supported in its part of the log alone; see [`is_alone`]. Local
+    /// causes that together cover half of the logs or more are not accepted, nor is one during a
+    /// contact.
     pub(super) fn is_alone(&self, last: &Chosen, before: &Fitted) -> bool {
         let scene = &self.tested.scene;
         if is_an_error_of_contact(scene, last, self.accepted.iter().map(|a| &a.chosen)) {
@@ -184,7 +185,7 @@ impl Judge<'_> {
         acting < PART * scene.len as f64 * scene.step && is_alone(self.tested, before, last)
     }
 
-    /// Whether the last of `trial` is worth having.
+    /// Accepts the last of `trial` with its evidence; `None` if it is rejected.
     pub(in crate::diagnose) fn judge(&self, before: &Fitted, after: &Fitted, trial: &[Chosen]) -> Option<Accepted> {
         let last = trial.last()?;
         let Chosen { cause, place, shape, x } = last;
@@ -201,7 +202,7 @@ impl Judge<'_> {
         let stands: Vec<bool> = (0..counts.len()).map(|j| place.is_empty() && stands(self.tested, j)).collect();
         let Confirmation { confirmed, predicted, spoilt, stirred } = confirmation(before, after, &stands);
         if cause.local() {
-            // No other part can vouch for it: it must stand out by itself.
+            // No other part can confirm it: it must stand out by itself.
             if !(0..taken.len()).any(|j| taken[j] > 0.25 * mean_square(before, j)) || !self.is_alone(last, before) {
                 return None;
             }
@@ -216,8 +217,8 @@ impl Judge<'_> {
     }
 }
 
-/// Whether a joint stands most of the time: the motion does not show the file's errors of that
-/// joint, and a cause of the whole robot can make them seem larger.
+/// Whether a joint is at rest most of the time. The motion then hardly excites the file's errors of
+/// that joint, and a cause of the whole robot can make them seem larger.
 pub(in crate::diagnose) fn stands(tested: &ModelUnderTest<'_>, j: usize) -> bool {
     let (mut moving, mut all) = (0, 0);
     for sign in tested.scene.own[j].iter().flat_map(|own| own.sign.iter()) {
@@ -227,10 +228,10 @@ pub(in crate::diagnose) fn stands(tested: &ModelUnderTest<'_>, j: usize) -> bool
     2 * moving < all
 }
 
-/// Share by which another joint's error may grow. A cause that explains most of one joint's error
-/// is not refuted by earlier causes, found beside that error, that still have to change. A tenth up
-/// to six tenths of the error, a half from nine tenths on. A body acts on many joints, each with
-/// errors of its own: half of what it explains.
+/// Largest relative growth of another joint's error. A cause that explains most of one joint's
+/// error is not refuted by earlier causes that still have to change. The limit is a tenth up to six
+/// tenths of the error explained, and a half from nine tenths on. A body acts on many joints, each
+/// with errors of its own: at least half of what it explains.
 pub(in crate::diagnose) fn bearable(cause: &dyn Hypothesis, predicted: f64) -> f64 {
     let most = 0.1 + 0.4 * ((predicted - 0.6) / 0.3).clamp(0.0, 1.0);
     if cause.within_links() { most.max(0.5 * predicted) } else { most }
@@ -238,14 +239,13 @@ pub(in crate::diagnose) fn bearable(cause: &dyn Hypothesis, predicted: f64) -> f
 
 /// Result of leaving parts of the data out of the fit in turn.
 pub(in crate::diagnose) struct Confirmation {
-    /// Share of the parts that the larger model predicts better, parts weighted by what they gain
-    /// or lose.
+    /// Share of the parts that the larger model predicts better, weighted by their gain or loss.
     pub(in crate::diagnose) confirmed: f64,
-    /// The largest share of a joint's error that it takes.
+    /// The largest share of a joint's error that the cause removes.
     predicted: f64,
     /// The largest share by which a joint's error grows.
     spoilt: f64,
-    /// The same of joints that stand, where the cause is one of the whole robot.
+    /// The same for joints at rest, if the cause is one of the whole robot.
     stirred: f64,
 }
 
@@ -274,7 +274,7 @@ pub(in crate::diagnose) fn confirmation(before: &Fitted, after: &Fitted, stands:
     }
 }
 
-/// By how much the variance of each joint's residual falls, (N m)^2.
+/// Reduction of the variance of each joint's residual, (N m)^2.
 fn variance_taken(before: &Fitted, after: &Fitted) -> Vec<f64> {
     let pairs = before.solution.rss.iter().zip(&after.solution.rss).zip(&before.solution.counts);
     pairs.map(|((a, b), n)| if *n > 0.0 { (a - b) / n } else { 0.0 }).collect()

@@ -1,8 +1,8 @@
-//! Plain levels of friction in place of a law beside a difference by direction.
+//! Replaces a friction law beside a directional asymmetry by plain friction levels.
 //!
-//! More friction in one direction is a difference and other plain levels. The search takes one
-//! cause after the other, and a law with two unknowns (a power of the speed, a level that hardly
-//! fades) comes near to both levels at once. Where the levels themselves fit as well by Schwarz's
+//! More friction in one direction is an asymmetry plus changed plain levels. The search takes one
+//! cause at a time, and a law with two unknowns (a power of the speed, a slowly fading level)
+//! approximates both levels at once. Where the levels themselves fit as well by Schwarz's
 //! criterion, they are the friction that changed.
 
 use super::candidate::unknowns;
@@ -13,11 +13,11 @@ use super::simplest_laws::costs_less;
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest, given_friction};
 use dh_codegen::robot::EffectKind;
 
-/// Laws that come near to two levels.
+/// Laws that approximate two levels.
 const NEAR: [EffectKind; 2] = [EffectKind::NonlinearViscousFriction, EffectKind::FrictionDrift];
 
-/// Puts the levels of a joint in the place of such a law beside its asymmetric friction, whose part
-/// they become. What both take together is its evidence.
+/// Replaces such a law beside a joint's asymmetric friction by the joint's plain levels, which
+/// become a part of the asymmetry. Their evidence is the share that both remove together.
 pub(in crate::diagnose) fn levels_instead(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
@@ -48,8 +48,8 @@ pub(in crate::diagnose) fn levels_instead(
     fitted
 }
 
-/// A law that comes near to levels on a joint with asymmetric friction, by its place among the
-/// accepted.
+/// Finds a law that approximates levels on a joint with asymmetric friction: its index among the
+/// accepted, and the joint.
 fn beside_a_difference(accepted: &[Accepted], has_levels: impl Fn(usize) -> bool) -> Option<(usize, usize)> {
     let differs = |place: &[usize]| {
         accepted.iter().any(|a| a.chosen.cause.effect() == EffectKind::AsymmetricFriction && a.chosen.place == place)

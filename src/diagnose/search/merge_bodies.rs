@@ -1,4 +1,4 @@
-//! Wrong bodies that are one body.
+//! Merges several wrong bodies into one.
 
 use super::candidate::logs;
 use super::equivalent_robot_cause;
@@ -7,10 +7,11 @@ use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::hypotheses::{Hypothesis, hypothesis};
 use dh_codegen::robot::EffectKind;
 
-/// Of the error that several bodies take, one must take this share to be all of them.
+/// Share of the error removed by several bodies that one body must remove to replace them.
 const NEARLY_ALL: f64 = 0.97;
 
-/// Each link of the arm as a wrong body, by each of the given laws, the fit still to come.
+/// Candidates for a single wrong body: each link of the arm with each of the given laws, not yet
+/// fitted.
 pub(in crate::diagnose) fn single_bodies(tested: &ModelUnderTest<'_>, laws: &[&'static dyn Hypothesis]) -> Vec<Chosen> {
     let mut all = Vec::new();
     for &cause in laws {
@@ -22,10 +23,10 @@ pub(in crate::diagnose) fn single_bodies(tested: &ModelUnderTest<'_>, laws: &[&'
     all
 }
 
-/// A body that was found first as its neighbour, for the columns of links are alike, leaves a rest
-/// that its own link then takes. One body that explains the same as several takes their place with
-/// all of its mass, if it costs less than the unknowns that it saves, or explains nearly all that
-/// they explain.
+/// Replaces several bodies by one that explains the same. The columns of neighbouring links are
+/// alike, so a body may first be found as its neighbour, with a remainder that its own link takes.
+/// One body replaces all if it loses less than the cost of the unknowns that it saves, or explains
+/// nearly everything that they explain.
 pub(in crate::diagnose) fn merge_bodies(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,

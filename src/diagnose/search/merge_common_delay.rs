@@ -1,12 +1,12 @@
-//! Delays of several joints that are one.
+//! Merges equal delays of several joints into one.
 
 use super::candidate::logs;
 use super::judge::{Accepted, adopt, chosen_of};
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
 
-/// Delays of several joints that are the same within what they are known to are one: that of a
-/// clock, or a bus. It takes their place where the data do not speak against it: where it costs
-/// less than the unknowns that it saves.
+/// Replaces the delays of several joints that agree within their uncertainty by one common delay,
+/// as of a clock or a bus. It is accepted if it loses less than the cost of the unknowns that it
+/// saves.
 pub(in crate::diagnose) fn merge_common_delay(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
@@ -30,7 +30,7 @@ pub(in crate::diagnose) fn merge_common_delay(
         let ((_, a, va), (_, b, vb)) = (of(i), of(k));
         (a - b).abs() <= 3.0 * (va + vb).sqrt()
     };
-    // The largest company about one of them.
+    // The largest group of delays that agree with one of them.
     let company = |i: usize| late.iter().copied().filter(|&k| alike(i, k)).collect::<Vec<usize>>();
     let Some(group) = late.iter().map(|&i| company(i)).max_by_key(Vec::len).filter(|g| g.len() > 1) else { return };
     let weight: f64 = group.iter().map(|&i| 1.0 / of(i).2).sum();
@@ -63,7 +63,7 @@ pub(in crate::diagnose) fn merge_common_delay(
     adopt(accepted, &chosen);
 }
 
-/// Logarithm of likelihood lost from one fit to the next, and the number of independent windows.
+/// Loss of log-likelihood from one fit to the next, and the number of independent windows.
 fn lost_by(fitted: &Fitted, next: &Fitted) -> (f64, f64) {
     let counts = &next.solution.counts;
     let lost = logs(&fitted.solution.rss, &next.solution.rss)

@@ -1,11 +1,11 @@
-//! Couplings of one pair of joints that are one motor.
+//! Merges couplings of one pair of joints that belong to the same motor.
 
 use super::judge::{Accepted, adopt, chosen_of};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use dh_codegen::robot::EffectKind;
 
-/// A motor that turns with `dq_m + KC dq_k`, `KC` 1 or -1, is the same from either joint. Where its
-/// parts were found one after the other, from the one and from the other, they are one cause.
+/// Merges couplings found from either joint of a pair into one cause: a motor that turns with `dq_m
+/// + KC dq_k`, `KC` 1 or -1, has the same form from both.
 pub(in crate::diagnose) fn merge_couplings(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
@@ -27,7 +27,7 @@ pub(in crate::diagnose) fn merge_couplings(
     }
 }
 
-/// Two couplings that are one motor, the earlier one first.
+/// Indices of two couplings of the same motor, the earlier one first.
 fn same_motor(accepted: &[Accepted]) -> Option<(usize, usize)> {
     let turned = |a: &[usize], b: &[usize]| a.iter().eq(b.iter().rev());
     let same = |a: &Chosen, b: &Chosen| match (&a.shape[..], &b.shape[..]) {

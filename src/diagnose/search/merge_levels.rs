@@ -1,17 +1,17 @@
-//! A viscous level that changed and a difference by direction on the same joint are one cause:
-//! levels that differ with the direction.
+//! Merges a changed viscous level and a directional asymmetry on the same joint into one cause:
+//! friction levels that differ with the direction.
 
 use super::forward::Evidence;
 use super::judge::Accepted;
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
 use dh_codegen::robot::EffectKind;
 
-/// Least part of the larger one that the smaller one of level and difference is. More friction in one
-/// direction gives both alike; a difference that follows another error is small.
+/// Least ratio of the smaller to the larger of level and asymmetry. More friction in one direction
+/// changes both alike; an asymmetry that follows another error is small.
 const ALIKE: f64 = 0.5;
 
-/// Makes a changed viscous level a part of the asymmetric friction that was found beside it, if
-/// both are of one size. What both take together is its evidence.
+/// Makes a changed viscous level a part of the asymmetric friction found beside it, if both are of
+/// similar size. The evidence is the share that both remove together.
 pub(in crate::diagnose) fn merge_levels(
     tested: &mut ModelUnderTest<'_>,
     accepted: &[Accepted],
@@ -32,8 +32,8 @@ pub(in crate::diagnose) fn merge_levels(
     }
 }
 
-/// Makes the evidence for an effect a part of that for asymmetric friction on the same joint;
-/// whether there is both.
+/// Merges the evidence for an effect into that for asymmetric friction on the same joint. Returns
+/// whether both were present.
 pub(super) fn hand_over(evidence: &mut Vec<Evidence>, joint: usize, from: EffectKind) -> bool {
     let at = |effect: EffectKind| evidence.iter().position(|e| e.effect == effect && e.place == [joint]);
     let (Some(gone), Some(own)) = (at(from), at(EffectKind::AsymmetricFriction)) else { return false };

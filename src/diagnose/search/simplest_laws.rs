@@ -1,16 +1,16 @@
-//! Of several laws of one effect the simplest that the data do not reject.
+//! Selects, of several laws of one effect, the simplest that the data do not reject.
 //!
-//! A law with a further term fits no worse than one without, and correlated windows exaggerate its
-//! gain. The criterion is Schwarz's. The logarithm of the ratio of the residual sums of squares,
-//! with windows counted by the autocorrelation time of the richer law's residual, is compared with
-//! the further unknowns times the logarithm of the number of independent windows.
+//! A law with a further term never fits worse, and correlated windows exaggerate its gain. The
+//! criterion is Schwarz's. The logarithm of the ratio of the residual sums of squares is compared
+//! with the number of further unknowns times the logarithm of the number of independent windows.
+//! Windows are counted in units of the autocorrelation time of the richer law's residual.
 
 use super::candidate::{Candidate, evaluate, logs, refine, unknowns};
 use super::judge::{Accepted, adopt, chosen_of};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::hypotheses::at_edge;
 
-/// Puts a simpler law of the same effect in the place of each cause whose further terms do not pay.
+/// Replaces each cause whose further terms do not pay by a simpler law of the same effect.
 pub(in crate::diagnose) fn simplest_laws(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut [Accepted],
@@ -49,14 +49,15 @@ pub(in crate::diagnose) fn simplest_laws(
     }
 }
 
-/// Whether what the richer law `own` fits better than `simpler` does not pay for its unknowns.
+/// Whether the better fit of the richer law `own` over `simpler` does not pay for its unknowns.
 fn suffices(simpler: &Candidate, next: &Fitted, own: &Chosen, fitted: &Fitted) -> bool {
     let further =
         unknowns(own.cause, &own.shape, own.x.len()) - unknowns(simpler.cause, &simpler.shape, simpler.gain.x.len());
     further > 0.0 && costs_less(next, fitted, further)
 }
 
-/// Whether what a fit loses to a richer one is no more than the price of so many further unknowns.
+/// Whether the loss against a richer fit is within the cost of the given number of further
+/// unknowns.
 pub(super) fn costs_less(simpler: &Fitted, richer: &Fitted, further: f64) -> bool {
     let windows = || richer.solution.counts.iter().zip(&richer.memory).map(|(n, m)| n / m);
     let lost: f64 = logs(&simpler.solution.rss, &richer.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();

@@ -1,4 +1,4 @@
-//! Each accepted cause once more, now that the rest is known.
+//! Stepwise exchange: tests each accepted cause again in the presence of all others.
 
 use super::candidate::{candidates, evaluate, refine, rivals, sparest_first};
 use super::judge::{Accepted, Judge, adopt, chosen_of};
@@ -6,8 +6,8 @@ use super::{SearchSettings, makes_sense};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::hypotheses::Hypothesis;
 
-/// Takes each cause out in turn: goes without it where it is not missed, and puts another in its
-/// place that does better now that the rest is known.
+/// Takes each cause out in turn. It is dropped if the fit does not need it, or replaced by a cause
+/// that does better now that the others are known.
 pub(in crate::diagnose) fn stepwise_exchange(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
@@ -48,7 +48,7 @@ pub(in crate::diagnose) fn stepwise_exchange(
             if let Some(mut judged) = judge.judge(&reduced, &next, &trial) {
                 judged.rivals = rivals(&ranked, rank, &next);
                 if turned && judged.chosen.cause.name() == removed.cause.name() {
-                    // It is needed, whatever the shapes of the others: all keep the shapes found
+                    // It is needed whatever the shapes of the others: all keep the shapes found
                     // beside it.
                     accepted[index] = Accepted { chosen: removed.clone(), ..judged };
                     replaced = true;
@@ -77,7 +77,7 @@ pub(in crate::diagnose) fn stepwise_exchange(
 }
 
 /// Refines the shapes of the causes on a joint again, each beside the others: their first shapes
-/// may have covered for another cause. Whether there are any.
+/// may have absorbed another cause. Returns whether there are any.
 fn reshape(tested: &mut ModelUnderTest<'_>, chosen: &mut [Chosen], place: &[usize]) -> bool {
     let shaped = |c: &Chosen| c.cause.shape().iter().any(|number| number.step.is_some());
     let peers: Vec<usize> = (0..chosen.len())

@@ -1,4 +1,4 @@
-//! Whether another cause suffices where a link seems to be wrong, or something seems to push.
+//! Tests whether another cause suffices in place of a wrong link or a push.
 
 use super::candidate::{Candidate, evaluate, unknowns};
 use super::forward::{Forward, main_joint, plain};
@@ -7,16 +7,16 @@ use crate::diagnose::hypotheses::Kind;
 use crate::diagnose::select::model_choice::LeftOut;
 use dh_codegen::robot::EffectKind;
 
-/// Unknowns of a cause that is simple beside a link.
+/// Maximum number of unknowns of a cause that counts as simple beside a link.
 const FEW: f64 = 3.0;
 
-/// Part of a link's score by which a payload may lag behind it.
+/// Share of a link's score by which a payload may lag behind it.
 const SAME_BODY: f64 = 0.05;
 
-/// Other causes that are tried, those that gain most.
+/// Number of alternative causes tried, those with the largest gain.
 const TRIED: usize = 4;
 
-/// Least part of a push's score with which a cause that acts throughout may stand for it.
+/// Least share of a push's score for a cause that acts throughout to be tried in its place.
 const LASTING: f64 = 0.5;
 
 fn body(candidate: &Candidate) -> bool {
@@ -27,9 +27,10 @@ fn count(candidate: &Candidate) -> f64 {
     unknowns(candidate.cause, &candidate.shape, candidate.gain.x.len())
 }
 
-/// Candidates that may stand for a link, the fewest unknowns first: few unknowns on the joint on
-/// which the link gains most, or a payload that gains nearly as much. A link's ten unknowns take
-/// other errors of several joints, too, and so gain more than the cause whose error they take.
+/// Alternatives to a wrong link, the fewest unknowns first. They are causes with few unknowns on
+/// the joint where the link gains most, or a payload that gains nearly as much. A link's ten
+/// unknowns also absorb other errors of several joints, so it gains more than the cause whose error
+/// it absorbs.
 fn simpler(ranked: &[Candidate], link: &Candidate, main: usize) -> Vec<usize> {
     let simple = |c: &Candidate| {
         let steady = !c.cause.moves_time() && !c.cause.local() && !body(c);
@@ -43,17 +44,17 @@ fn simpler(ranked: &[Candidate], link: &Candidate, main: usize) -> Vec<usize> {
     tried
 }
 
-/// Candidates that may stand for a push, the best first: those that act throughout the logs. Where
-/// an arm accelerates most, three components of a force take more of a body's error than that
-/// body's parameters do, since they need not fit the rest.
+/// Alternatives to a push, the best first: causes that act throughout the logs. Where an arm
+/// accelerates most, three components of a force absorb more of a body's error than that body's
+/// parameters, which must also fit the rest.
 fn lasting(ranked: &[Candidate], push: &Candidate) -> Vec<usize> {
     let lasts = |c: &Candidate| !c.cause.local() && !c.cause.moves_time() && c.score > LASTING * push.score;
     (0..ranked.len()).filter(|&i| lasts(&ranked[i])).take(TRIED).collect()
 }
 
 impl Forward<'_, '_> {
-    /// The first candidate that may stand for the link or the push at `at` and beside which that is
-    /// not worth having any more; `None` where there is none.
+    /// The first alternative to the link or the push at `at` beside which that candidate is no
+    /// longer accepted; `None` where there is none.
     pub(super) fn that_suffices(
         &mut self,
         ranked: &[Candidate],
@@ -66,15 +67,14 @@ impl Forward<'_, '_> {
         if !link && !own.cause.local() {
             return None;
         }
-        // What is not worth having by itself gives way to nothing.
+        // A candidate that is not accepted by itself needs no alternative.
         let (main, left) = self.held((ranked, at), fitted, before)?;
         let others = if link { simpler(ranked, own, main) } else { lasting(ranked, own) };
         others.into_iter().find(|&i| self.suffices((ranked, i), (own, &left), fitted, before))
     }
 
-    /// The best link, where a payload at `at` gains less and that link is surely better on
-    /// stretches that are left out: a payload has fewer unknowns, and comes near to a link of the
-    /// wrist.
+    /// The best link in place of a payload at `at`, if it gains more and is significantly better on
+    /// left-out stretches. A payload has fewer unknowns, and approximates a link of the wrist.
     pub(super) fn link_that_predicts_better(
         &mut self,
         (ranked, at): (&[Candidate], usize),
@@ -89,8 +89,8 @@ impl Forward<'_, '_> {
         others.less(&left, self.noise).sure().then_some(link)
     }
 
-    /// The joint on which a candidate gains most, and what the model with it leaves on stretches
-    /// that are left out; `None` where it is not worth having.
+    /// The joint on which a candidate gains most, and the errors of the model with it on left-out
+    /// stretches; `None` where it is rejected.
     fn held(
         &mut self,
         (ranked, at): (&[Candidate], usize),
@@ -103,8 +103,9 @@ impl Forward<'_, '_> {
         })
     }
 
-    /// Whether a candidate is worth having, and the `other` (with what it leaves on stretches that
-    /// are left out) beside it is not. A body in the place of a body predicts as well, too.
+    /// Whether a candidate is accepted, and the `other` is not in its presence. `others` are the
+    /// errors with the latter on left-out stretches. A body that replaces a body must also predict
+    /// as well.
     fn suffices(
         &mut self,
         (ranked, i): (&[Candidate], usize),
@@ -127,7 +128,7 @@ impl Forward<'_, '_> {
         })
     }
 
-    /// What is seen of the model with some candidates; all is as before then.
+    /// Evaluates `look` on the model with some candidates added, then restores the model.
     fn with<T>(&mut self, parts: &[&Candidate], look: impl FnOnce(&Self, &[Chosen], &Fitted) -> T) -> T {
         let (frozen, separate) = (self.tested.frozen.clone(), self.tested.separate.clone());
         let mut trial = self.chosen.clone();
@@ -140,7 +141,7 @@ impl Forward<'_, '_> {
         let fitted = self.tested.fit(&mut trial);
         let seen = look(self, &trial, &fitted);
         (self.tested.frozen, self.tested.separate) = (frozen, separate);
-        // The scene's model is that of the last fit.
+        // Restore the scene's model, which is that of the last fit.
         self.tested.fit(&mut self.chosen.clone());
         seen
     }

@@ -1,9 +1,9 @@
-//! A model beside the same without one of its causes.
+//! Compares a model with the same model without one of its causes.
 //!
-//! A cause is measured on the validating logs. If a joint is missed far more there than on the
-//! fitted logs, with the cause and without it, something else has changed between them (a warmer
-//! gear, another tool); then these logs can neither confirm nor refute the causes of that joint,
-//! and the fitted ones decide.
+//! A cause is measured on the validating logs. A joint's error may be far larger there than on the
+//! fitted logs, with the cause and without it. Then something else has changed between the logs (a
+//! warmer gear, another tool). These logs can neither confirm nor refute the causes of that joint,
+//! and the fitted logs decide.
 
 use super::excess::{CHANGED, EXCESS};
 use std::ops::Range;
@@ -13,25 +13,24 @@ use super::refine_and_select::Session;
 use crate::diagnose::findings::reported_cause::Item;
 use crate::diagnose::fit::model::{Chosen, ModelUnderTest};
 
-/// Shares of its joint's error that a cause takes, if they are not measured on the whole of the
-/// validating logs.
+/// Shares of its joint's error that a cause removes, where not measured on all validating logs.
 #[derive(Clone, Copy)]
 pub(in crate::diagnose) struct Shares {
-    /// Of a cause that acts in a part of a log: there.
+    /// For a local cause: the share in the part of the log where it acts.
     pub(in crate::diagnose) within: Option<f64>,
-    /// On validating logs, where its joints differ from the fitted ones and the latter decide.
+    /// Share on the validating logs, where its joints differ and the fitted logs decide.
     pub(in crate::diagnose) far: Option<f64>,
-    /// Not a share: size of the cause on the validating logs by that on the fitted ones, see
-    /// [`Without::repeats`].
+    /// Not a share: ratio of the cause's size on the validating logs to that on the fitted logs,
+    /// see [`Without::repeats`].
     pub(in crate::diagnose) repeats: Option<f64>,
 }
 
-/// Sizes of one cause in two recordings, as a ratio, that are alike.
+/// Range of the ratio of a cause's sizes in two recordings within which they agree.
 const ALIKE: std::ops::RangeInclusive<f64> = 0.67..=1.5;
 
 impl Shares {
-    /// Whether validating logs whose joints differ by something else still show the cause: by
-    /// themselves in a like size, and with less error.
+    /// Whether validating logs whose joints differ otherwise still show the cause: estimated from
+    /// them alone it has a similar size, and it reduces the error.
     pub(in crate::diagnose) fn recurs_far(&self) -> bool {
         self.far.is_some_and(|far| far > 0.0) && self.repeats.is_some_and(|ratio| ALIKE.contains(&ratio))
     }
@@ -40,40 +39,38 @@ impl Shares {
 /// Errors of a model without one of its causes.
 pub(in crate::diagnose) struct Without {
     pub(in crate::diagnose) measured: Figures,
-    /// Interval of what the cause takes.
+    /// 90 % interval of the share that the cause removes.
     pub(in crate::diagnose) interval: [f64; 2],
-    /// Of a cause that acts in a part of a log: the largest share of a joint's squared error that
-    /// it takes there.
+    /// For a local cause: the largest share of a joint's squared error that it removes there.
     pub(in crate::diagnose) within: Option<f64>,
-    /// Of a cause that acts in a part of a log: whether it makes a joint worse there.
+    /// For a local cause: whether it makes a joint worse there.
     pub(in crate::diagnose) spoils: bool,
-    /// Whether they are those on the fitted logs.
+    /// Whether the errors are those on the fitted logs.
     pub(in crate::diagnose) near: bool,
-    /// Joints that differ between fitted and validating logs, whether the model has the cause or
-    /// not.
+    /// Joints that differ between fitted and validating logs, with the cause and without it.
     apart: Vec<bool>,
-    /// Share that the cause takes on validating logs where its joints differ.
+    /// Share that the cause removes on validating logs where its joints differ.
     pub(in crate::diagnose) far_share: Option<f64>,
-    /// Size that the validating logs by themselves give the cause, all else as fitted, by the size
-    /// on the fitted logs; `None` where those logs can't show it. An error of something else makes
-    /// the share small and leaves this at 1.
+    /// Size of the cause estimated from the validating logs alone, all else as fitted, divided by
+    /// its size on the fitted logs; `None` where those logs cannot show it. An error of something
+    /// else makes the share small and leaves this ratio at 1.
     pub(in crate::diagnose) repeats: Option<f64>,
 }
 
 impl Without {
-    /// Shares of its joint's error that the cause takes by other measures: see [`Shares`].
+    /// Shares of its joint's error that the cause removes by other measures: see [`Shares`].
     pub(in crate::diagnose) fn shares(&self) -> Shares {
         Shares { within: self.within, far: self.far_share, repeats: self.repeats }
     }
 
-    /// Errors where joints move; on joints that differ those of the model `with` the cause, which
-    /// neither confirm nor refute it.
+    /// Errors where joints move. On joints that differ between the logs, those of the model `with`
+    /// the cause, which neither confirm nor refute it.
     pub(in crate::diagnose) fn alike(&self, with: &Measured) -> Vec<f64> {
         let joints = self.measured.steady.iter().zip(&with.steady).zip(&self.apart);
         joints.map(|((without, with), apart)| if *apart { *with } else { *without }).collect()
     }
 
-    /// Whether the interval of what the cause takes of its main joint's error includes 0.
+    /// Whether the interval of the share removed on its main joint includes 0.
     pub(in crate::diagnose) fn may_be_chance(&self) -> bool {
         self.interval[0] <= 0.0
     }
@@ -84,8 +81,8 @@ impl Without {
     }
 }
 
-/// The largest share of a joint's squared error within a span of samples that is gone with a cause
-/// (`errors` without it and with it), by a torque that is more than half of the noise.
+/// The largest share of a joint's squared error that a cause removes within a span of samples,
+/// where it exceeds half of the noise. `errors`: without and with the cause.
 pub(in crate::diagnose) fn share_within(span: Range<usize>, errors: [&Measured; 2], noise: &[f64]) -> f64 {
     let joint = |(j, noise): (usize, &f64)| {
         let [a, b] = errors.map(|m| m.error[j].get(span.clone()).map_or(0.0, |e| root_mean_square(e).powi(2)));
@@ -94,8 +91,9 @@ pub(in crate::diagnose) fn share_within(span: Range<usize>, errors: [&Measured; 
     noise.iter().enumerate().map(joint).fold(0.0, f64::max)
 }
 
-/// Size that logs give a cause by themselves, by the fitted one: the regression of the errors
-/// without the cause on what the cause changes, each joint where it moves and by its own error.
+/// Size of a cause estimated from these logs alone, relative to the fitted one. It is the
+/// regression of the errors without the cause on the change by the cause, where each joint moves,
+/// weighted by its own error.
 fn size(without: &Measured, with: &Measured) -> Option<f64> {
     let (mut pull, mut information) = (0.0, 0.0);
     for (joint, rms) in with.steady.iter().enumerate() {
@@ -111,7 +109,7 @@ fn size(without: &Measured, with: &Measured) -> Option<f64> {
     (information > 0.0).then(|| pull / information)
 }
 
-/// Measures a model beside the same without one of its causes.
+/// Measures a model against the same model without one of its causes.
 pub(in crate::diagnose) struct Beside<'c, 'a> {
     pub(in crate::diagnose) session: &'c Session<'a>,
     pub(in crate::diagnose) far: Meter<'a>,
@@ -121,8 +119,8 @@ pub(in crate::diagnose) struct Beside<'c, 'a> {
 }
 
 impl<'a> Beside<'_, 'a> {
-    /// Errors without a cause, on the validating logs; on the fitted ones if the validating ones
-    /// can't refute it.
+    /// Errors without a cause, on the validating logs, or on the fitted ones if the validating logs
+    /// cannot refute it.
     pub(in crate::diagnose) fn without(
         &mut self,
         tested: &mut ModelUnderTest<'a>,

@@ -1,8 +1,8 @@
-//! Causes that the file's links ask for, beside refitted ones.
+//! Tests causes found with the file's links again beside refitted links.
 //!
-//! Where the file's links are wrong altogether, the search that keeps them takes what comes nearest
-//! to their errors: a shared motor, a tilt, a spring. Refitted links explain those errors, and
-//! beside them such a cause gains nothing. One that is true still does.
+//! If the file's links are wrong altogether, the search that keeps them accepts the causes that
+//! resemble their errors best: a shared motor, a tilt, a spring. Refitted links explain those
+//! errors, and beside them such a cause gains nothing. A true cause still does.
 
 use super::model_choice::LeftOut;
 use super::refine_and_select::{Selected, Session};
@@ -19,20 +19,20 @@ use crate::diagnose::search::candidate::candidates;
 use crate::diagnose::search::forward::PLAIN;
 use crate::diagnose::search::judge::chosen_of;
 
-/// Least error of a joint beside which a share is taken, by its noise.
+/// Least joint error above the noise by which a share is divided, in units of the noise.
 const LEAST: f64 = 0.5;
 
-/// What a cause is worth beside everything in a model.
+/// Evidence for a cause beside everything else in a model.
 pub(in crate::diagnose) struct Worth {
-    /// Largest share that it takes of the squared error of one of its joints, above the noise, on
-    /// stretches of the fitted logs that are left out.
+    /// Largest share of the squared error of one of its joints, above the noise, that it removes on
+    /// left-out stretches of the fitted logs.
     share: f64,
-    /// [`Change::wald`].
+    /// Wald statistic, see [`Change::wald`].
     wald: f64,
 }
 
 impl Worth {
-    /// Of a cause that nothing else explains and other data confirm.
+    /// Probability of a cause that nothing else explains and other data confirm.
     pub(in crate::diagnose) fn probability(&self) -> f64 {
         let Self { share, wald } = *self;
         calibration::change(&Change { share, wald, margin: f64::INFINITY, confirmed: true })
@@ -40,8 +40,8 @@ impl Worth {
 }
 
 impl<'a> Session<'a> {
-    /// The suspects of both searches, that of the file's links and the refitted one, with the
-    /// probability that they have beside the offered model.
+    /// Merges the suspects of the searches with the file's and with refitted links, each with its
+    /// probability beside the offered model.
     pub(in crate::diagnose) fn suspected(
         &self,
         [mut of_file, of_refit]: [Vec<Cause>; 2],
@@ -55,8 +55,8 @@ impl<'a> Session<'a> {
         of_file
     }
 
-    /// Gives suspects of the file's links no more probability than they have beside the refitted
-    /// links of the offered model. `why`: a sentence on each that is not named for that.
+    /// Limits the probability of suspects of the file's links to that beside the refitted links of
+    /// the offered model. Adds to `why` a sentence on each that is not named for this reason.
     fn beside_other_links(&self, model: &mut Selected<'a>, suspects: &mut [Cause], why: &mut Vec<String>) {
         let named = |s: &Cause| s.probability >= calibration::NAMED && s.window().is_none();
         for suspect in suspects.iter_mut().filter(|s| named(s)) {
@@ -90,8 +90,8 @@ impl<'a> Session<'a> {
         worth.map_or(0.0, |worth| worth.probability())
     }
 
-    /// Of what other links gain on left-out stretches, the part that one body of the file's links
-    /// says, as a part of [`ONE_BODY`]; at most 1.
+    /// Gain of one body of the file's links on left-out stretches, relative to the gain of the
+    /// refitted links and to [`ONE_BODY`]; at most 1.
     fn part_of_links(&self, model: &Selected<'a>, name: &str, place: &[usize]) -> f64 {
         let Selected { tested, accepted, .. } = model;
         let mut believed =
@@ -109,9 +109,9 @@ impl<'a> Session<'a> {
     }
 }
 
-/// What a cause is worth beside everything in a model, whose other causes are `others`; `None`
-/// where no plausible size of it gains anything. `noise`: of each joint's torque, N m. The model
-/// under test is left with it, its friction included.
+/// Evidence for a cause beside a model with the causes `others`; `None` where no plausible size of
+/// it gains anything. `noise`: of each joint's torque, N m. Leaves `tested` with the cause, its
+/// friction included.
 pub(in crate::diagnose) fn worth(
     tested: &mut ModelUnderTest<'_>,
     others: &mut Vec<Chosen>,
@@ -145,7 +145,7 @@ pub(in crate::diagnose) fn worth(
     Some(Worth { share, wald })
 }
 
-/// Keeps the friction that the file gives the joints of a place: a law is a change of that.
+/// Fixes the file's friction of the joints of a place: a friction law is a change of it.
 fn keep_friction(tested: &mut ModelUnderTest<'_>, place: &[usize]) {
     let given = given_friction(tested.plant);
     for &j in place {
@@ -155,7 +155,7 @@ fn keep_friction(tested: &mut ModelUnderTest<'_>, place: &[usize]) {
     }
 }
 
-/// Errors on stretches that are left out, inside what is possible where that can be.
+/// Errors on left-out stretches, from the fit within physical limits where it exists.
 fn left_out(tested: &ModelUnderTest<'_>, chosen: &[Chosen], fitted: &Fitted) -> LeftOut {
     tested.possible_left_out(chosen, fitted).unwrap_or_else(|_| tested.left_out(chosen, fitted))
 }

@@ -1,5 +1,5 @@
-//! Models among which one is offered: with the file's links, with all base parameters refitted, and
-//! the plain refit beside which both have to hold on each validating log.
+//! Candidate models for the offer: the file's links, all base parameters refitted, and a plain
+//! refit with which both are compared on each validating log.
 
 use super::excess::{TENTH, by_log, excess, with_excess};
 use super::measure::{Measured, Meter};
@@ -18,16 +18,16 @@ use crate::identify::ConsistentError;
 use crate::model::PerturbableArm;
 use crate::numerics::parallel::{parallel, threads};
 
-/// A refit of all base parameters and friction, without any further cause: what remains is
-/// structure.
+/// A refit of all base parameters and friction without any further cause, as a reference; its
+/// remaining error is structure.
 pub(in crate::diagnose) struct Refit {
     /// Errors on stretches of the fitted logs that are left out in turn.
     pub(in crate::diagnose) left_out: LeftOut,
     pub(in crate::diagnose) errors: Errors,
     /// Errors on each validating log, where joints move, N m; empty without such logs.
     by_log: Vec<Vec<f64>>,
-    /// Noise of each joint's torque where the residuals of fitted and validating logs are nothing else, N m:
-    /// the smaller of both.
+    /// Noise of each joint's torque, N m, where the residuals of fitted and validating logs are
+    /// pure noise: the smaller of the two.
     noise: Vec<Option<f64>>,
 }
 
@@ -53,13 +53,13 @@ impl Refit {
 }
 
 impl Refit {
-    /// Noise of each joint's torque, N m, where the residuals show more than was known.
+    /// Noise of each joint's torque, N m, raised to that of the residuals where these show more.
     pub(in crate::diagnose) fn with_noise_seen(&self, known: Vec<f64>) -> Vec<f64> {
         known.into_iter().zip(&self.noise).map(|(known, seen)| seen.unwrap_or(0.0).max(known)).collect()
     }
 }
 
-/// The fit without a cause, inside what is possible where that can be, and its errors on left-out
+/// The fit without a cause, within physical limits where it exists, and its errors on left-out
 /// stretches.
 fn plainly(refit: &mut ModelUnderTest<'_>) -> Result<(Fitted, LeftOut), DiagnoseError> {
     let plain = refit.fit(&mut []);
@@ -68,7 +68,7 @@ fn plainly(refit: &mut ModelUnderTest<'_>) -> Result<(Fitted, LeftOut), Diagnose
             let out = refit.possible_left_out(&[], &possible)?;
             (possible, out)
         }
-        // A refit that no arm can have is a yardstick; it is not offered.
+        // A physically inconsistent refit still serves as a reference; it is not offered.
         Err(_) => {
             let out = refit.left_out(&[], &plain);
             (plain, out)
@@ -76,28 +76,28 @@ fn plainly(refit: &mut ModelUnderTest<'_>) -> Result<(Fitted, LeftOut), Diagnose
     })
 }
 
-/// Most samples of all joints of fitted and validating logs for two searches at once: of more they
-/// would take over 200 MB.
+/// Maximum number of samples of all joints, fitted and validating logs together, for two parallel
+/// searches: more would take over 200 MB.
 const TWICE: usize = 150_000;
 
 /// Result of the searches.
 pub(in crate::diagnose) struct Searched<'a> {
-    /// The models that hold.
+    /// Models that hold.
     pub(in crate::diagnose) models: Vec<Selected<'a>>,
-    /// Sentences on those that do not.
+    /// Sentences on models that do not hold.
     pub(in crate::diagnose) said: Vec<String>,
-    /// The causes that the model of the file's links had, and that the refitted one had.
+    /// Causes that were in the model with the file's links, and in the refitted one.
     pub(in crate::diagnose) suspects: [Vec<Cause>; 2],
 }
 
 impl<'a> Session<'a> {
-    /// Part of a model's residual that is not noise. `torque`: root mean square of each joint's, N
-    /// m.
+    /// Part of a model's residual that is not noise. `torque`: root mean square of each joint's
+    /// torque, N m.
     pub(in crate::diagnose) fn left(&self, model: &Selected<'_>, torque: &[f64]) -> Vec<Structure> {
         self.left_of(&model.tested.scene, &model.fitted.residual, [&model.after_fit, &model.after], torque)
     }
 
-    /// The same of a residual, per joint and window, and of errors on fitted and validating logs.
+    /// The same for a residual, per joint and window, and errors on fitted and validating logs.
     pub(in crate::diagnose) fn left_of(
         &self,
         scene: &WindowedData<'_>,
@@ -107,7 +107,7 @@ impl<'a> Session<'a> {
     ) -> Vec<Structure> {
         let of = |noise: &[f64]| with_excess(structure(scene, residual, noise, torque), excess(errors, noise));
         let found = of(self.noise);
-        // A refit misses what the model has, which hides how large noise with a memory is.
+        // A plain refit lacks the causes, which hides the size of autocorrelated noise.
         let mut noise = self.noise.to_vec();
         for j in found.iter().map(|s| s.joint) {
             let seen = errors.iter().filter_map(|errors| errors.noise(j)).reduce(f64::min);
@@ -118,14 +118,14 @@ impl<'a> Session<'a> {
         found
     }
 
-    /// Whether there is memory for two searches at once.
+    /// Whether the logs are small enough for two parallel searches.
     fn fits_twice(&self) -> bool {
         let samples = |r: &Recording| r.stretches.iter().map(|s| s.tau.len()).sum::<usize>();
         self.fit.iter().chain(self.validate).map(samples).sum::<usize>() <= TWICE
     }
 
-    /// The models that were searched. `file`: errors of the unchanged file on left-out stretches,
-    /// where it has links.
+    /// Results of the searches. `file`: errors of the unchanged file on left-out stretches, if it
+    /// has link parameters.
     pub(in crate::diagnose) fn models(
         &self,
         file: Option<&LeftOut>,
@@ -135,7 +135,7 @@ impl<'a> Session<'a> {
         let (mut models, mut said, mut suspects) = (Vec::new(), Vec::new(), [Vec::new(), Vec::new()]);
         let mut refitted = None;
         if let Some(file) = file {
-            // What is likely to be needed is searched beside the other, on a processor of its own.
+            // If the refit is likely to be needed, run both searches in parallel.
             let both = refit.left_out.less(file, self.ground).worth_refit(0) && threads() > 1 && self.fits_twice();
             (self.progress)(if both {
                 "the file's links unchanged, and refitted"
@@ -183,8 +183,8 @@ impl<'a> Session<'a> {
         Ok(Searched { models, said, suspects })
     }
 
-    /// Refitted links go where they err more than the unchanged file on every validating log, and
-    /// there is a model of the file's links with causes: the fitted logs show too little of them.
+    /// Drops refitted links that err more than the unchanged file on every validating log: the
+    /// fitted logs excite them too little. Requires a model of the file's links with causes.
     fn without_poor_links(&self, models: &mut Vec<Selected<'a>>, file: &[Vec<f64>], said: &mut Vec<String>) {
         if !models.iter().any(|m| m.tested.mode == Mode::Trusted && !m.causes.is_empty()) {
             return;
@@ -211,17 +211,17 @@ impl<'a> Session<'a> {
         self.own_validation && !self.worse_on(model, &refit.by_log).is_empty()
     }
 
-    /// Whether it errs more on every validating log than a plain refit, by a tenth and more, and than the
-    /// unchanged file: what its causes say of the fitted logs makes it worse elsewhere.
+    /// Whether a model errs at least a tenth more than a plain refit on every validating log, and
+    /// more than the unchanged file. Causes found on the fitted logs then make it worse elsewhere.
     pub(in crate::diagnose) fn worse_throughout(&self, model: &Selected<'_>, refit: &Refit) -> bool {
         self.own_validation
             && self.errs_more(model, &refit.by_log, TENTH)
             && self.file_by_log().is_ok_and(|file| self.errs_more(model, &file, 1.0))
     }
 
-    /// Says so where a model errs more with further causes than without them on a validating log:
-    /// `without`, errors of the same links without any, per log and joint, N m. Logs of different
-    /// robots refute no model.
+    /// A sentence if a model errs more with its further causes than without them on a validating
+    /// log. `without`: errors of the same links without any, per log and joint, N m. Logs of
+    /// different robots refute no model.
     fn fails_on(&self, model: &Selected<'_>, without: &[Vec<f64>]) -> Option<String> {
         let logs = self.worse_on(model, without);
         let holds = model.accepted.is_empty() || logs.is_empty() || !self.changed(model, self.noise).is_empty();

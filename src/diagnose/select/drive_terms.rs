@@ -1,14 +1,14 @@
-//! Evidence for plain friction of drives that are diagnosed alone.
+//! Evidence for plain friction of drives that are diagnosed without bodies.
 //!
-//! Beside a robot's bodies a level of friction takes part of what a wrong link leaves, so that it must
-//! be found by the search from the file. What a gear takes has no links in it: a term without which
-//! the rest does not predict its joint has changed.
+//! Beside a robot's bodies a friction level absorbs a part of the error of a wrong link, so it must
+//! be found by the search from the file. A gear alone has no links. A term without which the rest
+//! does not predict its joint has changed.
 
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::search::forward::{Evidence, PLAIN};
 
-/// Evidence for each plain term that is fitted and news: the share of its joint's squared error that
-/// it takes beside all others, `fitted` being the model with all of them.
+/// Evidence for each plain term that is fitted and reported: the share of its joint's squared error
+/// that it removes beside all others. `fitted` is the model with all of them.
 pub(super) fn evidence(tested: &mut ModelUnderTest<'_>, chosen: &[Chosen], fitted: &Fitted) -> Vec<Evidence> {
     let mut found = Vec::new();
     for k in (0..tested.frozen.len()).filter(|&k| !tested.frozen[k] && !tested.quiet[k]).collect::<Vec<_>>() {

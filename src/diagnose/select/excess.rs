@@ -1,5 +1,4 @@
-//! Error beyond what noise explains, and error that the validating logs have and the fitted ones
-//! have not.
+//! Error above the noise, and error that occurs on the validating logs and not on the fitted ones.
 
 use super::measure::{Measured, Meter, root_mean_square, taken_of};
 use super::refine_and_select::{Selected, Session};
@@ -11,27 +10,27 @@ use crate::diagnose::search::judge::chosen_of;
 use crate::diagnose::windows::recording::Recording;
 use crate::model::PerturbableArm;
 
-/// Error by floor above which it is more than noise.
+/// Ratio of error to noise floor above which it is more than noise.
 pub(in crate::diagnose) const EXCESS: f64 = 1.5;
 
-/// The same of all samples where the joint moves, those about its reversals included.
+/// The same ratio over all samples where the joint moves, including those about its reversals.
 const ABOUT_REVERSALS: f64 = 2.5;
 
-/// Error on the validating logs by that on the worst left-out stretch of the fitted ones, above
-/// which the logs may be of different robots.
+/// Ratio of the error on the validating logs to that on the worst left-out stretch of the fitted
+/// ones, above which the logs may be of different robots.
 pub(in crate::diagnose) const CHANGED: f64 = 1.6;
 
-/// The same of one model that is fitted to all logs, above which they are.
+/// The same ratio for one model fitted to all logs, above which they are of different robots.
 const APART: f64 = 1.3;
 
-/// Share of a joint's squared error above the noise that is nearly all of it.
+/// Share of a joint's squared error above which it is nearly all explained.
 const NEARLY: f64 = 0.8;
 
 /// Sum over joints of the logarithms of error ratios above which a model is worse.
 pub(super) const WORSE: f64 = 0.02;
 
-/// Joints that the model misses by more than the floor explains, on fitted and validating logs
-/// alike. `floor`: error of each joint's torque where a model is right, N m.
+/// Joints whose error exceeds the floor on fitted and validating logs alike. `floor`: error of each
+/// joint's torque with a correct model, N m.
 pub(in crate::diagnose) fn excess([fit, validate]: [&Measured; 2], floor: &[f64]) -> Vec<Structure> {
     let joint = |j: usize| {
         let least = |of: &dyn Fn(&Measured) -> f64| of(validate).min(of(fit));
@@ -50,14 +49,14 @@ pub(in crate::diagnose) fn excess([fit, validate]: [&Measured; 2], floor: &[f64]
     (0..floor.len()).filter_map(joint).collect()
 }
 
-/// Error by floor in a stretch in which a joint moves, above which that is wrong by itself, length of
-/// such a stretch, s, and the least of them together.
+/// Local misfit: ratio of error to floor in a stretch in which a joint moves, length of a stretch,
+/// s, and least total length of such stretches, s.
 const WITHIN: f64 = 5.0;
 const STRETCH: f64 = 0.25;
 const TOGETHER: f64 = 0.5;
 
-/// Joints that a model misses by far in some stretches of the fitted logs, where all of the logs looks
-/// like noise: a gap that shows when the load turns about.
+/// Joints with large errors in some stretches of the fitted logs although the whole looks like
+/// noise, such as backlash that shows when the load reverses.
 pub(in crate::diagnose) fn here_and_there(fit: &Measured, floor: &[f64]) -> Vec<Structure> {
     let joint = |j: usize| {
         let stretches = fit.stretches(j, STRETCH).filter(|(_, rms)| *rms > WITHIN * floor[j]);
@@ -81,20 +80,20 @@ pub(in crate::diagnose) fn here_and_there(fit: &Measured, floor: &[f64]) -> Vec<
     (0..floor.len()).filter_map(joint).collect()
 }
 
-/// Structure, and joints with excess alone.
+/// Adds joints that have excess error but no structure.
 pub(in crate::diagnose) fn with_excess(mut found: Vec<Structure>, more: Vec<Structure>) -> Vec<Structure> {
     let there: Vec<usize> = found.iter().map(|s| s.joint).collect();
     found.extend(more.into_iter().filter(|m| !there.contains(&m.joint)));
     found
 }
 
-/// Structure of joints of which one of these causes takes nearly all of the error is explained.
+/// Drops structure of joints where one of these causes explains nearly all of the error.
 pub(in crate::diagnose) fn explained(left: Vec<Structure>, by: &[Cause]) -> Vec<Structure> {
     let none = |s: &Structure| by.iter().any(|c| c.joints == [s.joint + 1] && c.share > NEARLY);
     left.into_iter().filter(|s| !none(s)).collect()
 }
 
-/// Errors of a model on each of some logs by itself, where joints move, N m.
+/// Errors of a model on each log separately, where joints move, N m.
 pub(in crate::diagnose) fn by_log(
     plant: &dyn PerturbableArm,
     logs: &[Recording],
@@ -108,9 +107,9 @@ pub(in crate::diagnose) fn by_log(
 }
 
 impl Session<'_> {
-    /// Joints, from 0, that differ between fitted and validating logs. They are missed far more on
-    /// the latter than on any left-out stretch of the former, also by one model that is fitted to
-    /// both. Without that second test a joint that the fitted logs hardly show would count.
+    /// Joints, from 0, that differ between fitted and validating logs. Their error on the latter is
+    /// far larger than on any left-out stretch of the former, also with one model fitted to both.
+    /// Without that second test, a joint that the fitted logs hardly excite would count.
     pub(in crate::diagnose) fn changed(&self, model: &Selected<'_>, floor: &[f64]) -> Vec<usize> {
         let elsewhere = |j: usize| model.left_out.worst(j).max(model.after_fit.steady[j]).max(EXCESS * floor[j]);
         let missed: Vec<usize> = (0..floor.len()).filter(|&j| model.after.steady[j] > CHANGED * elsewhere(j)).collect();
@@ -144,24 +143,23 @@ impl Session<'_> {
         own.iter().zip(other).all(|(own, other)| taken_of(own, other, self.scale) > WORSE)
     }
 
-    /// Whether it errs so many times as much as another on every validating log, root mean square over
-    /// joints.
+    /// Whether a model errs more than `times` as much as another on every validating log, root mean
+    /// square over joints.
     pub(super) fn errs_more(&self, model: &Selected<'_>, other: &[Vec<f64>], times: f64) -> bool {
         let own = by_log(self.plant, self.validate, &model.tested, &model.fitted, &chosen_of(&model.accepted));
         exceed(&own, other, times)
     }
 }
 
-/// Errors by another model's above which it is worse whatever the joint: a tenth is what logs differ by.
+/// Error ratio above which a model is worse whatever the joint: logs differ by a tenth.
 pub(super) const TENTH: f64 = 1.1;
 
-/// Whether errors `own` are so many `times` the others on every log, and more, root mean square over
-/// joints.
+/// Whether errors `own` exceed `times` the others on every log, root mean square over joints.
 fn exceed(own: &[Vec<f64>], other: &[Vec<f64>], times: f64) -> bool {
     own.iter().zip(other).all(|(own, other)| root_mean_square(own) > times * root_mean_square(other))
 }
 
-/// Whether errors `own` are more than those of a refit, N m per joint.
+/// Whether errors `own` are larger than those of a refit, N m per joint.
 fn worse(own: &[f64], refit: &[f64], scale: &[f64], noise: &[f64]) -> bool {
     let joint = |((a, b), s): ((&f64, &f64), &f64)| a * a > 1.21 * b * b + s * s;
     taken_of(own, refit, scale) > WORSE || own.iter().zip(refit).zip(noise).any(joint)
@@ -171,8 +169,8 @@ fn worse(own: &[f64], refit: &[f64], scale: &[f64], noise: &[f64]) -> bool {
 mod tests {
     use super::*;
 
-    /// Half a second of ten times the noise in 30 s is seen where the joint moves, and as one stretch it
-    /// is not.
+    /// An error of ten times the noise for half a second in 30 s is found where the joint moves. A
+    /// single stretch is not.
     #[test]
     fn a_stretch_that_is_missed_by_far_is_said() {
         let of = |wrong: usize, moves: bool| {
@@ -190,7 +188,7 @@ mod tests {
         let refit = [vec![1.0, 0.1], vec![2.0, 0.1]];
         assert!(exceed(&[vec![1.2, 0.1], vec![2.3, 0.1]], &refit, TENTH));
         assert!(!exceed(&[vec![1.2, 0.1], vec![2.1, 0.1]], &refit, TENTH));
-        // A joint of small torque decides nothing.
+        // A joint with small torques decides nothing.
         assert!(!exceed(&[vec![1.0, 0.3], vec![2.0, 0.3]], &refit, TENTH));
     }
 
@@ -200,7 +198,7 @@ mod tests {
         assert!(!worse(&[1.0; 3], &[1.0; 3], &scale, &noise));
         assert!(worse(&[0.2, 0.2, 1.3], &[1.0; 3], &scale, &noise));
         assert!(worse(&[1.05; 3], &[1.0; 3], &scale, &noise));
-        // Within the noise nothing is worse.
+        // Differences within the noise do not count.
         assert!(!worse(&[0.0, 0.0, 0.04], &[0.0; 3], &[1.0; 3], &noise));
     }
 }

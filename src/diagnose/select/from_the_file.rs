@@ -1,9 +1,9 @@
-//! The model of the file's links: searched from the unchanged file, measured, and searched again
-//! without what diluted it.
+//! The model with the file's links: searched from the unchanged file, measured, and searched again
+//! without causes that diluted others.
 //!
-//! A law that comes to a joint after another takes a part of the error that the first one took. If
-//! it does not hold on data that were not used, it leaves the model, and the first one may have
-//! left before it. So such a law is excluded, and the search repeated.
+//! A law accepted on a joint after another absorbs a part of the error that the first one
+//! explained. If it does not hold on unused data, it leaves the model, and the first one may have
+//! left before it. Such a law is excluded, and the search repeated.
 
 use super::reduction::without;
 use super::refine_and_select::{Attributed, FAR_BELOW, Selected, Session, inside};
@@ -17,14 +17,15 @@ use crate::diagnose::search::forward::{Evidence, PLAIN, Placed, forward};
 use crate::diagnose::search::judge::Accepted;
 use crate::identify::ConsistentError;
 
-/// Searches, each without what diluted those before.
+/// Maximum number of searches, each without the causes that diluted others in the previous one.
 const SEARCHES: usize = 2;
 
 /// Share of its joint's squared error from which a cause can be diluted.
 const MOST_OF_IT: f64 = 0.5;
 
-/// What was found, in the order in which it was, that is unlikely and came to a joint with a cause
-/// that took most of the error and is unlikely now. `probability`: of each, beside all others.
+/// Causes that diluted another: they are unlikely, and were accepted later on a joint with a cause
+/// that explained most of the error and is unlikely now. `probability`: of each cause, beside all
+/// others.
 fn diluting(evidence: &[Evidence], probability: &[f64]) -> Vec<Placed> {
     let lost = |k: usize| evidence[k].share >= MOST_OF_IT && probability[k] < calibration::NAMED;
     let later = |i: usize| {
@@ -35,7 +36,7 @@ fn diluting(evidence: &[Evidence], probability: &[f64]) -> Vec<Placed> {
     found.map(|i| (evidence[i].effect, evidence[i].place.clone())).collect()
 }
 
-/// Whether an item is what was found, or has the term of friction that was.
+/// Whether an item is the cause of this evidence, or has its friction term.
 fn is_of(item: &Item, e: &Evidence) -> bool {
     let term = |k: &usize| PLAIN[k % 3].effect() == e.effect;
     item.place == e.place
@@ -62,8 +63,8 @@ impl<'a> Session<'a> {
         }
     }
 
-    /// Measures what was found before any of it leaves the model: the causes, and those without which
-    /// the search is to be repeated.
+    /// Measures the found causes before any of them leaves the model. Returns the causes, and those
+    /// to exclude from a repeated search.
     fn found(
         &self,
         tested: &mut ModelUnderTest<'a>,
@@ -110,7 +111,7 @@ mod tests {
         };
         assert_eq!(excluded([0.0; 5]), [EffectKind::TimeDelay, EffectKind::GearCoupling]);
         assert_eq!(excluded([0.04, 0.04, 0.0, 0.5, 0.0]), [EffectKind::TimeDelay]);
-        // What is still likely was not diluted.
+        // A cause that is still likely was not diluted.
         assert!(excluded([0.7, 0.0, 0.0, 0.0, 0.0]).is_empty());
     }
 }

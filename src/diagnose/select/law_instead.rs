@@ -1,8 +1,8 @@
-//! A law of other joints' motion in place of a cause that came near to it.
+//! Replaces a cause by a law of other joints' motion that it approximated.
 //!
-//! The vocabulary has no friction that depends on where another joint stands. Of such an error the
-//! search takes the law of a joint's own position or direction that comes nearest, and a formula
-//! then takes what that leaves. Where the formula alone leaves no more, it is the cause.
+//! The vocabulary has no friction that depends on the position of another joint. For such an error
+//! the search accepts the nearest law of the joint's own position or direction, and a formula then
+//! takes the remainder. If the formula alone leaves no larger error, it is the cause.
 
 use super::measure::{Measured, Meter, leave_out};
 use super::reduction::without;
@@ -14,12 +14,12 @@ use crate::diagnose::findings::result::Cause;
 use crate::diagnose::search::judge::chosen_of;
 use crate::identify::ConsistentError;
 
-/// By how many times as much a law alone may leave as with a cause beside it.
+/// Factor by which the error with a law alone may exceed that with a cause beside it.
 const AS_GOOD: f64 = 1.05;
 
 impl<'a> Session<'a> {
-    /// The model without causes of single joints for which a law stands; these are suspected no
-    /// more. `torque`: root mean square of each joint's, N m; `said`: sentences on what is not in
+    /// The model without causes of single joints that a law replaces; these are no longer suspects.
+    /// `torque`: root mean square of each joint's torque, N m; `said`: sentences on what is not in
     /// the model.
     pub(in crate::diagnose) fn law_instead(
         &self,
@@ -49,7 +49,8 @@ impl<'a> Session<'a> {
         Ok(model)
     }
 
-    /// A cause of a joint that is still missed for which a law stands; the model is left as it was.
+    /// A cause on a joint with remaining structure that a law can replace. The model is left
+    /// unchanged.
     fn near_a_law(&self, model: &mut Selected<'a>, torque: &[f64]) -> Option<(Item, Formula)> {
         let missed: Vec<usize> = self.left(model, torque).iter().map(|s| s.joint).collect();
         let Selected { tested, accepted, fitted, after, after_fit, .. } = model;
@@ -81,7 +82,7 @@ impl<'a> Session<'a> {
                 break;
             }
         }
-        // The scene's model is that of the last fit.
+        // Restore the scene's model, which is that of the last fit.
         tested.update_model(fitted);
         found
     }

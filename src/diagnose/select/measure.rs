@@ -1,4 +1,4 @@
-//! Errors of models on recordings, every sample counted, and what a cause takes of them.
+//! Errors of models on recordings at every sample, and the share of them that a cause removes.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -16,68 +16,71 @@ use dh_codegen::robot::EffectKind;
 /// Errors per joint and sample at the logs' own rate.
 pub(in crate::diagnose) struct Measured {
     pub(in crate::diagnose) rms: Vec<f64>,
-    /// The same where the joint moves. At reversals the sign of a velocity inside its noise, or of
-    /// a joint that sticks, errs by twice the Coulomb level, whatever the cause. Of a joint that hardly
-    /// moves, what dry friction at rest can't be: see [`at_rest`].
+    /// Root mean square where the joint moves, N m. At reversals the sign of a velocity within its
+    /// noise, or of a joint that sticks, errs by twice the Coulomb level, whatever the cause. For a
+    /// joint that hardly moves: the error that dry friction at rest cannot explain, see
+    /// [`at_rest`].
     pub(in crate::diagnose) steady: Vec<f64>,
-    /// The same where it moves swiftly; of all samples where it hardly does.
+    /// The same where the joint moves fast; `steady` where it hardly does.
     pub(in crate::diagnose) swift: Vec<f64>,
     pub(in crate::diagnose) error: Vec<Vec<f64>>,
     pub(in crate::diagnose) time: Vec<f64>,
-    /// Samples that follow each other without a gap.
+    /// Ranges of contiguous samples.
     pub(in crate::diagnose) runs: Vec<Range<usize>>,
     /// Torque of the model, per joint, N m.
     model: Vec<Arc<Vec<f64>>>,
-    /// Delays for which the motion was taken, s.
+    /// Delays for which the motion was evaluated, s.
     delays: Vec<f64>,
-    /// Whether this data can show each of the chosen causes.
+    /// Whether each of the chosen causes is observable in these data.
     pub(in crate::diagnose) shown: Vec<bool>,
     /// Samples at which each joint moves.
     moves: Vec<Vec<bool>>,
     /// Coulomb level of the model, per joint, N m.
     coulomb: Vec<f64>,
-    /// Motion of all joints, once for each delay, and which of these goes with a joint's torque.
+    /// Motion of all joints, once per delay, and the index of the one that belongs to a joint's
+    /// torque.
     states: Vec<Arc<States>>,
     state_of_joint: Vec<usize>,
 }
 
-/// [`Measured::rms`] and [`Measured::steady`]: what is kept of a model that was only tried.
+/// [`Measured::rms`] and [`Measured::steady`], kept of a model that was only tried.
 pub(in crate::diagnose) struct Figures {
     pub(in crate::diagnose) rms: Vec<f64>,
     pub(in crate::diagnose) steady: Vec<f64>,
 }
 
 impl Measured {
-    /// Errors of a joint, of this model and of `other`, where it moves; all of them where it hardly does.
+    /// Errors of a joint, of this model and of `other`, where it moves; all samples if it hardly
+    /// does.
     pub(in crate::diagnose) fn where_it_moves(&self, other: &Self, joint: usize) -> [Vec<f64>; 2] {
         [self, other].map(|m| moving(&m.error[joint], &self.moves[joint]))
     }
 
-    /// How many samples so many seconds have.
+    /// Number of samples in `seconds`.
     fn samples_of(&self, seconds: f64) -> usize {
         (seconds / self.step()) as usize
     }
 
-    /// Time from one sample to the next, s.
+    /// Sampling period, s.
     fn step(&self) -> f64 {
         self.time.windows(2).map(|w| w[1] - w[0]).find(|d| *d > 0.0).unwrap_or(0.01)
     }
 
-    /// Noise of a joint's torque, N m, where its error is nothing else ([`noise_with_memory`]).
+    /// Noise of a joint's torque, N m, where its error is pure noise ([`noise_with_memory`]).
     pub(in crate::diagnose) fn noise(&self, joint: usize) -> Option<f64> {
         let [_, velocity, _] = self.states.get(*self.state_of_joint.get(joint)?)?.by_joint()[joint];
         let parts = self.runs.iter().map(|run| (&self.error[joint][run.clone()], &velocity[run.clone()]));
         noise_with_memory(parts, self.step().recip())
     }
 
-    /// The same of two recordings: where the errors on both are noise, the smaller one.
+    /// The same for two recordings: the smaller value where the errors on both are noise.
     pub(in crate::diagnose) fn noise_of_both(measured: [&Self; 2], joint: usize) -> Option<f64> {
         let [one, other] = measured.map(|m| m.noise(joint));
         Some(one?.min(other?))
     }
 
-    /// Begin and end, s, and error, root mean square, N m, of stretches of so many seconds in which a
-    /// joint moves throughout.
+    /// Begin and end, s, and root mean square error, N m, of the stretches of length `seconds` in
+    /// which a joint moves throughout.
     pub(in crate::diagnose) fn stretches(&self, joint: usize, seconds: f64) -> impl Iterator<Item = ([f64; 2], f64)> {
         let length = self.samples_of(seconds).max(1);
         let starts = self
@@ -92,8 +95,8 @@ impl Measured {
         })
     }
 
-    /// Whether some joint's error in a span of samples is larger than another model's, by more than dry
-    /// friction at rest can make of it: a joint that stands bears a push.
+    /// Whether some joint's error in a span of samples exceeds another model's by more than dry
+    /// friction at rest can explain: a joint at rest bears a push.
     pub(in crate::diagnose) fn is_worse_within(&self, span: Range<usize>, other: &Self, noise: &[f64]) -> bool {
         let part = |m: &Self, j: usize| m.error[j].get(span.clone()).map_or(0.0, root_mean_square);
         let borne = |j: usize| part(other, j).max(self.coulomb[j].abs() + noise[j]);
@@ -110,18 +113,18 @@ impl Measured {
         self.error.iter().zip(&self.steady).any(larger)
     }
 
-    /// The figures alone, without series.
+    /// The figures without the series.
     pub(in crate::diagnose) fn figures(&self) -> Figures {
         Figures { rms: self.rms.clone(), steady: self.steady.clone() }
     }
 
-    /// Motion and torques that go with the errors. They are not held with them, since they are the
-    /// same for all models. `recordings`: those that were measured on.
+    /// Motion and torques that belong to the errors. They are recomputed instead of stored, since
+    /// all models share them. `recordings`: those that were measured.
     pub(in crate::diagnose) fn view(&self, plant: &dyn PerturbableArm, recordings: &[Recording]) -> View {
         View::of(&WindowedData::new(plant, recordings, RAW, &self.delays, true), &self.model)
     }
 
-    /// Takes a torque on one joint, N m, out of what is missed. `velocity`: of the joint, rad/s.
+    /// Subtracts a torque on one joint, N m, from its error. `velocity`: of the joint, rad/s.
     pub(in crate::diagnose) fn explain(&mut self, joint: usize, torque: &[f64], velocity: &[f64]) {
         let error = &mut self.error[joint];
         error.iter_mut().zip(torque).for_each(|(e, t)| *e -= t);
@@ -131,17 +134,17 @@ impl Measured {
     }
 }
 
-/// Error of a joint in a part of a log, by that where it moves, from which on it stands out.
+/// Ratio of a joint's error in a part of a log to that where it moves, above which it stands out.
 const STANDS_OUT: f64 = 1.5;
 
-/// By how much an error may grow in a part of a log.
+/// Factor by which an error may grow in a part of a log.
 const WORSE_WITHIN: f64 = 1.2;
 
-/// Least speed of a joint, by its fastest, at which its error counts as excess: about a reversal
-/// dry friction is no function of the recorded velocity.
+/// Least speed of a joint, relative to its maximum, at which its error counts as excess. About a
+/// reversal dry friction is no function of the recorded velocity.
 const SWIFT: f64 = 0.05;
 
-/// Error of a joint where it moves swiftly, root mean square, N m; `steady` where it hardly does.
+/// Root mean square error of a joint where it moves fast, N m; `steady` where it hardly does.
 fn swift(error: &[f64], velocity: &[f64], steady: f64) -> f64 {
     let fastest = velocity.iter().fold(0.0_f64, |most, v| most.max(v.abs()));
     let pairs = error.iter().zip(velocity).filter(|(_, v)| v.abs() > SWIFT * fastest);
@@ -149,8 +152,8 @@ fn swift(error: &[f64], velocity: &[f64], steady: f64) -> f64 {
     if hardly(swift.len(), error) { steady } else { root_mean_square(&swift) }
 }
 
-/// Least share of its samples in which a joint moves, for these to stand for it: a motion from point to
-/// point rests for most of the time.
+/// Least share of samples in which a joint moves for these to represent it: in a point-to-point
+/// motion it rests most of the time.
 const MOVES: f64 = 0.1;
 
 /// Whether a joint moves in too few samples.
@@ -158,19 +161,20 @@ fn hardly(moving: usize, all: &[f64]) -> bool {
     (moving as f64) < MOVES * all.len() as f64
 }
 
-/// An error where the joint moves; all of it where it hardly does.
+/// The error where the joint moves; all samples if it hardly does.
 fn moving(error: &[f64], moves: &[bool]) -> Vec<f64> {
     let moving: Vec<f64> = error.iter().zip(moves).filter(|(_, moves)| **moves).map(|(e, _)| *e).collect();
     if hardly(moving.len(), error) { error.to_vec() } else { moving }
 }
 
-/// What of an error can't be dry friction of a joint at rest, which is any torque up to its Coulomb level.
+/// Part of an error that cannot be dry friction of a joint at rest, which is any torque up to its
+/// Coulomb level.
 fn at_rest(error: f64, coulomb: f64) -> f64 {
     (error.abs() - coulomb.abs()).max(0.0)
 }
 
-/// Root mean square of an error where the joint moves; of all samples where it hardly does, what dry
-/// friction explains of those at rest taken out.
+/// Root mean square of an error where the joint moves. If it hardly does: of all samples, those at
+/// rest less what dry friction explains.
 fn where_it_moves(error: &[f64], moves: &[bool], coulomb: f64) -> f64 {
     let part = moving(error, moves);
     if part.len() < error.len() {
@@ -182,13 +186,13 @@ fn where_it_moves(error: &[f64], moves: &[bool], coulomb: f64) -> f64 {
 
 pub(in crate::diagnose) const RAW: f64 = 1e9;
 
-/// Measures models on recordings, every sample counted.
+/// Measures models on recordings at every sample.
 pub(in crate::diagnose) struct Meter<'a> {
     pub(in crate::diagnose) fine: ModelUnderTest<'a>,
 }
 
 impl<'a> Meter<'a> {
-    /// For models with the mode and the delays of `tested`.
+    /// A meter for models with the mode and the delays of `tested`.
     pub(in crate::diagnose) fn new(
         plant: &'a dyn PerturbableArm,
         recordings: &'a [Recording],
@@ -203,8 +207,8 @@ impl<'a> Meter<'a> {
         self.errors(error, self.levels(|_| 0.0))
     }
 
-    /// Errors of a fitted model. `elsewhere`: not on the recordings that it was fitted to, so that
-    /// what acted in a part of them does not act here.
+    /// Errors of a fitted model. `elsewhere`: on recordings other than the fitted ones, where local
+    /// causes do not act.
     pub(in crate::diagnose) fn of(
         &mut self,
         tested: &ModelUnderTest<'_>,
@@ -223,13 +227,13 @@ impl<'a> Meter<'a> {
         Measured { shown, ..self.errors(self.fine.predict(&x, chosen), levels) }
     }
 
-    /// Coulomb level of each joint, N m: the file's and what was `found` beside it.
+    /// Coulomb level of each joint, N m: the file's plus the change that was `found`.
     fn levels(&self, found: impl Fn(usize) -> f64) -> Vec<f64> {
         let given = given_friction(self.fine.plant).into_iter().enumerate();
         given.map(|(j, given)| (given[1].unwrap_or(0.0) + found(j)).abs()).collect()
     }
 
-    /// Errors of predicted torques. `coulomb`: level of each joint's dry friction, N m.
+    /// Errors of predicted torques. `coulomb`: dry friction level of each joint, N m.
     pub(in crate::diagnose) fn errors(&self, predicted: Vec<Vec<f64>>, coulomb: Vec<f64>) -> Measured {
         let mut error = predicted;
         for (e, y) in error.iter_mut().zip(self.fine.target()) {
@@ -273,7 +277,8 @@ pub(in crate::diagnose) fn root_mean_square(x: &[f64]) -> f64 {
     (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt()
 }
 
-/// Dry friction of a joint by the chosen laws, root mean square where they act on the fitted logs, N m.
+/// Dry friction of a joint by the chosen laws, N m: root mean square where they act on the fitted
+/// logs.
 fn dry_laws(fitted: &Fitted, chosen: &[Chosen], joint: usize) -> f64 {
     let of = |(c, terms): (&Chosen, &Arc<Vec<Term>>)| {
         let dry = c.cause.kind() == Kind::Friction && c.cause.effect() != EffectKind::NonlinearViscousFriction;
@@ -289,16 +294,15 @@ fn dry_laws(fitted: &Fitted, chosen: &[Chosen], joint: usize) -> f64 {
     chosen.iter().zip(&fitted.terms).filter(|(c, _)| c.place == [joint]).map(of).sum()
 }
 
-/// Whether a cause is measured on the fitted logs: it acts in a part of one of them, or the
-/// validating ones can't show it, and so can't refute it.
+/// Whether a cause is measured on the fitted logs. Either it acts in a part of one of them, or it
+/// is not observable in the validating logs, which then cannot refute it.
 pub(in crate::diagnose) fn here(item: &Item, after: &Measured) -> bool {
-    // A sensor that was off shows nothing.
+    // A sensor that was off measures nothing.
     let off = !item.place.is_empty() && item.place.iter().all(|&j| after.rms[j] == 0.0);
     off || item.hypothesis.local() || item.accepted.is_some_and(|index| !after.shown[index])
 }
 
-/// Errors of the model that is fitted without one of its causes; the model under test is left with
-/// that.
+/// Errors of the model fitted without one of its causes. Leaves `tested` with that fit.
 pub(in crate::diagnose) fn leave_out<'a>(
     plant: &'a dyn PerturbableArm,
     fit: &'a [Recording],
@@ -321,14 +325,14 @@ pub(in crate::diagnose) fn leave_out<'a>(
     let fitted = tested.possible(&mut others, &fitted).unwrap_or(fitted);
     let measured = match tested.scene.delays == meter.fine.scene.delays {
         true => meter.of(tested, &fitted, &others, elsewhere),
-        // Without this the delay is another.
+        // Without this cause the delays differ from the meter's.
         false => Meter::new(plant, meter.fine.recordings, tested).of(tested, &fitted, &others, elsewhere),
     };
     tested.frozen = frozen;
     measured
 }
 
-/// The model that is fitted without one of its causes.
+/// The model fitted without one of its causes.
 pub(in crate::diagnose) fn reduced<'a>(
     plant: &'a dyn PerturbableArm,
     fit: &'a [Recording],
@@ -338,7 +342,7 @@ pub(in crate::diagnose) fn reduced<'a>(
 ) -> (ModelUnderTest<'a>, Vec<Chosen>, Fitted) {
     let mut delays = tested.scene.delays.clone();
     if item.hypothesis.moves_time() {
-        // The delay's own part of the shift goes.
+        // Remove the cause's own part of the shift.
         let own: Vec<usize> = if item.place.is_empty() { (0..delays.len()).collect() } else { item.place.clone() };
         let given = plant.delays();
         own.iter().for_each(|&j| delays[j] = given[j]);
@@ -354,26 +358,27 @@ pub(in crate::diagnose) fn reduced<'a>(
     (reduced, others, fitted)
 }
 
-/// Whether a cause takes this share of the squared error of some joint.
+/// Whether a cause removes this share of the squared error of some joint.
 pub(in crate::diagnose) fn takes(before: &[f64], after: &[f64], share: f64) -> bool {
     before.iter().zip(after).any(|(a, b)| a * a - b * b > share * a * a)
 }
 
-/// Whether a cause takes as much on some joint as a torque of half of the noise would, and more
-/// than errors of the recorded motion can make.
+/// Whether a cause removes as much on some joint as a torque of half of the noise, and more than
+/// errors of the recorded motion can produce.
 pub(in crate::diagnose) fn matters(before: &[f64], after: &[f64], noise: &[f64], motion: &[f64]) -> bool {
     let joints = before.iter().zip(after).zip(noise.iter().zip(motion));
     joints.map(|((a, b), (s, m))| a * a - b * b - (0.5 * s).max(*m).powi(2)).any(|x| x > 0.0)
 }
 
-/// The same of errors without and with it.
+/// Sum over joints of the logarithms of error ratios without and with a cause, regularised by the
+/// noise.
 pub(in crate::diagnose) fn taken_of(before: &[f64], after: &[f64], noise: &[f64]) -> f64 {
     let joints = before.iter().zip(after).zip(noise);
     joints.map(|((a, b), s)| 0.5 * ((a * a + s * s).max(1e-24) / (b * b + s * s).max(1e-24)).ln()).sum()
 }
 
-/// 90 % interval of the share of the squared error on the main joint that the cause takes where that
-/// moves: moving blocks of half a second (Kuensch 1989).
+/// 90 % interval of the share of the squared error on the main joint that the cause removes where
+/// that joint moves: moving blocks of half a second (Kuensch 1989).
 pub(in crate::diagnose) fn bootstrap(without: &Measured, with: &Measured, place: &[usize]) -> [f64; 2] {
     let main = place.first().copied().unwrap_or_else(|| {
         let gain = |j: &usize| without.steady[*j].powi(2) - with.steady[*j].powi(2);
@@ -386,8 +391,8 @@ pub(in crate::diagnose) fn bootstrap(without: &Measured, with: &Measured, place:
     interval(&before, &after, with.samples_of(BLOCK))
 }
 
-/// The same of a cause that acts in a part of a log, there, on the joint where it takes most: blocks of
-/// all of the log would often miss it.
+/// The same for a local cause within its span, on the joint where it removes most: blocks over the
+/// whole log would often miss it.
 pub(in crate::diagnose) fn bootstrap_within(span: Range<usize>, without: &Measured, with: &Measured) -> [f64; 2] {
     let part = |m: &Measured, j: usize| m.error[j].get(span.clone()).unwrap_or(&[]).to_vec();
     let taken = |j: &usize| {
@@ -398,11 +403,11 @@ pub(in crate::diagnose) fn bootstrap_within(span: Range<usize>, without: &Measur
     interval(&part(without, main), &part(with, main), with.samples_of(BLOCK).min(span.len() / LEAST_BLOCKS))
 }
 
-/// Length of the blocks, s, and how many of them a part of a log has.
+/// Length of the blocks, s, and their least number in a part of a log.
 const BLOCK: f64 = 0.5;
 const LEAST_BLOCKS: usize = 8;
 
-/// 90 % interval of the share of a squared error that goes, by blocks of so many samples.
+/// 90 % interval of the share of a squared error that is removed, by blocks of `block` samples.
 fn interval(before: &[f64], after: &[f64], block: usize) -> [f64; 2] {
     let square = |part: &[f64]| part.iter().map(|e| e * e).sum::<f64>();
     let both = before.chunks_exact(block.max(1)).zip(after.chunks_exact(block.max(1)));
@@ -425,22 +430,22 @@ fn interval(before: &[f64], after: &[f64], block: usize) -> [f64; 2] {
     [shares[20], shares[379]]
 }
 
-/// Part of the squared error above the noise that goes: of the main joint, or of the one with the
-/// most to gain.
+/// Share of the squared error above the noise that is removed: of the main joint, or of the joint
+/// with the largest gain.
 pub(in crate::diagnose) fn share(before: &[f64], after: &[f64], noise: &[f64], place: &[usize]) -> f64 {
     let gain = |j: usize| before[j].powi(2) - after[j].powi(2);
     let joint = (0..before.len())
         .max_by(|a, b| (gain(*a) / noise[*a].powi(2).max(1e-12)).total_cmp(&(gain(*b) / noise[*b].powi(2).max(1e-12))));
     let joint = place.first().copied().or(joint).unwrap_or(0);
-    // Where the noise is said to be nearly all of an error, it is not known well enough for that.
+    // A noise estimate near the whole error is too uncertain to subtract: keep at least half of it.
     let above = (before[joint].powi(2) - noise[joint].powi(2)).max(0.5 * before[joint].powi(2));
     if above > 0.0 { (gain(joint) / above).clamp(-1.0, 1.0) } else { 0.0 }
 }
 
 #[cfg(test)]
 impl Measured {
-    /// Errors that are said, samples a hundredth of a second apart, of joints that move where it is said;
-    /// their Coulomb level is 1 N m.
+    /// Given errors, sampled at 0.01 s, of joints that move where given, with a Coulomb level of 1
+    /// N m.
     pub(in crate::diagnose) fn made(error: Vec<Vec<f64>>, moves: Vec<Vec<bool>>) -> Self {
         let samples = error[0].len();
         let steady: Vec<f64> = error.iter().zip(&moves).map(|(e, m)| where_it_moves(e, m, 1.0)).collect();
@@ -466,8 +471,8 @@ impl Measured {
 mod tests {
     use super::*;
 
-    /// A push of 1 s in a log of 30 s that takes nine tenths of an error there: of blocks of the whole log
-    /// most do not meet it.
+    /// A push of 1 s in a log of 30 s that removes nine tenths of an error there: most blocks of
+    /// the whole log miss it.
     #[test]
     fn a_push_is_weighed_where_it_acts() {
         let wave = |k: usize| 0.1 * (k as f64).sin();
@@ -478,7 +483,7 @@ mod tests {
         let [low, high] = bootstrap_within(1000..1100, &without, &with);
         assert!(low > 0.8 && high < 1.0, "{low} {high}");
         assert!(bootstrap(&without, &with, &[])[0] < 0.2);
-        // The same push in a joint that stands, 3 N m more than its friction bears.
+        // The same push on a joint at rest, 3 N m more than its friction bears.
         let stands = |error: f64| Measured::made(vec![vec![error; 3000]], vec![vec![false; 3000]]);
         assert!(stands(4.0).is_worse_within(1000..1100, &stands(0.5), &[0.1]));
         assert!(!stands(1.0).is_worse_within(1000..1100, &stands(0.5), &[0.1]));
@@ -490,7 +495,7 @@ mod tests {
         let error = [1.0, 2.0, 3.0, -4.0];
         assert_eq!(moving(&error, &[true, false, true, false]), [1.0, 3.0]);
         assert_eq!(moving(&error, &[false; 4]), error);
-        // At rest dry friction of 3 N m is any torque up to that.
+        // At rest, dry friction of 3 N m is any torque up to that.
         assert_eq!(where_it_moves(&error, &[true, false, true, false], 3.0), 5.0_f64.sqrt());
         assert_eq!(where_it_moves(&error, &[false; 4], 3.0), 0.5);
         let long: Vec<f64> = (0..20).map(|k| f64::from(k == 3 || k == 7)).collect();

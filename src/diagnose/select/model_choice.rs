@@ -1,16 +1,16 @@
 //! Choice among the nested models: the file unchanged, all parameters refitted, or the extended
-//! model; and the causes that stay in that.
+//! model; and the causes that stay in it.
 //!
-//! Judged on the fitted logs alone, on stretches that are left out in turn (an eighth of the data
-//! each, in one piece, so that it contains other motion than the rest). Errors of two models are
-//! compared stretch by stretch. The simpler one stays unless the other is better by more than the
-//! standard error of that (the rule of one standard error, Breiman et al. 1984, 3.4.3).
+//! The criterion is the error on stretches of the fitted logs that are left out in turn. Each is an
+//! eighth of the data in one piece, so that it contains other motion than the rest. Errors of two
+//! models are compared stretch by stretch. The simpler one stays unless the other is better by more
+//! than the standard error of the difference (one-standard-error rule, Breiman et al. 1984, 3.4.3).
 
 /// Least gain for which the file's links are given up.
 const LEAST: f64 = 0.05;
 
-/// So many causes beside the file's links are likelier to be errors of links: one robot has few
-/// faults.
+/// Number of causes beside the file's links above which errors of links are likelier: one robot has
+/// few faults.
 const MANY: f64 = 6.0;
 
 /// Errors on stretches that were left out.
@@ -18,32 +18,33 @@ const MANY: f64 = 6.0;
 pub struct LeftOut {
     /// Mean squares per stretch and joint, (N m)^2.
     squares: Vec<Vec<f64>>,
-    /// Windows of each.
+    /// Number of windows per stretch and joint.
     counts: Vec<Vec<f64>>,
 }
 
-/// By how much less one model errs than another.
+/// Paired comparison of the errors of two models.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Paired {
-    /// Difference of squares by their sum, mean over joints: from -1 to 1.
+    /// Difference of squares divided by their sum, mean over joints: from -1 to 1.
     pub gain: f64,
-    /// Standard error of that, from how stretches differ.
+    /// Standard error of the gain, from its spread over stretches.
     pub error: f64,
-    /// Whether its error over all joints and stretches, in N m, is the smaller one too: no number
-    /// of weak joints outvotes a heavy one.
+    /// Whether the RMS error over all joints and stretches, in N m, is smaller too, so that many
+    /// weak joints do not outvote a heavy one.
     pub whole: bool,
 }
 
 impl Paired {
-    /// Whether it is more than chance.
+    /// Whether the gain exceeds its standard error.
     pub fn sure(&self) -> bool {
         self.gain > self.error
     }
 
-    /// Whether it is worth giving up the file's links with so many causes beside them: a twentieth
-    /// at least, and one and a half standard errors, and less error as a whole. A refit has many
-    /// unknowns, which find something in autocorrelated errors. Causes cost, too: beside more than
-    /// [`MANY`] the refit may even be a little worse, joints counted alike.
+    /// Whether the gain of a refit justifies giving up the file's links with `causes` causes beside
+    /// them. It must be a twentieth, and one and a half standard errors, with a smaller error as a
+    /// whole. A refit has many unknowns, which fit something in autocorrelated errors. Causes have
+    /// a cost, too: beside more than [`MANY`] the refit may even be slightly worse, joints counted
+    /// alike.
     pub fn worth_refit(&self, causes: usize) -> bool {
         let few = (1.0 - causes as f64 / MANY).max(-1.0);
         self.whole && self.gain > few * LEAST.max(1.5 * self.error)
@@ -58,12 +59,11 @@ impl LeftOut {
         Self { squares, counts: counts.to_vec() }
     }
 
-    /// By how much less this errs than `other`; what is below `floor` (N m, per joint) does not
-    /// count.
+    /// Gain of this model over `other`. Errors below `floor` (N m, per joint) do not count.
     pub fn less(&self, other: &Self, floor: &[f64]) -> Paired {
         let (stretches, joints) = (self.squares.len(), floor.len());
         let weight = |s: usize, j: usize| self.counts[s][j].min(other.counts[s][j]);
-        // In each stretch by itself: one with a large error does not outvote the others.
+        // Compare within each stretch, so that one with a large error does not outvote the others.
         let gains: Vec<f64> = (0..stretches)
             .map(|s| {
                 let of = |j: usize| {
@@ -81,7 +81,7 @@ impl LeftOut {
         Paired { gain, error: (n * variance).sqrt(), whole: self.rms() < other.rms() }
     }
 
-    /// Whether less than a share of the squared error of `other` is left on a joint, and less than
+    /// Whether less than a share of the squared error of `other` remains on a joint, and at most
     /// half of it in every stretch.
     pub fn nearly_all(&self, other: &Self, joint: usize, share: f64) -> bool {
         let (mut sums, mut every) = ([0.0; 2], true);
@@ -93,7 +93,7 @@ impl LeftOut {
         every && sums[1] < share * sums[0]
     }
 
-    /// Root mean square of a joint on the stretch that is predicted worst, N m.
+    /// Root mean square error of a joint on its worst stretch, N m.
     pub fn worst(&self, joint: usize) -> f64 {
         self.squares.iter().map(|s| s[joint]).fold(0.0, f64::max).sqrt()
     }
@@ -109,8 +109,8 @@ impl LeftOut {
         self.mean_square(joint).sqrt()
     }
 
-    /// The joint whose error differs most from `other`'s, as a part of itself; errors below `floor`
-    /// (N m, per joint) do not count.
+    /// The joint with the largest relative difference between its error and `other`'s. Errors below
+    /// `floor` (N m, per joint) do not count.
     pub fn most_changed(&self, other: &Self, floor: &[f64]) -> usize {
         let change = |j: &usize| {
             let [a, b] = [self, other].map(|m| m.mean_square(*j));
@@ -137,7 +137,7 @@ mod tests {
         LeftOut::new(&sums, &vec![vec![100.0; 2]; 8])
     }
 
-    /// For less beside several causes, for nothing beside many.
+    /// A refit needs a smaller gain beside several causes, and none beside many.
     #[test]
     fn the_files_links_are_given_up_for_one_and_a_half_errors() {
         let refit = |gain, error, whole| Paired { gain, error, whole }.worth_refit(0);
@@ -151,14 +151,14 @@ mod tests {
         assert!(!Paired { whole: false, ..small }.worth_refit(12));
     }
 
-    /// What every stretch gains alike is sure; its error is how stretches differ.
+    /// A gain common to all stretches is sure; its standard error is the spread over stretches.
     #[test]
     fn an_error_is_how_stretches_differ() {
         let model = |squares: [f64; 4]| LeftOut::new(&squares.map(|s| vec![100.0 * s]), &[(); 4].map(|()| vec![100.0]));
         let alike = model([1.0; 4]).less(&model([2.0; 4]), &[0.0]);
         assert!((alike.gain - 1.0 / 3.0).abs() < 1e-12 && alike.error < 1e-12 && alike.whole, "{alike:?}");
         let uneven = model([1.0; 4]).less(&model([1.0, 3.0, 1.0, 3.0]), &[0.0]);
-        // Gains of 0 and 2 of 4 in turn: a mean of a quarter, a deviation of 1 / sqrt(12) a stretch.
+        // Gains of 0 and 2 of 4 in turn: mean a quarter, deviation 1 / sqrt(12) a stretch.
         assert!((uneven.gain - 0.25).abs() < 1e-12, "{uneven:?}");
         assert!((uneven.error - 1.0 / 48.0_f64.sqrt()).abs() < 1e-12, "{uneven:?}");
     }
@@ -173,7 +173,7 @@ mod tests {
         assert!(!one.less(&one, &[0.0; 2]).sure());
         assert!(paired.worth_refit(0) && one.nearly_all(&noisy(&mut random, 20.0), 1, 0.1));
         assert!(!one.nearly_all(&worse, 1, 0.1));
-        // Far below what matters nothing is better.
+        // Errors far below the floor make no difference.
         assert!(one.less(&worse, &[100.0; 2]).gain < 1e-3);
         assert!((one.rms() - 1.0).abs() < 0.1);
     }
@@ -199,7 +199,7 @@ mod tests {
         let paired = model(0.25, 120.0).less(&model(1.0, 100.0), &[0.0; 4]);
         assert!(paired.sure() && paired.gain > 0.3 && !paired.worth_refit(0), "{paired:?}");
         assert_eq!(model(1.0, 10.0).most_changed(&model(1.0, 100.0), &[0.0; 4]), 3);
-        // Far below its floor a joint has not changed.
+        // A joint whose error is far below its floor has not changed.
         assert_eq!(model(1.0, 10.0).most_changed(&model(1.1, 100.0), &[0.0, 0.1, 0.1, 1e3]), 0);
         assert!((model(4.0, 9.0).joint_rms(0) - 2.0).abs() < 1e-12);
     }

@@ -1,4 +1,4 @@
-//! The offered model: with the file's links and further causes, with all base parameters refitted,
+//! Selects the offered model: the file's links with further causes, all base parameters refitted,
 //! or the unchanged file.
 
 use super::contenders::Refit;
@@ -11,27 +11,27 @@ use crate::diagnose::findings::result::{Cause, Offered};
 use crate::diagnose::fit::model::Mode;
 use crate::identify::ConsistentError;
 
-/// The offered model, why, and what differs between the logs.
+/// The offered model, the reasons for it, and the joints that differ between the logs.
 pub(in crate::diagnose) struct Choice<'a> {
     pub(in crate::diagnose) offered: Offered,
     pub(in crate::diagnose) why: Vec<String>,
-    /// Joints, from 0, that one model does not predict on fitted and validating logs.
+    /// Joints, from 0, that no single model predicts on both fitted and validating logs.
     pub(in crate::diagnose) changed: Vec<usize>,
-    /// [`Diagnosis::file_holds`](crate::diagnose::findings::result::Diagnosis::file_holds).
+    /// See [`Diagnosis::file_holds`](crate::diagnose::findings::result::Diagnosis::file_holds).
     pub(in crate::diagnose) file_holds: bool,
     pub(in crate::diagnose) model: Selected<'a>,
-    /// Where it has other links than the file: the best model of the file's links.
+    /// The best model of the file's links, if the offered one has other links.
     pub(in crate::diagnose) rival: Option<Rival>,
 }
 
 /// The best model of the file's links, beside one with other links.
 pub(in crate::diagnose) struct Rival {
-    /// By how much less the other one errs on left-out stretches.
+    /// Gain of the model with other links over this one on left-out stretches.
     pub(in crate::diagnose) gain: Paired,
     pub(in crate::diagnose) causes: Vec<Cause>,
 }
 
-/// Which of the nested models it is.
+/// Which of the nested models this one is.
 fn offer(model: &Selected<'_>) -> Offered {
     let refitted = model.tested.mode == Mode::Refitted;
     let changed = refitted || !model.accepted.is_empty() || model.tested.frozen.iter().any(|f| !f);
@@ -43,9 +43,9 @@ fn offer(model: &Selected<'_>) -> Offered {
 }
 
 impl<'a> Session<'a> {
-    /// Choice of the offered model, by its predictions of stretches of the fitted logs that are
-    /// left out in turn; and the reason. `models`: with the file's links, with all base parameters
-    /// refitted, either or both; `file`: errors of the unchanged file.
+    /// Chooses the offered model by its predictions of stretches of the fitted logs that are left
+    /// out in turn. `models`: with the file's links, with all base parameters refitted, either or
+    /// both; `file`: errors of the unchanged file. Returns the choice with its reasons.
     pub(in crate::diagnose) fn choose(
         &self,
         models: Vec<Selected<'a>>,
@@ -61,7 +61,7 @@ impl<'a> Session<'a> {
             }
         }
         let mut said = Vec::new();
-        // Of two models that are as good the one with fewer unknowns.
+        // Prefer, of two equally good models, the one with fewer unknowns.
         if let Some(all) = free.take_if(|f| !f.accepted.is_empty() && !self.pays(f, refit, &refitted.errors.moving)) {
             said.push(self.says(
                 "a plain refit predicts as well as one with further causes, or better",
@@ -72,8 +72,8 @@ impl<'a> Session<'a> {
         }
         let mut models = self.by_preference(believing, free, refitted, &mut said);
         let unchanged = self.file()?;
-        // No other part can predict a cause that acts in one part of a log; it must only stand out
-        // there.
+        // A local cause cannot be confirmed by other parts of the logs; it need only stand out in
+        // its own.
         let local = |m: &Selected<'_>| m.accepted.iter().any(|a| a.chosen.cause.local());
         let pays = |m: &Selected<'_>| local(m) || self.pays(m, file, &unchanged.after.steady);
         let Some(at) = models.iter().position(|m| offer(m) != Offered::File && pays(m)) else {
@@ -107,7 +107,7 @@ impl<'a> Session<'a> {
         Ok(Choice { offered, why, changed, file_holds: false, model, rival })
     }
 
-    /// The model of the file's links beside one with other links.
+    /// The best model of the file's links, if the chosen one has other links.
     fn rival(&self, model: &Selected<'_>, others: &[Selected<'_>]) -> Option<Rival> {
         let refitted = model.tested.mode == Mode::Refitted;
         let other = others.iter().find(|m| refitted && m.tested.mode == Mode::Trusted)?;
@@ -115,7 +115,7 @@ impl<'a> Session<'a> {
         Some(Rival { gain, causes: other.causes.clone() })
     }
 
-    /// The unchanged file, for the `best` of the other models is not worth having beside it.
+    /// The choice of the unchanged file, because the `best` other model does not pay beside it.
     fn unchanged(
         &self,
         model: Selected<'a>,
@@ -138,17 +138,18 @@ impl<'a> Session<'a> {
         Choice { offered: Offered::File, why, changed, file_holds: false, model, rival: None }
     }
 
-    /// Whether a model is worth having beside a simpler one (its errors on left-out stretches of the
-    /// fitted logs, and on the validating data where joints move, N m): surely better on the
-    /// former, or not worse there and better on the latter.
+    /// Whether a model pays beside a simpler one. It must be significantly better on left-out
+    /// stretches of the fitted logs, or not worse there and better on the validating data.
+    /// `simpler` and `validated` are the simpler model's errors there; the latter where joints
+    /// move, N m.
     fn pays(&self, model: &Selected<'_>, simpler: &LeftOut, validated: &[f64]) -> bool {
         let paired = model.left_out.less(simpler, self.ground);
         paired.sure() || paired.gain > 0.0 && taken_of(validated, &model.after.steady, self.scale) > WORSE
     }
 
-    /// A sentence, where the unchanged file errs less over all joints on every validating log than a
-    /// model for which the fitted logs ask. (One joint that a model makes worse beside others that
-    /// it halves is a matter of that joint's causes.)
+    /// A sentence if the unchanged file errs less over all joints on every validating log than the
+    /// model that the fitted logs support. One joint that a model makes worse beside others that it
+    /// halves is decided by that joint's causes.
     fn holding(&self, file: &Selected<'a>, model: &Selected<'a>) -> Option<String> {
         if !self.own_validation || !self.worse_as_a_whole(model, &self.by_log_of(file)) {
             return None;
@@ -165,8 +166,8 @@ impl<'a> Session<'a> {
         Some(sentence)
     }
 
-    /// The file's links with further causes, and all base parameters refitted with further causes,
-    /// the better one first; one alone where the other is not worth having.
+    /// Models in order of preference: the file's links with further causes, and all base parameters
+    /// refitted with further causes. Only one remains where the other does not pay.
     fn by_preference(
         &self,
         believing: Option<Selected<'a>>,
@@ -211,7 +212,7 @@ impl<'a> Session<'a> {
 
     fn says(&self, what: &str, a: &LeftOut, b: &LeftOut) -> String {
         let (paired, joint) = (a.less(b, self.ground), a.most_changed(b, self.ground));
-        // The gain is a difference by a sum: 2 g / (1 + g) by the other's square.
+        // The gain g is a difference by a sum: 2 g / (1 + g) relative to the other's square.
         let percent = |g: f64| 200.0 * g.clamp(-0.9, 1.0) / (1.0 + g.clamp(-0.9, 1.0));
         let sense = if paired.gain < 0.0 { "more" } else { "less" };
         let one = if paired.gain < 0.0 { -1.0 } else { 1.0 };

@@ -1,6 +1,6 @@
-//! Takes causes out of a model that errs more on validating logs than without any.
+//! Removes causes from a model that errs more on validating logs with its causes than without any.
 //!
-//! One cause that does not carry over is no reason to give up the others beside it.
+//! One cause that does not carry over does not refute the others.
 
 use super::measure::{Meter, leave_out, taken_of};
 use super::reduction::without;
@@ -9,19 +9,19 @@ use crate::diagnose::findings::reported_cause::{Item, items, place_of};
 use crate::diagnose::search::judge::chosen_of;
 use crate::identify::ConsistentError;
 
-/// Most causes that are taken out of one model.
+/// Maximum number of causes removed from one model.
 const MOST: usize = 6;
 
-/// What is left of a model on validating logs.
+/// Result of pruning a model on the validating logs.
 pub(super) enum Pruned<'a> {
     Holds(Box<Selected<'a>>),
-    /// A sentence on why.
+    /// No model is left; a sentence on why.
     Fails(String),
 }
 
 impl<'a> Session<'a> {
-    /// A model that does not fail, or a sentence on why none is left. Causes go one after the
-    /// other, first the one without which the validating logs are missed least.
+    /// A model that does not fail, or a sentence on why none is left. Causes are removed one after
+    /// the other, first the one whose removal reduces the error on the validating logs most.
     pub(super) fn pruned(
         &self,
         mut model: Selected<'a>,
@@ -51,7 +51,8 @@ impl<'a> Session<'a> {
         Ok(Pruned::Fails(sentence))
     }
 
-    /// The cause without which the validating logs are missed least; the model is left as it was.
+    /// The cause whose removal gives the smallest error on the validating logs. The model is left
+    /// unchanged.
     fn least_missed(&self, model: &mut Selected<'a>) -> Option<Item> {
         let Selected { tested, accepted, fitted, after, .. } = model;
         let chosen = chosen_of(accepted);

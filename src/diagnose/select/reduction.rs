@@ -1,5 +1,5 @@
-//! Selects the terms of the extended model: causes and friction that stand out and hold on left-out
-//! stretches.
+//! Selects the terms of the extended model: causes and friction that are significant and hold on
+//! left-out stretches.
 
 use super::measure::reduced;
 use super::model_choice::{LeftOut, Paired};
@@ -12,7 +12,7 @@ use crate::diagnose::search::judge::{Accepted, SURE, adopt, chosen_of};
 use crate::diagnose::windows::recording::Recording;
 use crate::model::PerturbableArm;
 
-/// Takes the file's delays for the joints of a cause that moves time.
+/// Restores the file's delays for the joints of a removed delay cause.
 fn take_back_delay(tested: &mut ModelUnderTest<'_>, gone: &Chosen) {
     if gone.cause.moves_time() {
         let (given, mut delays) = (tested.plant.delays(), tested.scene.delays.clone());
@@ -22,7 +22,7 @@ fn take_back_delay(tested: &mut ModelUnderTest<'_>, gone: &Chosen) {
     }
 }
 
-/// The model without some of its accepted causes, fitted.
+/// Removes some accepted causes from the model and refits it.
 pub(in crate::diagnose) fn without(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
@@ -40,8 +40,8 @@ pub(in crate::diagnose) fn without(
     fitted
 }
 
-/// By how much less a fitted model errs on stretches that are left out in turn than the same
-/// without one of its causes, which must not move the data in time.
+/// Gain on left-out stretches of a fitted model over the same model without one of its causes,
+/// which must not be a delay.
 pub(in crate::diagnose) fn gain_on_left_out(
     stretches: &Moments,
     fitted: &Fitted,
@@ -54,8 +54,8 @@ pub(in crate::diagnose) fn gain_on_left_out(
     of(&[]).less(&of(&item.unknowns(fitted)), ground)
 }
 
-/// Takes out, one after the other, what makes stretches of the fitted logs that are left out in
-/// turn worse.
+/// Removes, one after the other, causes that increase the error on stretches of the fitted logs
+/// that are left out in turn.
 pub(in crate::diagnose) fn backward_eliminate(
     plant: &dyn PerturbableArm,
     fit: &[Recording],
@@ -99,7 +99,7 @@ pub(in crate::diagnose) fn backward_eliminate(
     fitted
 }
 
-/// Takes out, the least sure first, causes whose parameters may be nothing within their uncertainty.
+/// Removes causes whose parameters are zero within their uncertainty, the least significant first.
 pub(in crate::diagnose) fn drop_insignificant(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut Vec<Accepted>,
@@ -114,14 +114,14 @@ pub(in crate::diagnose) fn drop_insignificant(
             .min_by(|a, b| a.1.total_cmp(&b.1));
         let Some((index, _)) = least.filter(|l| l.1 < 0.0) else { return fitted };
         let gone = accepted.remove(index).chosen;
-        // Plain friction may have given way to it.
+        // Plain friction may have been dropped in favour of the removed cause.
         gone.place.iter().for_each(|j| tested.frozen[3 * j..3 * j + 3].fill(false));
         take_back_delay(tested, &gone);
         fitted = fix_friction(tested, accepted, noise);
     }
 }
 
-/// Friction parameters whose change the data do not support go back to the file's values.
+/// Fixes friction parameters at the file's values where the data do not support a change.
 pub(in crate::diagnose) fn fix_friction(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut [Accepted],
@@ -134,8 +134,8 @@ pub(in crate::diagnose) fn fix_friction(
         let covariance = fitted.covariance();
         let mut changed = false;
         for j in 0..tested.scene.dof() {
-            // One at a time: of two that say nearly the same, neither seems to be wanted while the
-            // other is there.
+            // Fix one at a time: of two nearly equivalent terms, neither appears significant while
+            // the other is free.
             let mut least: Option<(usize, f64)> = None;
             for which in 0..3 {
                 let k = 3 * j + which;
@@ -144,14 +144,14 @@ pub(in crate::diagnose) fn fix_friction(
                 }
                 let at = fitted.friction + k;
                 let (value, std) = (fitted.solution.x[at], covariance[(at, at)].max(0.0).sqrt());
-                // Independent torque of this column: 1 / sqrt(inverse diagonal) is the column's own
-                // size.
+                // Torque RMS of this column that no other column explains: 1 / sqrt(inverse
+                // diagonal) is that column's own size.
                 let own = fitted.solution.inverse[(at, at)];
                 let weight = fitted.solution.weights[j] * fitted.solution.counts[j];
                 let effect = if own > 0.0 && weight > 0.0 { value.abs() / (own * weight).sqrt() } else { 0.0 };
                 let small = value.abs() < 0.04 * given[j][which].unwrap_or(0.0).abs();
-                // Friction that drives the joint is none. Where the file has some, the fit inside
-                // the limits ends at zero.
+                // Friction that drives the joint is rejected. Where the file has some, the
+                // constrained fit ends at zero.
                 let file = given[j][which].unwrap_or(0.0);
                 let drives = which < 2 && file <= 0.0 && file + value < 0.0;
                 let mut sure = if std > 0.0 { value.abs() / std } else { 0.0 };
@@ -176,7 +176,7 @@ pub(in crate::diagnose) fn fix_friction(
     fitted
 }
 
-/// Standard deviations from 0 of an unknown where errors are autoregressive.
+/// Standard deviations from 0 of an unknown, with autoregressive errors.
 fn beside_slow(tested: &ModelUnderTest<'_>, fitted: &Fitted, at: usize) -> f64 {
     let inverse = &fitted.solution.inverse;
     let own = inverse[(at, at)];
@@ -188,10 +188,9 @@ fn beside_slow(tested: &ModelUnderTest<'_>, fitted: &Fitted, at: usize) -> f64 {
     gain(&fitted.moments.residual(&x), &fitted.residual, &tested.scene.live).max(0.0).sqrt()
 }
 
-/// If all base parameters are unknown so is friction. Terms that went back to the file's values
-/// because they are too small or too unsure to be named are part of the model again, so that this
-/// is never less than a plain refit. Friction that would drive a joint ends at zero in the fit
-/// inside the limits.
+/// Frees all friction if all base parameters are unknown, so that the model is never less than a
+/// plain refit. This includes terms fixed at the file's values because they are too small or too
+/// uncertain to be named. Friction that would drive a joint ends at zero in the constrained fit.
 pub(in crate::diagnose) fn free_friction(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut [Accepted],

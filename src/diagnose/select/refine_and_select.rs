@@ -1,4 +1,4 @@
-//! From what a search found to a model that holds on data which were not used.
+//! Refines and selects the causes found by a search, until all of them hold on unused data.
 
 use super::beside::{Beside, Without};
 use super::drive_terms;
@@ -21,19 +21,19 @@ use crate::diagnose::windows::recording::Recording;
 use crate::identify::ConsistentError;
 use crate::model::PerturbableArm;
 
-/// Data of a diagnosis and what is measured by.
+/// Data, noise levels and settings of a diagnosis.
 #[derive(Clone, Copy)]
 pub(in crate::diagnose) struct Session<'a> {
     pub(in crate::diagnose) plant: &'a dyn PerturbableArm,
     pub(in crate::diagnose) fit: &'a [Recording],
     pub(in crate::diagnose) validate: &'a [Recording],
-    /// Whether these are logs of their own.
+    /// Whether the validating logs are separate from the fitted ones.
     pub(in crate::diagnose) own_validation: bool,
-    /// Of the torques, per joint, N m.
+    /// Noise of the torques, per joint, N m.
     pub(in crate::diagnose) noise: &'a [f64],
     /// Torque errors due to errors of the recorded motion, per joint, N m.
     pub(in crate::diagnose) motion: &'a [f64],
-    /// Error below which a model need not predict better, per joint, N m.
+    /// Error below which a better prediction does not count, per joint, N m.
     pub(in crate::diagnose) ground: &'a [f64],
     /// Unit of a gain, per joint, N m.
     pub(in crate::diagnose) scale: &'a [f64],
@@ -43,18 +43,18 @@ pub(in crate::diagnose) struct Session<'a> {
     pub(in crate::diagnose) progress: &'a (dyn Fn(&str) + Sync),
 }
 
-/// Least share of a joint's squared error that a cause takes where it acts, if that is a part of a
-/// log only: no other stretch can confirm it.
+/// Least share of a joint's squared error that a local cause must remove where it acts: no other
+/// stretch can confirm it.
 const LOCAL_SHARE: f64 = 0.4;
 
-/// Probability far below that at which a cause is named.
+/// Probability far below the one from which a cause is named.
 pub(super) const FAR_BELOW: f64 = 0.2;
 
-/// Rounds in which causes that do not hold are taken out.
+/// Maximum number of rounds in which causes that do not hold are removed.
 const MOST_ROUNDS: usize = 16;
 
-/// Causes that are not likely enough to be named: all of those far below the limit, or the least
-/// likely one, for without it another may be likelier.
+/// Causes that are not likely enough to be named: all of those far below the limit, or else the
+/// least likely one, because without it another may become likelier.
 fn unlikely(causes: &[Cause]) -> Vec<usize> {
     let below = |limit: f64| (0..causes.len()).filter(move |&i| causes[i].probability < limit);
     let far: Vec<usize> = below(FAR_BELOW).collect();
@@ -65,14 +65,14 @@ fn unlikely(causes: &[Cause]) -> Vec<usize> {
     least.into_iter().collect()
 }
 
-/// A sentence on a cause that is too unlikely to be named.
+/// A sentence on a cause that is too unlikely to be named; `None` if it is named.
 fn not_named(cause: &Cause, item: &Item) -> Option<String> {
     let place = place_of(&item.place);
     (cause.probability < calibration::NAMED)
         .then(|| format!("{} {place} is not named: its probability is {:.2}.", cause.cause, cause.probability))
 }
 
-/// The same of one whose parameters may be nothing.
+/// A sentence on a cause whose parameters are zero within their uncertainty.
 fn unsure(cause: &Cause, item: &Item) -> String {
     format!(
         "{} {} is not named: its parameters do not stand out of their uncertainty.",
@@ -81,7 +81,7 @@ fn unsure(cause: &Cause, item: &Item) -> String {
     )
 }
 
-/// The fit with the numbers of all shapes refined together; `None` where there are none.
+/// The fit with the numbers of all shapes refined together; `None` if no cause has any.
 fn polish(tested: &mut ModelUnderTest<'_>, accepted: &mut [Accepted]) -> Option<Fitted> {
     let refined = |a: &Accepted| a.chosen.cause.shape().iter().any(|number| number.step.is_some());
     if !accepted.iter().any(refined) {
@@ -93,7 +93,7 @@ fn polish(tested: &mut ModelUnderTest<'_>, accepted: &mut [Accepted]) -> Option<
     Some(fitted)
 }
 
-/// The fit inside what is possible; the accepted causes have its values.
+/// The fit within physical limits. The accepted causes take its values.
 pub(super) fn inside(
     tested: &mut ModelUnderTest<'_>,
     accepted: &mut [Accepted],
@@ -105,47 +105,47 @@ pub(super) fn inside(
     Ok(fitted)
 }
 
-/// A model of which everything holds.
+/// A model in which every cause holds.
 pub(in crate::diagnose) struct Selected<'a> {
     pub(in crate::diagnose) tested: ModelUnderTest<'a>,
     pub(in crate::diagnose) accepted: Vec<Accepted>,
     pub(in crate::diagnose) fitted: Fitted,
     /// Errors on the validating data.
     pub(in crate::diagnose) after: Measured,
-    /// The same on the fitted.
+    /// Errors on the fitted data.
     pub(in crate::diagnose) after_fit: Measured,
     pub(in crate::diagnose) causes: Vec<Cause>,
-    /// All causes that the model had before any left it, with the probability that they had beside
-    /// each other.
+    /// All causes of the model before any was removed, with their probability beside each other.
     pub(in crate::diagnose) suspects: Vec<Cause>,
     /// Errors on stretches of the fitted data that are left out in turn.
     pub(in crate::diagnose) left_out: LeftOut,
     /// Alternatives to plain friction.
     pub(in crate::diagnose) rivals: Vec<BaselineFriction>,
-    /// Of the search that started from the unchanged file.
+    /// Evidence of the search that started from the unchanged file.
     pub(in crate::diagnose) evidence: Vec<Evidence>,
-    /// Causes that left the model, and why: sentences.
+    /// Sentences on the causes that were removed, and why.
     pub(in crate::diagnose) why: Vec<String>,
 }
 
-/// What a search and its reductions say beside the causes of a model.
+/// Results of a search and its reductions other than the causes of the model.
 #[derive(Default)]
 pub(super) struct Found {
     /// Alternatives to plain friction.
     pub(super) rivals: Vec<BaselineFriction>,
-    /// Causes that left the model, and why: sentences.
+    /// Sentences on the causes that were removed, and why.
     pub(super) why: Vec<String>,
-    /// Of the search that started from the unchanged file.
+    /// Evidence of the search that started from the unchanged file.
     pub(super) evidence: Vec<Evidence>,
-    /// Causes with the probability that they had beside each other.
+    /// Causes with their probability beside each other.
     pub(super) suspects: Vec<Cause>,
 }
 
-/// A model, measured.
+/// A model with its errors, and each of its causes measured.
 pub(super) struct Attributed {
     pub(super) items: Vec<Item>,
     others: Vec<Without>,
-    /// By how much each stands out of the uncertainty of its parameters; below zero it may be none.
+    /// Margin by which each cause exceeds the uncertainty of its parameters; below zero it may be
+    /// absent.
     pub(super) stands_out: Vec<f64>,
     fitted: Fitted,
     after: Measured,
@@ -160,7 +160,7 @@ impl<'a> Session<'a> {
         tested
     }
 
-    /// The model with all causes that hold.
+    /// Searches with the links of this mode and returns the model with all causes that hold.
     pub(in crate::diagnose) fn searched(&self, mode: Mode) -> Result<Selected<'a>, ConsistentError> {
         if mode == Mode::Trusted {
             return self.searched_from_file();
@@ -171,7 +171,7 @@ impl<'a> Session<'a> {
         self.select(tested, accepted, None, Vec::new())
     }
 
-    /// All parameters refitted, and no further cause.
+    /// All parameters refitted, without further causes.
     pub(in crate::diagnose) fn plain(&self) -> Result<Selected<'a>, ConsistentError> {
         let mut tested = self.tested(Mode::Refitted);
         let fitted = fix_friction(&mut tested, &mut [], self.noise);
@@ -217,18 +217,19 @@ impl<'a> Session<'a> {
         self.validated(tested, accepted, fitted, found)
     }
 
-    /// Causes (index) that do not hold on validating and fitted logs (errors of the model there).
+    /// Indices of causes that do not hold on validating and fitted logs. `errors`: of the model
+    /// there.
     fn failed(&self, items: &[Item], others: &[Without], causes: &[Cause], errors: [&Measured; 2]) -> Vec<usize> {
         let [after, after_fit] = errors;
         let still = vec![0.0; self.motion.len()];
-        // A cause that loses on data that was not used is no cause, and not in the model.
+        // A cause that increases the error on unused data is not in the model.
         let holds = |i: usize| {
             let (without, with) = (&others[i].alike(after), &after.steady);
             let motion = if items[i].hypothesis.follows_acceleration() { self.motion } else { &still };
             taken_of(without, with, self.scale) > 0.0 && matters(without, with, self.noise, motion)
         };
-        // A cause that acts in a part of a log, or on joints that differ between the logs, must
-        // still stand out beside everything else.
+        // A local cause, or one on joints that differ between the logs, must still stand out beside
+        // everything else.
         let out = |i: usize| takes(&others[i].measured.rms, &after_fit.rms, self.settings.search.least_gain);
         let stands = |i: usize| match items[i].hypothesis.local() {
             true => {
@@ -287,8 +288,8 @@ impl<'a> Session<'a> {
         Ok(Attributed { items, others, stands_out, fitted, after, after_fit, causes })
     }
 
-    /// Takes out what does not hold on data that were not used, and measures; all of it of the
-    /// model inside what is possible.
+    /// Removes causes that do not hold on unused data, and measures the rest. All fits are within
+    /// physical limits.
     pub(super) fn validated(
         &self,
         mut tested: ModelUnderTest<'a>,
@@ -305,7 +306,7 @@ impl<'a> Session<'a> {
             fitted = measured.fitted;
             let failed = self.failed(&items, &others, &causes, [&after, &after_fit]);
             let weak: Vec<usize> = (0..causes.len()).filter(|&i| stands_out[i] < 0.0).collect();
-            // A push that does not hold where it acts is none in any model.
+            // A push that does not hold where it acts is rejected for every model.
             let pushes = || failed.iter().filter(|&&i| items[i].hypothesis.local());
             suspects.retain(|suspect| !pushes().any(|&i| causes[i].is(suspect)));
             beside_the_rest(&mut suspects, &mut causes, &[&failed[..], &weak].concat());
@@ -328,7 +329,7 @@ impl<'a> Session<'a> {
             }
             let out: Vec<usize> = failed.iter().filter_map(|&i| items[i].accepted).collect();
             fitted = without(&mut tested, &mut accepted, &out);
-            // What stands beside another cause may have taken on a part of it.
+            // The remaining causes may take over a part of a removed one.
             fitted = polish(&mut tested, &mut accepted).unwrap_or(fitted);
             round += 1;
         };

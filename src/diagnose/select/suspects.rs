@@ -1,16 +1,16 @@
-//! Causes as they stood beside everything else that was found.
+//! Suspects: the probabilities of causes beside everything else that was found.
 //!
-//! A model is reduced until each of its causes is likely and it pays as a whole. What leaves it,
-//! leaves its share of the error to the others, which then seem to explain less. So a cause has the
-//! probability that it has beside all others, and a model that is not offered still has evidence: a
-//! robot whose links are refitted may hide what the file's links show, and the other way round.
+//! A model is reduced until each of its causes is likely and it pays as a whole. A removed cause
+//! leaves its share of the error to the others, which then seem to explain less. Each cause
+//! therefore keeps the probability that it has beside all others. A model that is not offered is
+//! still evidence: refitted links may hide what the file's links show, and vice versa.
 
 use crate::diagnose::findings::calibration;
 use crate::diagnose::findings::result::Cause;
 use crate::diagnose::select::measure::Measured;
 use dh_codegen::robot::effects;
 
-/// Keeps each cause with its largest probability, and those that are not known yet.
+/// Keeps the largest probability of each known cause, and adds new ones.
 pub(in crate::diagnose) fn remember<'c>(known: &mut Vec<Cause>, causes: impl IntoIterator<Item = &'c Cause>) {
     for cause in causes {
         match known.iter_mut().find(|k| k.is(cause)) {
@@ -21,7 +21,7 @@ pub(in crate::diagnose) fn remember<'c>(known: &mut Vec<Cause>, causes: impl Int
     }
 }
 
-/// Gives causes the probability that they had beside everything else.
+/// Raises the probability of causes to the value that they had beside everything else.
 pub(in crate::diagnose) fn raise(causes: &mut [Cause], known: &[Cause]) {
     for cause in causes {
         let before = known.iter().filter(|k| k.is(cause)).map(|k| k.probability);
@@ -29,31 +29,31 @@ pub(in crate::diagnose) fn raise(causes: &mut [Cause], known: &[Cause]) {
     }
 }
 
-/// Keeps the causes of a round that did not fail (by index) among the suspects, and gives all of
-/// the round the largest probability that they had.
+/// Adds the causes of a round that did not fail (`failed` by index) to the suspects, and raises all
+/// causes of the round to their largest probability.
 pub(in crate::diagnose) fn beside_the_rest(suspects: &mut Vec<Cause>, causes: &mut [Cause], failed: &[usize]) {
     remember(suspects, causes.iter().enumerate().filter(|(i, _)| !failed.contains(i)).map(|(_, cause)| cause));
     raise(causes, suspects);
 }
 
-/// Refitted links that are likelier than any body beside the file's links: one body that is likelier
-/// says the same in fewer words.
+/// Refitted links that are likelier than any body beside the file's links. One body that is
+/// likelier explains the same with fewer causes.
 pub(in crate::diagnose) fn likelier(links: Vec<Cause>, suspects: &[Cause]) -> Vec<Cause> {
     let body = |c: &&Cause| [effects::Payload::NAME, effects::LinkInertiaError::NAME].contains(&c.cause);
     let likeliest = suspects.iter().filter(body).map(|c| c.probability).fold(0.0, f64::max);
     links.into_iter().filter(|c| c.probability > likeliest).collect()
 }
 
-/// Suspects but for pushes where the offered model leaves no more than elsewhere on the fitted logs (its
-/// errors there): they were errors of a model that lacks its causes.
+/// Drops suspected pushes where the offered model leaves no larger error than elsewhere on the
+/// fitted logs (`after_fit`): they were errors of a model that lacks its causes.
 pub(in crate::diagnose) fn not_explained(suspects: Vec<Cause>, after_fit: &Measured) -> Vec<Cause> {
     suspects.into_iter().filter(|s| s.window().is_none_or(|window| after_fit.stands_out(window))).collect()
 }
 
-/// Adds the suspects that are likely enough to be named and not in the offered model. Where one
-/// acts on the joints of a cause of that model, neither model has both, and the data do not
-/// separate them: of two explanations of one error at most one is true, so it is not named beside a
-/// likelier one. Pushes are not named beside a wall: they are its meetings, by a model without it.
+/// Adds the suspects that are likely enough to be named and not in the offered model. If one acts
+/// on the joints of a cause of that model, no model has both, and the data do not separate them. Of
+/// two explanations of one error at most one is true, so it is not named beside a likelier one.
+/// Pushes are not named beside a wall: they are contacts with it in a model without the wall.
 pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
     raise(causes, &suspects);
     let offered = causes.len();
@@ -83,8 +83,8 @@ pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
     }
 }
 
-/// Whether a cause is the same plain friction as a suspect under another name: it has one of its levels,
-/// on the same joint.
+/// Whether a cause is the same plain friction as a suspect under another name: it has one of its
+/// levels on the same joint.
 fn has_its_level(cause: &Cause, suspect: &Cause) -> bool {
     let plain = [
         effects::CoulombFriction::NAME,
@@ -98,8 +98,8 @@ fn has_its_level(cause: &Cause, suspect: &Cause) -> bool {
         && suspect.parameters.iter().any(|p| level(cause, &p.symbol))
 }
 
-/// Takes out suspects of a joint on which the offered model has a law that no cause of that joint
-/// says: they are what comes nearest to it. One that is likelier than the law stays.
+/// Removes suspects of a joint for which the offered model has a law that no cause of that joint
+/// expresses: they only approximate it. One that is likelier than the law stays.
 pub(in crate::diagnose) fn without_neighbours(causes: &mut Vec<Cause>, joints: &[usize]) {
     let of_others = |c: &Cause| c.law.is_some() && c.joints.first().is_some_and(|j| joints.contains(&(j - 1)));
     let laws: Vec<(Vec<usize>, f64)> =
@@ -145,7 +145,7 @@ mod tests {
         assert_eq!(known.len(), 3);
         raise(&mut causes, &[push([1.1, 2.1], 0.6), push([7.0, 8.0], 0.8)]);
         assert_eq!(causes.map(|c| c.probability), [0.6, 0.5, 0.9]);
-        // What a model without the wall takes for pushes is not named beside it.
+        // Contacts with the wall, taken for pushes by a model without it, are not named beside it.
         for (model, named) in [(wall(), 1), (push([1.0, 2.0], 0.4), 2)] {
             let mut causes = vec![model];
             name(&mut causes, vec![push([5.0, 6.0], 0.7)]);
@@ -161,8 +161,8 @@ mod tests {
         assert_eq!(left.iter().map(|c| &c.joints[..]).collect::<Vec<_>>(), [[2]]);
     }
 
-    /// A push where the offered model leaves an error stays suspected, elsewhere not; what acts throughout
-    /// stays.
+    /// A push where the offered model leaves an error stays suspected, elsewhere not. Causes that
+    /// act throughout stay.
     #[test]
     fn a_push_that_the_offered_model_explains_is_none() {
         let error = |k: usize| if (200..300).contains(&k) { 0.5 } else { 0.1 };
@@ -196,13 +196,13 @@ mod tests {
         assert_eq!(causes[0].not_distinguished_from, ["viscous_friction"]);
         assert_eq!(causes[2].not_distinguished_from, ["presliding_hysteresis"]);
         assert!(causes[1].not_distinguished_from.is_empty());
-        // Beside one that is nearly certain it is no cause of its own, but still what the data don't exclude.
+        // Beside a nearly certain cause it is not named, but listed as not distinguished.
         let mut sure = vec![cause("presliding_hysteresis", &[6], 0.95)];
         name(&mut sure, vec![cause("viscous_friction", &[6], 0.8)]);
         assert!(sure.len() == 1 && sure[0].not_distinguished_from == ["viscous_friction"]);
     }
 
-    /// A level of Coulomb's friction with an offset and without it is one level.
+    /// A Coulomb level with and without an offset is one level.
     #[test]
     fn a_level_has_one_name() {
         let of = |name: &'static str, symbols: &[&str], probability| {
@@ -219,8 +219,8 @@ mod tests {
         }
     }
 
-    /// A law of other joints' motion stands for a suspect of its joint that came near to it, not
-    /// for one of the offered model or of another joint.
+    /// A law of other joints' motion replaces a suspect of its joint that approximates it, but not
+    /// a cause of the offered model or of another joint.
     #[test]
     fn what_comes_near_to_a_law_is_not_named_beside_it() {
         let suspect = |joints: &[usize]| Cause { in_extended: false, ..cause("asymmetric_friction", joints, 0.6) };
@@ -229,7 +229,7 @@ mod tests {
         without_neighbours(&mut causes, &[6]);
         let left: Vec<(&str, &[usize])> = causes.iter().map(|c| (c.cause, &c.joints[..])).collect();
         assert_eq!(left, [("asymmetric_friction", &[6][..]), ("viscous_friction", &[7]), ("unknown", &[7])]);
-        // A law of the joint's own motion is none of these.
+        // A law of the joint's own motion replaces none of these.
         let mut own = vec![suspect(&[7]), law(&[7])];
         without_neighbours(&mut own, &[]);
         assert_eq!(own.len(), 2);

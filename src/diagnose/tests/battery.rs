@@ -1,4 +1,4 @@
-//! Seeded cases.
+//! Seeded cases with one hidden effect each.
 
 use dh_codegen::robot::{Robot, no_files};
 
@@ -55,7 +55,7 @@ fn all(random: &mut Random) -> Vec<Hidden> {
     ]
 }
 
-/// One case: what was hidden, what was found.
+/// One case: the hidden effect, its joint, the diagnosis and the robot's name.
 fn case(seed: u64, which: Option<usize>, size: f64) -> (Hidden, usize, Diagnosis, String) {
     let mut random = Random::new(seed);
     let name = ROBOTS[random.below(4)];
@@ -80,8 +80,8 @@ fn case(seed: u64, which: Option<usize>, size: f64) -> (Hidden, usize, Diagnosis
     (hidden, j, found, name.into())
 }
 
-/// A robot file has no place for a coefficient of a spring's swing. The measured and offered law
-/// has its stiffness and damping alone, whatever the factor of a free fit would be.
+/// A robot file has no key for a coefficient of a spring's oscillation. The evaluated and offered
+/// law has its stiffness and damping alone, whatever factor a free fit would find.
 #[test]
 fn a_law_whose_size_is_in_its_shape_is_not_scaled() {
     let robot = robot("ur10e");
@@ -97,7 +97,7 @@ fn a_law_whose_size_is_in_its_shape_is_not_scaled() {
     let plant = PerturbableRobot::new(&robot);
     let delays = plant.delays();
     let mut tested = ModelUnderTest::new(&plant, &log, 100.0, Mode::Refitted, &delays, false);
-    // A spring that is twice as stiff as one at 3 Hz would be: the free fit scales its swing.
+    // Twice as stiff as a spring of 3 Hz: the free fit scales its oscillation.
     let cause = causes().find(|c| c.unit()).unwrap();
     let mut chosen = vec![Chosen { cause, place: vec![1], shape: vec![8e3, 40.0], x: Vec::new() }];
     let free = tested.fit(&mut chosen);

@@ -1,4 +1,4 @@
-//! Columns of the hypotheses on a made-up motion, against their laws written out here.
+//! Columns of the hypotheses on a synthetic motion, against their laws written out here.
 
 use std::sync::Arc;
 
@@ -43,8 +43,8 @@ pub(super) fn recording() -> Recording {
     Recording { name: "made up".into(), begin: 0.0, stretches: vec![stretch] }
 }
 
-/// Checks what a hypothesis says of joint 1, one window a sample, against `law(term, sample)`,
-/// where the window counts.
+/// Checks the columns of a hypothesis on joint 1, one window per sample, against `law(term,
+/// sample)`, in the windows that are used.
 fn follows(scene: &WindowedData<'_>, effect: EffectKind, shape: &[f64], law: &dyn Fn(usize, usize) -> f64) {
     let terms: Vec<Term> = hypothesis(effect).terms(scene, &[0], shape);
     assert!(!terms.is_empty(), "{effect} {shape:?}");
@@ -93,8 +93,8 @@ fn columns_are_what_their_laws_say() {
     });
 }
 
-/// Friction of gears that are diagnosed alone goes with the load behind them as measured, the motion's part
-/// of the torque is the rotor's, and a late motion has the load of its torque.
+/// Gears that are diagnosed alone. Their friction depends on the measured load behind them, the
+/// motion's part of the torque is the rotor's, and a delayed motion uses the load of its torque.
 #[test]
 fn a_measured_load_is_what_a_gear_transmits() {
     let plant = DrivesAlone::new(&planar());
@@ -124,7 +124,7 @@ fn a_late_torque_is_the_earlier_one() {
     let plant = PerturbableRobot::new(&robot);
     let recordings = [recording()];
     let mut scene = WindowedData::new(&plant, &recordings, 1.0 / PERIOD, &[0.0; 2], false);
-    // A torque that rises in time: late, it is smaller.
+    // A torque that rises in time: delayed, it is smaller.
     scene.whole = [scene.time.clone(), vec![0.0; scene.len]].map(Arc::new).to_vec();
     let terms = hypothesis(EffectKind::TimeDelay).terms(&scene, &[0], &[0.02]);
     let (_, series) = &terms[0].column.rows[0];
@@ -142,7 +142,7 @@ fn bristles_bend_over_their_length() {
     let length = 0.05;
     let terms = hypothesis(EffectKind::PreslidingHysteresis).terms(&scene, &[0], &[length]);
     let (_, series) = &terms[0].column.rows[0];
-    // dz = (sign - z) |dq| / length, by small steps along the exact motion.
+    // Reference: dz = (sign - z) |dq| / length, by small steps along the exact motion.
     let (first, mut z, steps) = ((scene.own[0][0].t(0) / PERIOD).round(), 0.0, 200);
     let mut checked = 0;
     for w in 1..scene.len {
@@ -151,7 +151,7 @@ fn bristles_bend_over_their_length() {
             let by = 0.8 * ((2.3 * k(s + 1)).sin() - (2.3 * k(s)).sin());
             z += (by.signum() - z) * by.abs() / length;
         }
-        // The state at the start is forgotten after some lengths.
+        // The initial state decays within a few lengths.
         if w > 200 && scene.live[0][w] {
             assert!((series[w] - z).abs() < 0.02, "{w}: {} {z}", series[w]);
             checked += 1;

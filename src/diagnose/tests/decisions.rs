@@ -1,4 +1,4 @@
-//! What the search and the selection decide on made-up torques whose truth is known: noise, an
+//! Decisions of the search and the selection on synthetic torques with known causes: noise, an
 //! effect in some stretches, one that holds throughout.
 
 use nalgebra::DMatrix;
@@ -28,8 +28,8 @@ use crate::model::perturbable_robot::PerturbableRobot;
 use crate::numerics::prng::Random;
 use dh_codegen::robot::EffectKind;
 
-/// The planar arm's own torques on the made-up motion, with noise and what is added at a joint and
-/// a sample.
+/// The planar arm's torques on the synthetic motion, with noise and an addition per joint and
+/// sample.
 fn made(noise: [f64; 2], seed: u64, more: &dyn Fn(usize, usize) -> f64) -> [Recording; 1] {
     let robot = planar();
     let bodies = Bodies::of(&bare(&robot));
@@ -61,12 +61,12 @@ fn chosen(effect: EffectKind, place: &[usize], shape: &[f64]) -> Chosen {
     Chosen { cause: hypothesis(effect), place: place.to_vec(), shape: shape.to_vec(), x: Vec::new() }
 }
 
-/// The sample of each window.
+/// Index of the sample of each window.
 fn samples(scene: &WindowedData<'_>) -> Vec<usize> {
     scene.time.iter().map(|t| (t / PERIOD).round() as usize).collect()
 }
 
-/// So fast a ripple that from sample to sample it is nearly white.
+/// Order of a ripple that is nearly white from sample to sample.
 const ORDER: f64 = 200.0;
 
 fn ripple(k: usize) -> f64 {
@@ -74,8 +74,8 @@ fn ripple(k: usize) -> f64 {
     0.3 * (ORDER * stretch.states.q[k]).cos()
 }
 
-/// What holds in each stretch is a cause; what turns about in one of six is none, though it takes
-/// nearly half of the error.
+/// An effect that holds in each stretch is a cause. One that changes its sign in one of the parts
+/// is rejected, though it takes nearly half of the error.
 #[test]
 fn a_cause_holds_in_most_stretches() {
     let robot = planar();
@@ -99,8 +99,8 @@ fn a_cause_holds_in_most_stretches() {
     }
 }
 
-/// A force of 0.6 s shows there alone beside noise and beside another push, not beside an error
-/// that comes back all the time.
+/// A force of 0.6 s is supported in its part alone beside noise and beside another push, but not
+/// beside an error that recurs throughout.
 #[test]
 fn a_push_stands_out_from_the_rest_of_the_log() {
     let robot = planar();
@@ -125,7 +125,7 @@ fn a_push_stands_out_from_the_rest_of_the_log() {
     }
 }
 
-/// Noise gives each unknown something, and a cause of ten unknowns ten times as much: it must pay
+/// Noise gives each unknown some gain, and a cause of ten unknowns ten times as much: it must pay
 /// for them.
 #[test]
 fn noise_is_no_cause_whatever_the_number_of_unknowns() {
@@ -153,8 +153,8 @@ fn noise_is_no_cause_whatever_the_number_of_unknowns() {
     assert!(found.score > 1000.0 && (found.gain.x[0] - 0.3).abs() < 0.01, "{} {:?}", found.score, found.gain.x);
 }
 
-/// A body that the quiet joint shows in each stretch; the other joint's noise is a thousand times
-/// as large and says nothing.
+/// A body that is visible on the quiet joint in each stretch; the other joint's noise is a thousand
+/// times as large and carries no information.
 #[test]
 fn stretches_count_by_the_noise_of_their_joints() {
     let robot = planar();
@@ -178,7 +178,8 @@ fn stretches_count_by_the_noise_of_their_joints() {
     }
 }
 
-/// The more a cause explains of one joint the more it may make another worse; a body by half of it.
+/// The more a cause explains of one joint, the more it may make another worse; a body by half of
+/// that.
 #[test]
 fn what_is_borne_on_other_joints() {
     let ripple = hypothesis(EffectKind::TorqueRipple);
@@ -191,7 +192,7 @@ fn what_is_borne_on_other_joints() {
     }
 }
 
-/// Scores count windows, of which as many as the residual's memory are one.
+/// Scores count windows; as many as the residual's autocorrelation time count as one.
 #[test]
 fn a_score_within_the_memory_is_no_better() {
     let of = |x: usize, score: f64| {
@@ -199,10 +200,10 @@ fn a_score_within_the_memory_is_no_better() {
         Candidate { cause, place, shape, gain: Gain { x: vec![0.1; x], rss: vec![1.0; 2] }, score }
     };
     for memory in [1.0, 20.0] {
-        // In the place of nothing.
+        // It replaces nothing.
         assert!(!is_better(&of(2, 100.0 + memory), 100.0, 0, memory));
         assert!(is_better(&of(2, 100.0 + 10.0 * memory), 100.0, 0, memory));
-        // As many unknowns as what it replaces: by more.
+        // As many unknowns as in what it replaces: a larger margin is needed.
         assert!(!is_better(&of(2, 100.0 + 8.0 * memory), 100.0, 2, memory));
         assert!(is_better(&of(2, 100.0 + 20.0 * memory), 100.0, 2, memory));
     }
@@ -231,8 +232,8 @@ fn a_share_within_a_span_is_of_that_span() {
     }
 }
 
-/// Dry friction that was found beside the file's holds a joint that stands: on a log at rest the torque may
-/// be any up to that level.
+/// Dry friction found beyond the file's holds a joint at rest: on a log at rest the torque may be
+/// any up to that level.
 #[test]
 fn friction_that_was_found_holds_a_joint_at_rest() {
     let plant = PerturbableRobot::new(&planar());
@@ -257,8 +258,8 @@ fn friction_that_was_found_holds_a_joint_at_rest() {
     assert!((file - 0.4).abs() < 1e-6 && model < 1e-3, "{file} {model}");
 }
 
-/// A size within two and a half deviations is nothing, whatever the search said of it. So is a
-/// stiffness that is known no better.
+/// A size within two and a half standard deviations is insignificant, whatever the search found. So
+/// is an equally uncertain stiffness.
 #[test]
 fn what_does_not_exceed_its_uncertainty_is_nothing() {
     let robot = planar();
@@ -283,7 +284,7 @@ fn what_does_not_exceed_its_uncertainty_is_nothing() {
     assert!(uncertainty.exceeds_zero(&tested, &fitted, 0, &spring[0]) < 0.0, "a rigid arm has no spring");
 }
 
-/// Friction that would drive the joint ends at none; an offset may have either sign.
+/// Friction that would drive the joint ends at zero; an offset may have either sign.
 #[test]
 fn friction_does_not_drive() {
     let robot = planar();
@@ -297,12 +298,12 @@ fn friction_does_not_drive() {
     assert!((free[0] + 0.4).abs() < 0.01, "{free:?}");
     let moved = tested.possible(&mut [], &fitted).unwrap();
     let [viscous, offset, other] = of(&moved.solution.x);
-    // The file has 0.1.
+    // The file's level is 0.1.
     assert!((viscous + 0.1).abs() < 1e-4, "{viscous}");
     assert!((offset + 0.5).abs() < 0.1 && (other + 0.5).abs() < 0.01, "{offset} {other}");
 }
 
-/// A spring has its size in its shape: a stiffness whose column must be scaled to fit is another's.
+/// The size of a spring is in its shape: a stiffness whose column must be scaled to fit is wrong.
 #[test]
 fn a_spring_is_as_stiff_as_its_column_is_large() {
     let robot = planar();
@@ -331,8 +332,8 @@ fn a_spring_is_as_stiff_as_its_column_is_large() {
     assert!((all[0].shape[0] / truth[0] - 1.0).abs() < 0.03, "{:?}", all[0].shape);
 }
 
-/// Two orders of ripple stand for each other where a joint makes little of a turn: each by itself stops
-/// where the other is wrong.
+/// Two orders of ripple are strongly correlated where a joint makes little of a turn: refined
+/// alone, each stops where the other is wrong.
 #[test]
 fn numbers_of_two_laws_are_refined_together() {
     let robot = planar();
@@ -347,7 +348,8 @@ fn numbers_of_two_laws_are_refined_together() {
     assert!((found[0] - 6.0).abs() < 0.05 && (found[1] - 12.0).abs() < 0.05, "{found:?}");
 }
 
-/// A power of the speed comes near to both levels; more friction in one direction is the levels.
+/// A power of the speed approximates both levels; more friction in one direction consists of the
+/// levels.
 #[test]
 fn levels_are_the_friction_beside_a_difference_by_direction() {
     let robot = planar();
@@ -378,7 +380,7 @@ fn levels_are_the_friction_beside_a_difference_by_direction() {
     assert_eq!(of(true), (2, vec![true; 2], vec![0.5; 2]));
 }
 
-/// What is found beside the file's numbers, under the names that the file has for the whole.
+/// Changes beyond the file's values are reported as totals, under the names of the file.
 #[test]
 fn names_of_the_file_are_of_the_whole() {
     let robot = planar();
@@ -402,7 +404,7 @@ fn names_of_the_file_are_of_the_whole() {
         let all = cause.named(&found);
         (all[0].symbol.name(), all[0].value)
     };
-    // A sensor that shows 5 % more, one that is 3 ms later than was known, a friction of 0.8 at rest.
+    // A sensor with 5 % more gain, a delay of 3 ms more than known, a friction of 0.8 at rest.
     for (found, name, value) in [
         (named(EffectKind::TorqueGainError, &[], 0.05), "GT", 1.05),
         (named(EffectKind::TimeDelay, &[1e-3], 0.003), "TD", 0.007),
@@ -412,7 +414,7 @@ fn names_of_the_file_are_of_the_whole() {
     }
 }
 
-/// A cable pulls where it is taut and hangs on the other side.
+/// A cable pulls where it is taut and is slack on the other side.
 #[test]
 fn a_cable_pulls_on_its_side() {
     let robot = planar();
@@ -437,8 +439,8 @@ fn a_cable_pulls_on_its_side() {
     }
 }
 
-/// Friction may fall with speed or vary along the travel as long as it takes work. What gives work
-/// back over a part of the motion is another error.
+/// Friction may fall with speed or vary along the travel as long as it dissipates. A law that
+/// returns energy over a part of the motion is another error.
 #[test]
 fn friction_that_drives_the_joint_is_none() {
     let robot = planar();
@@ -464,8 +466,8 @@ fn friction_that_drives_the_joint_is_none() {
     }
 }
 
-/// Links that are wrong altogether look like a shared motor, wrong gains or rotors; beside refitted
-/// links none of these is likely, and a spring that is there stays.
+/// Links that are wrong altogether resemble a shared motor, wrong gains or rotors. Beside refitted
+/// links none of these is likely, and a real spring remains.
 #[test]
 fn what_other_links_explain_is_unlikely_beside_them() {
     let robot = planar();

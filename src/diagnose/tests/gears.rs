@@ -1,4 +1,4 @@
-//! Drives alone: what gears take, made up here, with a load that no file knows.
+//! Drives without bodies: losses of gears, synthetic, with a load that no file describes.
 
 use super::columns::{self, PERIOD};
 use super::mechanisms::planar;
@@ -10,8 +10,8 @@ use crate::numerics::prng::Random;
 
 const LEN: usize = 3000;
 
-/// Two joints on sines of three frequencies each; `gear`: torque that each takes by position, velocity,
-/// acceleration and load, N m, beside noise of 0.02 N m.
+/// Two joints on sines of three frequencies each. `gear`: torque loss of each by position,
+/// velocity, acceleration and load, N m, with noise of 0.02 N m.
 fn recording(seed: u64, gear: impl Fn(usize, [f64; 3], f64) -> f64) -> Recording {
     let mut random = Random::new(seed);
     let waves: Vec<[f64; 3]> =
@@ -44,8 +44,8 @@ fn recording(seed: u64, gear: impl Fn(usize, [f64; 3], f64) -> f64) -> Recording
     Recording { name: "gears".into(), begin: 0.0, stretches: vec![stretch] }
 }
 
-/// A level, friction under load and a rotor that the file lacks come back beside the viscous friction that
-/// it has; a gear as in the file has nothing wrong.
+/// A level, friction under load and a rotor that the file lacks are recovered beside the viscous
+/// friction that it has. For a gear as in the file nothing is wrong.
 #[test]
 fn rotors_and_friction_of_gears_come_back() {
     let mut robot = planar();

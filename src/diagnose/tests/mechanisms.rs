@@ -1,5 +1,5 @@
-//! One mechanism a test: a planar arm whose torques are worked out here, by virtual work, tables
-//! and laws other than those that look for them.
+//! One mechanism per test: a planar arm whose torques are computed here, by virtual work, tables
+//! and laws other than those that the diagnosis uses.
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::{Robot, no_files};
@@ -37,7 +37,7 @@ impl Bodies {
     }
 }
 
-/// The arm's links without what its drives have.
+/// The arm's links without its drive parameters.
 pub(super) fn bare(robot: &Robot) -> Robot {
     let mut robot = robot.clone();
     for joint in &mut robot.joints {
@@ -47,7 +47,7 @@ pub(super) fn bare(robot: &Robot) -> Robot {
     robot
 }
 
-/// A log of an arm that gives these torques at `[q, v, a]`.
+/// A log of an arm with these torques at `[q, v, a]`.
 pub(super) fn log(
     robot: &Robot,
     seconds: f64,
@@ -67,8 +67,8 @@ pub(super) fn log(
     text.into_bytes()
 }
 
-/// Diagnoses the file of an arm that gives these torques; and what the written file misses of a
-/// third log, in noise.
+/// Diagnosis of the arm's file for these torques, and the error of the written file on a third log,
+/// in units of the noise.
 fn found(robot: &Robot, seed: u64, tau: &dyn Fn(&[[f64; 2]; 3]) -> [f64; 2]) -> (Diagnosis, Vec<f64>) {
     let mut random = Random::new(seed);
     let [a, b, c] = [12.0, 8.0, 8.0].map(|seconds| record("log", &log(robot, seconds, &mut random, tau), 2));
@@ -84,7 +84,7 @@ fn sign(v: f64) -> f64 {
     (v / 1e-3).tanh()
 }
 
-/// Drives of the file.
+/// Torques of the file's drives.
 pub(super) fn plain(robot: &Robot, v: &[f64; 2]) -> [f64; 2] {
     [0, 1].map(|j| {
         let drive = &robot.joints[j].drive;
@@ -108,8 +108,8 @@ fn value(found: &Diagnosis, symbol: &str) -> f64 {
     all.into_iter().find(|p| p.symbol == symbol).unwrap_or_else(|| panic!("{symbol}: {:?}", names(found))).value
 }
 
-/// A soft wall that the tip of the arm meets again and again is a contact of all logs, with its place
-/// and stiffness.
+/// A compliant wall that the tip of the arm reaches repeatedly is one contact of all logs, with its
+/// place and stiffness.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn a_wall_is_a_contact_that_depends_on_the_position() {
@@ -128,7 +128,7 @@ fn a_wall_is_a_contact_that_depends_on_the_position() {
     let named: Vec<_> = found.causes[0].parameters.iter().map(|p| (p.symbol.as_str(), p.value, p.std)).collect();
     for (symbol, wanted) in [("k", stiffness), ("nx", normal[0]), ("ny", normal[1]), ("at", at)] {
         let (_, value, std) = named.iter().find(|p| p.0 == symbol).unwrap();
-        // To its deviation, which is stated.
+        // Within its stated deviation.
         assert!((value - wanted).abs() < (4.0 * std.unwrap()).min(0.01 * wanted.abs()), "{named:?}");
     }
     assert!(missed.iter().all(|m| *m < 1.1), "{missed:?}");
@@ -164,7 +164,7 @@ fn a_cable_that_stiffens_is_a_spring() {
     assert!(missed[1] < 2.0, "{missed:?}");
 }
 
-/// More friction in one direction is a higher level and a difference: one cause.
+/// More friction in one direction is a higher level and an asymmetry: one cause.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn more_friction_in_one_direction_is_one_cause() {
@@ -179,7 +179,7 @@ fn more_friction_in_one_direction_is_one_cause() {
     assert!(missed[1] < 1.5, "{missed:?}");
 }
 
-/// `q_2 = theta_2 + c theta_1`: the power that the motors give is that which the links take.
+/// `q_2 = theta_2 + c theta_1`: the motors' power equals the links' power.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn an_axis_that_another_motor_carries_is_a_gear_coupling() {
@@ -250,7 +250,7 @@ fn a_strong_spring_does_not_hide_friction_of_its_joint() {
 }
 
 /// Parallel axes, unknown links, and a rotor that the file lacks. In a refit without rotors it
-/// looks like a motor that two joints share, with an inertia below zero.
+/// resembles a motor shared by two joints, with negative inertia.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn a_refit_has_rotors() {
@@ -268,8 +268,9 @@ fn a_refit_has_rotors() {
     assert!((rotor - 0.09).abs() < 0.02, "{rotor}");
 }
 
-/// A motor whose dry friction drives the next joint too. Beside that slow error a short log seems
-/// to show little of the joint's own friction and offset; beside its cause it shows all of it.
+/// A motor whose dry friction also drives the next joint. Beside that slow error a short log seems
+/// to determine little of the joint's own friction and offset; beside its cause it determines all
+/// of it.
 #[test]
 fn what_a_log_shows_is_judged_beside_the_causes_found() {
     use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};
@@ -296,8 +297,8 @@ fn what_a_log_shows_is_judged_beside_the_causes_found() {
     assert!((coupling[0].x[0] - 1.5).abs() < 0.1 && (fitted.solution.x[fitted.friction + 5] - 0.4).abs() < 0.05);
 }
 
-/// A push of 0.9 s at the tip in a log of 20 s that has an error of its own throughout: a small share of
-/// the log's error, most of that of its second.
+/// A push of 0.9 s at the tip in a log of 20 s with an error throughout. It is a small share of the
+/// log's error, but most of it while the push lasts.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn a_push_counts_by_the_error_while_it_lasts() {
@@ -309,7 +310,7 @@ fn a_push_counts_by_the_error_while_it_lasts() {
         let bytes = log(&robot, seconds, random, &|s| {
             let t = samples.replace(samples.get() + 1.0) / RATE;
             let (rigid, friction) = (bodies.torques(s), plain(&robot, &s[1]));
-            // A cogging that no law of the vocabulary has.
+            // A cogging that no law of the vocabulary describes.
             let rough = 0.12 * (7.0 * s[0][0] + 5.0 * s[0][1]).sin();
             let on = if (8.0..8.9).contains(&t) { push } else { 0.0 };
             let [shoulder, elbow] = at_tip(&s[0], [-0.6 * on, -0.8 * on]);
@@ -331,12 +332,12 @@ fn what_runs_to_the_end_of_what_is_looked_for_is_no_estimate() {
     let power = by_name("nonlinear_viscous_friction").unwrap();
     assert!(at_edge(power, &[0.201, 0.0]) && at_edge(power, &[4.99, 0.0]));
     assert!(!at_edge(power, &[0.4, 0.0]) && !at_edge(power, &[1.0, 0.3]));
-    // An exponent that is natural by preference only is weak evidence for a law.
+    // An exponent that is an integer by preference only is weak evidence for a law.
     assert!(!at_edge(by_name("stribeck_friction").unwrap(), &[0.1, 0.5]));
 }
 
-/// A body in the hand during the fitted log alone: the file is right where the hand is empty, so it
-/// is offered, and what the fitted log shows has its name.
+/// A body in the hand during the fitted log alone. The file is right for the empty hand, so it is
+/// offered, and the deviation of the fitted log is named.
 #[test]
 fn a_payload_of_the_fitted_log_alone() {
     let robot = planar();
@@ -358,8 +359,8 @@ fn a_payload_of_the_fitted_log_alone() {
     assert!(named.iter().any(|c| ["payload", "link_inertia_error"].contains(c)), "{named:?}");
 }
 
-/// A term of friction that changed stands out of a periodic error of its size on the same joint,
-/// which no law of the vocabulary has, and comes before laws that could follow both.
+/// A changed friction term stands out of a periodic error of its size on the same joint, which no
+/// law of the vocabulary has. It comes before laws that could follow both.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn changed_friction_is_found_beside_an_error_of_its_size() {
@@ -382,9 +383,9 @@ fn changed_friction_is_found_beside_an_error_of_its_size() {
     }
 }
 
-/// Friction of the elbow that depends on where the shoulder stands or how fast it turns, which no law
-/// of the vocabulary has: the answer is that law, and none that comes near to it. (Of the second the
-/// search takes a friction by load, or one that fades.)
+/// Friction of the elbow that depends on the position or speed of the shoulder, which no law of the
+/// vocabulary describes. The result is that law, and none that approximates it. (For the second,
+/// the search alone finds friction by load, or one that fades.)
 #[test]
 fn a_law_of_another_joint_stands_alone() {
     let robot = planar();

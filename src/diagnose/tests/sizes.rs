@@ -1,4 +1,4 @@
-//! Sizes that a fit finds, on torques of the textbook arm with a known addition.
+//! Fitted sizes, on torques of the textbook arm with a known addition.
 
 use std::sync::Arc;
 
@@ -24,8 +24,8 @@ fn tested<'a>(plant: &'a PerturbableRobot, recordings: &'a [Recording], all: boo
     ModelUnderTest::new(plant, recordings, 1.0 / PERIOD, Mode::Trusted, &[0.0; 2], all)
 }
 
-/// The log of an arm that is as its file says, but for further torques, N m, by joint and sample that
-/// is used, and uniform noise up to `noise`.
+/// The log of an arm as in its file, plus further torques, N m, per joint and used sample, and
+/// uniform noise up to `noise`.
 fn played(
     plant: &PerturbableRobot,
     mut log: Recording,
@@ -50,15 +50,15 @@ fn played(
     log
 }
 
-/// What a spring of joint 1 adds to both torques, from rest in it.
+/// Torques of a spring of joint 1 on both joints, from quasi-static equilibrium.
 fn swing(scene: &WindowedData<'_>, shape: &[f64]) -> [Vec<f64>; 2] {
     let terms = hypothesis(EffectKind::JointElasticity).terms(scene, &[0], shape);
     let row = |j: usize| terms[0].column.rows.iter().find(|row| row.0 == j).map(|row| row.1.to_vec());
     [0, 1].map(|j| row(j).unwrap())
 }
 
-/// Stiffness, N m/rad, and damping, N m s/rad, of the spring on which the first link swings at this
-/// frequency, Hz: outstretched by `(L1 + L2)^3 / 3` kg m^2, rods of 1 kg/m.
+/// Stiffness, N m/rad, and damping, N m s/rad, of the spring on which the first link oscillates at
+/// this frequency, Hz. Outstretched, its inertia is `(L1 + L2)^3 / 3` kg m^2, rods of 1 kg/m.
 fn at_frequency(frequency: f64) -> [f64; 2] {
     let (inertia, w) = (0.9_f64.powi(3) / 3.0, TAU * frequency);
     [w * w * inertia, 0.2 * w * inertia]
@@ -78,7 +78,7 @@ fn rippled() -> Recording {
     log
 }
 
-/// A link that swings at 6 Hz is looked for there.
+/// A link that oscillates at 6 Hz is found there.
 #[test]
 fn a_spring_is_looked_for_at_its_stiffness() {
     let plant = PerturbableRobot::new(&planar());
@@ -90,7 +90,8 @@ fn a_spring_is_looked_for_at_its_stiffness() {
     assert!((grid[0][0] / shape[0] - 1.0).abs() < 0.05, "{grid:?} {shape:?}");
 }
 
-/// Beyond the motion's band a spring is looked for by how far the load winds it, and no swing is.
+/// Above the motion's band a spring is found by its deflection under load, and an oscillating one
+/// is not searched.
 #[test]
 fn a_stiff_spring_is_looked_for_by_its_winding() {
     let plant = PerturbableRobot::new(&planar());
@@ -106,8 +107,8 @@ fn a_stiff_spring_is_looked_for_by_its_winding() {
     assert!(cause.shows(&scene, &[0], &grid[0]) && !cause.shows(&scene, &[0], &[stiffness, damping]));
 }
 
-/// A soft spring that winds by a tenth of a radian, more than an arm that is linear in it would say.
-/// A log that begins at rest in the spring gives the same column whether its start is looked for or
+/// A soft spring that deflects by a tenth of a radian, where the arm is nonlinear. If a log begins
+/// in quasi-static equilibrium, the column is the same whether the initial state is estimated or
 /// not.
 #[test]
 fn a_start_at_rest_is_found_at_rest() {
@@ -127,8 +128,8 @@ fn a_start_at_rest_is_found_at_rest() {
     assert!(off < 4e-8 * all, "{}", (off / all).sqrt());
 }
 
-/// The coefficient of a spring is 1, known to a twentieth: one of 1.1 has two standard deviations to
-/// pay, the square of which is 4, and one of 1 next to nothing.
+/// The coefficient of a spring is 1 within a twentieth. One of 1.1 is two standard deviations off,
+/// at a cost of 4, and one of 1 costs next to nothing.
 #[test]
 fn a_swing_of_another_size_costs() {
     let plant = PerturbableRobot::new(&planar());
@@ -145,16 +146,16 @@ fn a_swing_of_another_size_costs() {
         assert!((x - size).abs() < 0.05, "{size}: {x}");
         let counts = &fitted.solution.counts;
         let logs = (0..2).map(|j| counts[j] * (fitted.solution.rss[j] / found.gain.rss[j]).ln()).sum::<f64>();
-        // Its size, and stiffness, damping and the start of the swing.
+        // Unknowns: size, stiffness, damping and initial state.
         let unknowns = 4.0 * counts.iter().sum::<f64>().ln();
         let cost = logs - unknowns - found.score;
         assert!((cost - (20.0 * (x - 1.0)).powi(2)).abs() < 1e-6, "{size}: {x} {cost}");
     }
 }
 
-/// A stiff spring gives way as `1 / K`: its stiffness and the size of its column are one number, and
-/// that the size is 1 decides. The noise is half of what the spring adds, so that its start says
-/// little.
+/// A stiff spring deflects as `1 / K`: its stiffness and the size of its column are one number,
+/// which the prior of 1 for the size decides. The noise is half of the spring's torque, so that the
+/// initial state is poorly determined.
 #[test]
 fn a_stiffness_is_that_at_which_the_size_is_one() {
     let plant = PerturbableRobot::new(&planar());
@@ -173,7 +174,7 @@ fn a_stiffness_is_that_at_which_the_size_is_one() {
     }
 }
 
-/// Five tenths of an error where three are noise: four tenths are left.
+/// An error of 0.5 with noise of 0.3 leaves 0.4.
 #[test]
 fn an_excess_is_what_noise_leaves_of_the_square() {
     let plant = PerturbableRobot::new(&planar());
@@ -188,13 +189,13 @@ fn an_excess_is_what_noise_leaves_of_the_square() {
         .collect();
     let measured = meter.errors(predicted, vec![0.0; 2]);
     let found = excess([&measured, &measured], &[0.3, 0.4]);
-    // Of the second joint it is less than half more than the noise.
+    // The second joint's error is less than one and a half times its noise.
     assert_eq!(found.iter().map(|s| s.joint).collect::<Vec<_>>(), [0]);
     assert!((found[0].rms - 0.4).abs() < 1e-9, "{}", found[0].rms);
 }
 
-/// Viscous friction that is 0.06 N m s/rad more than the file's, 0.08 N m of torque: beside noise of
-/// 1 N m it stays with the file, however sure it is; beside noise of 0.1 N m it does not.
+/// Viscous friction that is 0.06 N m s/rad more than the file's, 0.08 N m of torque. With noise of
+/// 1 N m it stays at the file's value, however significant; with noise of 0.1 N m it does not.
 #[test]
 fn friction_that_is_small_beside_the_noise_stays_with_the_file() {
     let plant = PerturbableRobot::new(&planar());
@@ -210,9 +211,9 @@ fn friction_that_is_small_beside_the_noise_stays_with_the_file() {
     }
 }
 
-/// Beside an error that lasts `m` windows the data say `1 / m` of what each window by itself would.
-/// With `W` what those would say in the prior's axes, friction is held by `s^4 m (W / m)^-3`, since
-/// the solver counts every window.
+/// With an error that lasts `m` windows the data have `1 / m` of the information of independent
+/// windows. With `W` that information in the prior's axes, friction is regularised by `s^4 m (W /
+/// m)^-3`, since the solver counts every window.
 #[test]
 fn what_an_error_that_lasts_leaves_open_is_held() {
     let plant = PerturbableRobot::new(&planar());

@@ -1,5 +1,5 @@
-//! Sums of the diagnosis against the same by other ways: whole matrices, differences, laws written
-//! out here.
+//! Sums of the diagnosis against independent computations: dense matrices, finite differences, laws
+//! written out here.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -28,8 +28,8 @@ fn scene<'a>(plant: &'a PerturbableRobot, recordings: &'a [crate::diagnose::Reco
     scene
 }
 
-/// Two columns on joint 1, one on both, and one that is tried beside them: coefficients and sums of
-/// squares are those of a dense solution with the same weights.
+/// Two columns on joint 1, one on both, and a trial column beside them: coefficients and sums of
+/// squares equal those of a dense solution with the same weights.
 #[test]
 fn a_trial_is_a_refit_of_all() {
     let robot = planar();
@@ -44,7 +44,7 @@ fn a_trial_is_a_refit_of_all() {
     let [a, b, c0, c1, t0, t1] = [0, 0, 0, 1, 0, 1].map(|j| series(&scene.live[j]));
     let y = [0, 1].map(|j| series(&scene.live[j])).to_vec();
     let columns = [Column::on(0, a), Column::on(0, b), Column::new(vec![(0, c0), (1, c1)])];
-    // Nearly one of the others, so that what is taken off of it counts.
+    // Nearly equal to another column, so that the subtracted part matters.
     let near: Vec<f64> = t0.iter().zip(&*columns[0].rows[0].1).map(|(t, a)| 0.3 * t + a).collect();
     let more = Column::new(vec![(0, near), (1, t1)]);
     let moments = Moments::new(&scene, &scene.block, &y, &columns.iter().collect::<Vec<&Column>>());
@@ -70,7 +70,7 @@ fn a_trial_is_a_refit_of_all() {
         let square = left.rows(j * n, n).norm_squared();
         assert!((gain.rss[j] / square - 1.0).abs() < 1e-9, "{j}: {} {square}", gain.rss[j]);
     }
-    // A column that the others have already gains nothing.
+    // A column that the others already contain gains nothing.
     assert!(moments.reduced(&found, &moments.trial(&[&columns[2]])).is_none());
 }
 
@@ -78,10 +78,10 @@ fn a_trial_is_a_refit_of_all() {
 fn a_share_is_of_what_is_above_the_noise() {
     let noise = [0.6];
     assert!((share(&[1.0], &[0.8], &noise, &[0]) - 0.36 / 0.64).abs() < 1e-12);
-    // What makes it worse has a negative share, down to all of it.
+    // An increase of the error is a negative share, down to -1.
     assert!((share(&[1.0], &[1.1], &noise, &[0]) + 0.21 / 0.64).abs() < 1e-12);
     assert_eq!(share(&[1.0], &[3.0], &noise, &[0]), -1.0);
-    // Of several joints the one that gains most by its noise.
+    // Of several joints, the one with the largest gain relative to its noise.
     assert!((share(&[1.0, 5.0], &[0.9, 4.9], &[0.1, 3.0], &[]) - 0.19 / 0.99).abs() < 1e-12);
 }
 
@@ -90,12 +90,12 @@ fn half_of_the_noise_matters() {
     let after = |taken: f64| (1.0 - taken * taken).sqrt();
     for (taken, does) in [(0.21, true), (0.19, false)] {
         assert_eq!(matters(&[1.0], &[after(taken)], &[0.4], &[0.0]), does, "{taken}");
-        // Errors of the motion count as they are.
+        // Errors of the motion count in full.
         assert_eq!(matters(&[1.0], &[after(taken)], &[0.1], &[0.2]), does, "{taken}");
     }
 }
 
-/// The memory of a residual does not depend on how many windows are used.
+/// The autocorrelation time of a residual does not depend on the share of windows used.
 #[test]
 fn memory_of_a_residual_with_gaps() {
     let mut random = Random::new(5);
@@ -114,9 +114,9 @@ fn memory_of_a_residual_with_gaps() {
     }
 }
 
-/// A clock that errs by so much errs in the torque by that times the torque's rate. Without
-/// friction, whose jumps are what the order of a difference makes of them: at each the rate of
-/// order six has 1.6 times the sum of squares of the one here.
+/// A clock error causes a torque error of that error times the torque's rate. Tested without
+/// friction, whose jumps depend on the order of the difference: at each, the rate of order six has
+/// 1.6 times the sum of squares of the one here.
 #[test]
 fn errors_of_the_clock_go_with_the_rate() {
     let robot = bare(&planar());
@@ -138,7 +138,7 @@ fn errors_of_the_clock_go_with_the_rate() {
     let (once, rates) = of(2e-3);
     let (twice, _) = of(4e-3);
     for j in 0..2 {
-        // Ends of a run have one-sided quotients, and are not in `rates`.
+        // Ends of a run have one-sided differences, and are not in `rates`.
         assert!((once[j] / (2e-3 * rates[j]) - 1.0).abs() < 2e-3, "{once:?} {rates:?}");
         assert!((twice[j] / once[j] - 2.0).abs() < 1e-9, "{once:?} {twice:?}");
     }
@@ -158,7 +158,7 @@ fn a_ramp_has_its_slope() {
     }
 }
 
-/// What a law adds per unit of a number in it, against the derivative by hand.
+/// Derivative column of a law by a number of its shape, against the analytic derivative.
 #[test]
 fn a_column_of_a_number_is_the_derivative_by_it() {
     let robot = planar();
@@ -188,8 +188,8 @@ fn a_column_of_a_number_is_the_derivative_by_it() {
     assert!(checked > 800, "{checked}");
 }
 
-/// Where the data say nothing of friction it stays within the prior: half of the torque that the
-/// joint was seen to need, a fifth for an offset.
+/// Without data on friction it stays within the prior: half of the joint's torque, a fifth for an
+/// offset.
 #[test]
 fn friction_is_as_uncertain_as_the_torque_is_large() {
     let robot = planar();
@@ -207,14 +207,14 @@ fn friction_is_as_uncertain_as_the_torque_is_large() {
     }
 }
 
-/// Rows of a joint in the terms of a hypothesis, where its windows count.
+/// Series of a joint in a term of a hypothesis.
 fn rows(terms: &[Term], term: usize, joint: usize) -> &[f64] {
     let found = terms[term].column.rows.iter().find(|(j, _)| *j == joint);
     found.map_or(&[], |(_, series)| series)
 }
 
-/// A motor that turns with another joint, `w = dq_m + r dq_k`: its inertia and friction act on joint
-/// m as they are and on joint k times `r`.
+/// A motor that turns with another joint, `w = dq_m + r dq_k`: its inertia and friction act on
+/// joint m directly, and on joint k times `r`.
 #[test]
 fn a_coupled_motor_acts_on_two_joints() {
     let robot = planar();
@@ -246,8 +246,8 @@ fn a_coupled_motor_acts_on_two_joints() {
     assert!(checked > 1000, "{checked}");
 }
 
-/// Its inertia found from one joint and its friction from the other are one motor; one that turns
-/// the other way is another.
+/// Inertia found from one joint and friction from the other belong to one motor; one that turns the
+/// other way is another.
 #[test]
 fn couplings_of_both_joints_are_one_motor() {
     let robot = planar();
@@ -271,7 +271,7 @@ fn couplings_of_both_joints_are_one_motor() {
     }
 }
 
-/// Both directions, and as far as a joint may be off.
+/// Steps of both signs, up to the largest plausible offset.
 #[test]
 fn a_zero_is_looked_for_to_both_sides() {
     let robot = planar();
@@ -284,8 +284,8 @@ fn a_zero_is_looked_for_to_both_sides() {
     assert!(steps.iter().any(|s| s.abs() < 0.01), "{steps:?}");
 }
 
-/// The link stands half of the gap to the side to which its torque pushes it: where that stays on
-/// one side, the column is minus half of what a shifted link needs, or plus.
+/// The link rests half of the gap to the side towards which its torque pushes it. Where that side
+/// stays the same, the column is minus or plus half of that of a shifted link.
 #[test]
 fn a_gap_is_taken_by_half_to_either_side() {
     let robot = planar();
@@ -303,7 +303,7 @@ fn a_gap_is_taken_by_half_to_either_side() {
     let shifted = scene.shifted(0, &vec![1.0; scene.len], 1e-4);
     let load = &scene.rigid[0];
     let most = load.iter().fold(0.0_f64, |m, t| m.max(t.abs()));
-    // So long on one side that the low-pass has settled.
+    // On one side for so long that the low-pass has settled.
     const SETTLED: usize = 60;
     let mut checked = 0;
     for w in SETTLED..scene.len - SETTLED {

@@ -1,5 +1,5 @@
-//! What the windows hold against the motion's own formula, the textbook arm's torques and sums by
-//! hand.
+//! Contents of the windows against the motion's analytic form, the textbook arm's torques and sums
+//! by hand.
 
 use super::columns::{PERIOD, recording};
 use super::mechanisms::planar;
@@ -34,7 +34,7 @@ fn windows<'a>(
     WindowedData::new(plant, recordings, 1.0 / PERIOD, &[delay; 2], false)
 }
 
-/// A torque that is late by 0.1 s goes with the motion of 0.1 s before: positions, times, and
+/// A torque with a delay of 0.1 s belongs to the motion of 0.1 s before: positions, times, and
 /// whether the joint stuck then.
 #[test]
 fn a_late_torque_goes_with_the_motion_before() {
@@ -74,14 +74,14 @@ fn a_velocity_within_its_noise_has_no_sign() {
     assert!((quiet[0].0 - 0.0184).abs() < 1e-12 && (quiet[1].0 - 0.0092).abs() < 1e-12, "{quiet:?}");
     let noisy = zone(0.05, &mut recordings);
     assert!(noisy.iter().all(|(zone, stands)| (zone - 0.15).abs() < 1e-12 && !stands), "{noisy:?}");
-    // Noise of which three deviations are as fast as the joint: it stands.
+    // Three standard deviations of noise exceed the joint's speed: it is at rest.
     let all = zone(0.7, &mut recordings);
     assert!(all.iter().all(|(zone, stands)| (zone - 2.1).abs() < 1e-12 && *stands), "{all:?}");
 }
 
-/// The base turned about its z is the first joint's offset; of the textbook arm only gravity sees
-/// it: `-G ((L1^2 / 2 + L2 L1) sin q1 + L2^2 / 2 sin(q1 + q2))` on the first joint, the last term
-/// alone on the second.
+/// Rotating the base about its z is the first joint's offset. On the textbook arm only gravity
+/// depends on it: `-G ((L1^2 / 2 + L2 L1) sin q1 + L2^2 / 2 sin(q1 + q2))` on the first joint, the
+/// last term alone on the second.
 #[test]
 fn a_change_of_the_arm_by_its_size() {
     let plant = PerturbableRobot::new(&planar());
@@ -101,8 +101,9 @@ fn a_change_of_the_arm_by_its_size() {
     }
 }
 
-/// A wrench on the tool takes its power from the motors: a force by its levers about shoulder and
-/// elbow, a moment about z on both. In the axes of the tool the first lever turns with the elbow.
+/// The motors supply the power of a wrench on the tool: of a force by its levers about shoulder and
+/// elbow, of a moment about z on both. In the axes of the tool the first lever turns with the
+/// elbow.
 #[test]
 fn a_push_takes_what_its_lever_says() {
     let plant = PerturbableRobot::new(&planar());
@@ -134,9 +135,9 @@ fn a_push_takes_what_its_lever_says() {
     }
 }
 
-/// Noise, and a force in the axes of the base for 117 of 1140 windows: one of the lengths that are
-/// tried (50 and always a third more), at one of the starts (every 14 windows). What jumps about zero
-/// with three times the noise's amplitude is no push.
+/// Noise, and a force in the axes of the base for 117 of 1140 windows. This is one of the lengths
+/// that are tried (50, then repeatedly a third more), at one of the starts (every 14 windows).
+/// Noise of three times the amplitude is not a push.
 #[test]
 fn a_weak_push_is_looked_for_where_it_is() {
     // Without a tool it acts at the elbow, on the first joint alone.
@@ -160,7 +161,7 @@ fn a_weak_push_is_looked_for_where_it_is() {
     let [start, end] = [0, 1].map(|k| (grid[0][k] / scene.step).round() as usize);
     assert_eq!([start, end], [pushed.start, pushed.end]);
     assert_eq!([&grid[0][2..], &grid[1][2..]], [[1.0, 0.0], [1.0, 1.0]]);
-    // In the next recording it would be another.
+    // A push does not continue in the next recording.
     let mut two = [recording(), recording()];
     two[1].begin += 100.0;
     let scene = windows(&plant, &two, 0.0);
@@ -170,8 +171,8 @@ fn a_weak_push_is_looked_for_where_it_is() {
     assert!(push.shows(&scene, &[], &[inside[0], inside[1], 1.0, 0.0]));
 }
 
-/// A wall that the tip of the arm meets: the directions that are tried contain its normal. Its
-/// torques are the slopes of `k depth^2 / 2`.
+/// A wall that the tip of the arm reaches: the candidate directions contain its normal. Its torques
+/// are the derivatives of `k depth^2 / 2`.
 #[test]
 fn a_wall_is_looked_for_where_it_is() {
     let plant = PerturbableRobot::new(&planar());
@@ -204,17 +205,17 @@ fn a_wall_is_looked_for_where_it_is() {
         })
         .collect();
     let grid = wall.grid(&scene, &[], &residual);
-    // From the middle of what is behind it.
+    // Relative to the mean position behind it.
     let near = (grid[0][3] + grid[0][4] - at).abs() < 0.1 * (high - low);
     assert!(grid[0][0] == 21.0 && near, "{grid:?} {at}");
-    // A tilt out of the plane of the arm is none.
+    // A tilt out of the plane of the arm has no effect.
     let leaning = wall.terms(&scene, &[], &[21.0, 0.3, 0.0, at, 0.0, 0.0, 0.0]);
     for ((_, one), (_, other)) in leaning[0].column.rows.iter().zip(&terms[0].column.rows) {
         assert!(one.iter().zip(&**other).all(|(a, b)| (a - b).abs() < 1e-12));
     }
     assert!((scene.directions_without_torque()[0].z.abs() - 1.0).abs() < 1e-12);
     assert_eq!(scene.directions_without_torque().len(), 1);
-    // A push while the tip is behind it is an error of its law; one while it is not may be a push.
+    // A push during contact is an error of the wall's law; one without contact may be a push.
     let touches = wall.touches(&scene, &shape);
     let behind = |wanted: bool| (0..scene.len - 20).find(|&w| touches[w..w + 20].iter().all(|t| *t == wanted)).unwrap();
     let chosen = |cause, shape: &[f64]| Chosen { cause, place: Vec::new(), shape: shape.to_vec(), x: vec![1.0] };
@@ -225,12 +226,12 @@ fn a_wall_is_looked_for_where_it_is() {
     };
     assert!(of(behind(true)) && !of(behind(false)));
     assert!(!is_an_error_of_contact(&scene, &chosen(wall, &shape), [&chosen(wall, &shape)]));
-    // What is always behind it is a spring, what never is is free.
+    // Permanent contact is a spring, and without contact there is no wall.
     assert!([low - 0.1, high + 0.1].iter().all(|at| !wall.shows(&scene, &[], &[21.0, 0.0, 0.0, *at, 0.0, 0.0, 0.0])));
 }
 
-/// Where gravity is along its axis, the first link gives the torque of a rotor and no other; the
-/// second link is turned by both joints, its rotor by one.
+/// With gravity along its axis, the first link has the torque of a rotor and no other. The second
+/// link is turned by both joints, its rotor by one.
 #[test]
 fn a_first_link_is_a_rotor_where_gravity_is_along_its_axis() {
     let plant = PerturbableRobot::new(&Robot { gravity: [0.0, 0.0, -9.81], ..planar() });
@@ -241,19 +242,19 @@ fn a_first_link_is_a_rotor_where_gravity_is_along_its_axis() {
     assert!(rotor.indistinguishable(&scene, &[1]).is_empty());
     let link = laws(EffectKind::LinkInertiaError).next().unwrap();
     assert_eq!(link.indistinguishable(&scene, &[0]), ["rotor_inertia"]);
-    // No motion decides it.
+    // No motion separates them.
     assert_eq!([0, 1].map(|j| rotor.decided_by(&scene, &[j]).is_some()), [true, false]);
-    // So too where an angle of the file is a right one but for its last digits.
+    // The same holds for a right angle of the file with errors in its last digits.
     let plant = PerturbableRobot::new(&Robot { gravity: [0.0, 1e-7, -9.81], ..planar() });
     let scene = windows(&plant, &recordings, 0.0);
     assert_eq!(rotor.indistinguishable(&scene, &[0]), ["link_inertia_error"]);
-    // Gravity shows the first moments of the link, too.
+    // Gravity also shows the first moments of the link.
     let plant = PerturbableRobot::new(&planar());
     let scene = windows(&plant, &recordings, 0.0);
     assert!(rotor.indistinguishable(&scene, &[0]).is_empty());
 }
 
-/// Random columns on joint 1: the first, and one of which it is a part.
+/// Random columns on joint 1: the first, and one that contains a part of it.
 fn two_columns(scene: &WindowedData<'_>) -> [Vec<f64>; 2] {
     let mut random = Random::new(21);
     let mut series = || -> Vec<f64> { (0..scene.len).map(|_| random.uniform(-1.0, 1.0)).collect() };
@@ -262,7 +263,7 @@ fn two_columns(scene: &WindowedData<'_>) -> [Vec<f64>; 2] {
     [a, b]
 }
 
-/// A prior is further equations: `root P (x - mean) = 0` below those of the data.
+/// A prior is equivalent to further equations: `root P (x - mean) = 0` below those of the data.
 #[test]
 fn a_prior_is_further_equations() {
     let plant = PerturbableRobot::new(&planar());
@@ -295,8 +296,8 @@ fn a_prior_is_further_equations() {
     assert!((x[0] - 3.0).abs() > 0.1 && (x[0] - 1.0).abs() > 0.1, "{x}");
 }
 
-/// A term that half of the parts give half as much again, and the others half: `1 / (1 + 0.5^2)`.
-/// What stands beside it goes with it, and takes no part.
+/// A term that is half as large again in half of the parts, and half as large in the others: `1 /
+/// (1 + 0.5^2)`. Terms beside it are correlated, and do not affect this.
 #[test]
 fn a_size_that_changes_recurs_less() {
     let plant = PerturbableRobot::new(&planar());

@@ -1,6 +1,6 @@
 //! A robot whose torques come from the numeric recursion. Its effects are written from the
-//! literature, apart from the laws that look for them: a stiff spring-like bristle with a Stribeck
-//! curve of its own, springs solved for the link's angle, and so on.
+//! literature, independently of the laws of the diagnosis. Examples are a stiff spring-like bristle
+//! with a Stribeck curve of its own, and springs solved for the link's angle.
 
 use std::cell::RefCell;
 
@@ -14,7 +14,7 @@ use crate::model::States;
 use crate::model::rigid_body::Numeric;
 use crate::numerics::prng::Random;
 
-/// The hidden effect.
+/// A hidden effect.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Hidden {
     Nothing,
@@ -55,9 +55,9 @@ pub(super) enum Hidden {
     Contact,
     Rotor,
     Asymmetric,
-    /// Outside of the vocabulary: a beat in time.
+    /// Outside of the vocabulary: an oscillation in time.
     Beat,
-    /// Outside: depends on another joint's speed.
+    /// Outside of the vocabulary: depends on another joint's motion.
     Cross,
 }
 
@@ -91,7 +91,8 @@ impl Hidden {
     }
 }
 
-/// Multi-sine motions inside the joints' limits.
+/// Multi-sine motions within the joints' limits, `[position, velocity, acceleration]` per joint and
+/// sample.
 pub(super) fn motion(robot: &Robot, seconds: f64, rate: f64, random: &mut Random) -> Vec<Vec<[f64; 3]>> {
     let n = (seconds * rate) as usize;
     robot
@@ -139,19 +140,19 @@ fn rms(x: &[f64]) -> f64 {
     (x.iter().map(|x| x * x).sum::<f64>() / x.len() as f64).sqrt()
 }
 
-/// Ingredients of a world.
+/// A simulated robot with hidden effects (effect, joint, size in units of the noise).
 pub(super) struct World<'a> {
     pub robot: &'a Robot,
     pub hidden: Vec<(Hidden, usize, f64)>,
-    /// Noise of each joint's torque.
+    /// Noise of each joint's torque, N m.
     pub noise: &'a [f64],
     pub rate: f64,
-    /// Sizes that the first log gave; the others have the same physics.
+    /// Sizes computed for the first log and reused for the others, which have the same physics.
     pub sizes: RefCell<Vec<f64>>,
 }
 
 impl World<'_> {
-    /// Clean torques along a motion: joint-major.
+    /// Noise-free torques along a motion: per joint and sample, N m.
     fn torques(
         &self,
         q: &[Vec<[f64; 3]>],
@@ -173,7 +174,7 @@ impl World<'_> {
         out
     }
 
-    /// The size of an effect: what the first log makes it.
+    /// Size of an effect, computed for the first log.
     fn sized(&self, number: usize, make: impl FnOnce() -> f64) -> f64 {
         if let Some(size) = self.sizes.borrow().get(number) {
             return *size;
@@ -183,8 +184,8 @@ impl World<'_> {
         size
     }
 
-    /// Torque of an effect, at unit size or at a physical one, before it is scaled to the desired
-    /// root mean square.
+    /// Torque of an effect, at unit size or at a physical one, scaled to the desired root mean
+    /// square.
     fn effect(
         &self,
         number: usize,
@@ -226,7 +227,7 @@ impl World<'_> {
         };
         match hidden {
             Hidden::Nothing => {}
-            // Bo and Pavelescu's exponent 1.4, not the one of Gauss that looks for it.
+            // Bo and Pavelescu's exponent 1.4, not the Gaussian one that the search starts from.
             Hidden::Stribeck { speed } => {
                 out[j] = scaled(own(&|_, s| sign(s[1]) * (-(s[1].abs() / speed).powf(1.4)).exp()))
             }
@@ -241,7 +242,7 @@ impl World<'_> {
                 out[j] = scaled(own(&|k, s| sign(s[1]) * rigid[j][k].abs()));
             }
             Hidden::Bristle { distance } => {
-                // LuGre with a Stribeck level, ten steps a sample.
+                // LuGre model with a Stribeck level, ten steps per sample.
                 let mut z = 0.0;
                 let mut x = Vec::with_capacity(n);
                 for k in 0..n {
@@ -375,7 +376,7 @@ impl World<'_> {
         out
     }
 
-    /// The log as a file's bytes.
+    /// The log as bytes of a CSV file.
     pub(super) fn log(&self, seconds: f64, random: &mut Random) -> Vec<u8> {
         let q = motion(self.robot, seconds, self.rate, random);
         let same = |_: usize, _: usize, s: [f64; 3]| s;

@@ -1,5 +1,5 @@
-//! What a file misses of a log is one figure, whoever measures it; and what is written is the model
-//! that is offered, whichever it is.
+//! Agreement of errors: a file's error on a log is the same in every command, and the written file
+//! is the offered model.
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::effects::{JointSpring, TorqueOffset};
@@ -32,7 +32,7 @@ fn rms(x: impl ExactSizeIterator<Item = f64>) -> f64 {
     (x.map(|x| x * x).sum::<f64>() / n).sqrt()
 }
 
-/// What the fit of an identification finds that the file misses.
+/// Error of the unchanged file in an identification's fit, N m.
 fn before_identification(file: &Robot, bytes: &[u8]) -> Vec<f64> {
     let arm = Interpreted::new(file, &[]);
     let (model, standard) = (FileTorqueModel::new(file).unwrap(), param::standard_values(file).unwrap());
@@ -45,7 +45,7 @@ fn before_identification(file: &Robot, bytes: &[u8]) -> Vec<f64> {
     solve(&arm, &[stack.finish()], &[], &settings).unwrap().fit_before.unwrap().rms
 }
 
-/// The file's spring is too weak, and it has an offset that the arm has not.
+/// The file's spring is too weak, and it has an offset that the arm does not have.
 #[test]
 fn identification_evaluation_and_diagnosis_agree_on_what_a_file_with_effects_misses() {
     const SEED: u64 = 21;
@@ -66,7 +66,7 @@ fn identification_evaluation_and_diagnosis_agree_on_what_a_file_with_effects_mis
     let mut predicted = vec![0.0; 2 * len];
     let model = FileTorqueModel::new(&file).unwrap();
     model.torques(&States { len, q: of(0), dq: of(1), ddq: of(2) }, &mut predicted);
-    // Each on the samples that it measures on: the diagnosis leaves out more of the ends.
+    // Each on the samples that it uses: the diagnosis leaves out more of the ends.
     let identified_on = (0.2 * RATE) as usize..len - (0.2 * RATE) as usize;
     let (first, cut) = ((stretch.start * RATE).round() as usize, edge(&stretch, stretch.states.len));
     let diagnosed_on = first + cut..first + stretch.states.len - cut;
@@ -84,8 +84,8 @@ fn identification_evaluation_and_diagnosis_agree_on_what_a_file_with_effects_mis
     }
 }
 
-/// Diagnoses `file` for an arm with these torques, with `causes` at most; the file that is written
-/// must miss of the validating log what the diagnosis says that the offered model does.
+/// Diagnoses `file` for an arm with these torques, with at most `causes`. The error of the written
+/// file on the validating log must equal that of the offered model.
 fn offered(file: &Robot, causes: usize, truth: &dyn Fn(&[[f64; 2]; 3]) -> [f64; 2]) -> (Diagnosis, Robot) {
     let mut random = Random::new(31);
     let [fit, validate] = [8.0, 4.0].map(|seconds| record("log", &log(file, seconds, &mut random, truth), 2));
@@ -103,7 +103,7 @@ fn offered(file: &Robot, causes: usize, truth: &dyn Fn(&[[f64; 2]; 3]) -> [f64; 
     (found, robot)
 }
 
-/// A drive's own offset is corrected, and no second one of the other sign written beside it.
+/// A drive's own offset is corrected, and no second one of opposite sign is written beside it.
 #[test]
 fn a_wrong_offset_of_the_file_is_corrected_where_it_stands() {
     let mut file = planar();

@@ -1,12 +1,12 @@
-//! A series some samples earlier, by Lagrange's cubic through four neighbours.
+//! Shifts a series to an earlier time by Lagrange cubic interpolation.
 
-/// `x` at `span`, each sample taken `by` samples earlier: before its begin the first value, behind its
-/// end the last one.
+/// Samples of `x` at `span`, each interpolated `by` samples earlier. Before the first sample the
+/// first value is used, after the last one the last.
 pub(super) fn earlier(x: &[f64], span: std::ops::Range<usize>, by: f64) -> Vec<f64> {
     if by == 0.0 {
         return x[span].to_vec();
     }
-    // Every sample lies in the same place between two others: `back` before it and the next one.
+    // All samples share one fraction: each lies `back` samples earlier, plus `f` towards the next.
     let (f, back, last) = (by.ceil() - by, by.ceil() as isize, (x.len() as isize - 1).max(0));
     let weights = [
         -f * (f - 1.0) * (f - 2.0) / 6.0,
@@ -40,8 +40,8 @@ pub(super) fn earlier(x: &[f64], span: std::ops::Range<usize>, by: f64) -> Vec<f
 mod tests {
     use super::*;
 
-    /// A cubic is met inside; whole shifts give the samples; beyond the ends the end values stand. A
-    /// part is that of the whole.
+    /// A cubic is reproduced inside, integer shifts return the samples, and end values are held.
+    /// Part of a series equals that part of the whole.
     #[test]
     fn cubics_are_met_and_ends_stand() {
         let cubic = |t: f64| 0.3 * t * t * t - 2.0 * t * t + t - 4.0;

@@ -1,54 +1,55 @@
-//! The recordings that a diagnosis holds: all that is read, or pieces of it, evenly spread, where all
-//! would take too much memory.
+//! Stores the recordings of a diagnosis within a memory limit: everything that is read, or evenly
+//! spread pieces of it.
 //!
-//! How much will come is not known beforehand. So each piece has a rank as it comes, the fraction of
-//! its number times the golden ratio, and where memory ends those of the highest ranks go: what ranks
-//! below a limit is spread evenly, whatever the limit (H. Weyl 1916). The first piece of each use
-//! always stays.
+//! The total length is not known in advance. Each piece therefore gets a rank when it arrives, the
+//! fraction of its number times the golden ratio. When memory is exhausted, the pieces with the
+//! highest ranks are dropped. Pieces with ranks below a limit are evenly spread, whatever the limit
+//! (H. Weyl 1916). The first piece of each use always stays.
 
 use super::recording::{Recording, Stretch};
 use super::windowed_data::samples_of_window;
 use crate::data::signal::Motion;
 use crate::model::Arm;
 
-/// Memory of a diagnosis beside what does not grow with the recordings, bytes: with the program, the
-/// fingerprints of the logs and the columns that a search keeps, less than 200 MB.
+/// Memory limit, bytes, of the part that grows with the recordings. Together with the program, the
+/// fingerprints of the logs and the columns that a search stores it is less than 200 MB.
 const MOST: usize = 90_000_000;
 
-/// Bytes of a joint's sample: in the recording, in the part of it that is fitted or validated, in the
+/// Bytes per sample of a joint: in the recording, in the fitted or validating part of it, in the
 /// errors of two models.
 const SAMPLE: usize = 150;
 
-/// Bytes of a joint's window: motion, torques, columns that are tried. In a refit each entry of the base
+/// Bytes per window of a joint: motion, torques, tried columns. In a refit each entry of the base
 /// regressor is a column, too.
 const WINDOW: usize = 60;
 const ENTRY: usize = 6;
 
-/// Length of a piece, s: many times what a stretch loses at its ends and what its filters remember.
+/// Length of a piece, s: many times the part that a stretch loses at its ends, and the memory of
+/// its filters.
 const PIECE: f64 = 4.0;
 
-/// The golden ratio less 1.
+/// The golden ratio minus 1.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// What a log is for.
+/// Use of a log.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Use {
-    /// Causes are looked for in it.
+    /// The model is fitted to it.
     Fit,
     /// The gain is measured on it.
     Validate,
 }
 
-/// Recordings of both uses, of bounded size.
+/// Recordings of both uses, of limited total size.
 #[derive(Debug)]
 pub struct Holding {
     /// Windows per second.
     rate: f64,
     /// Bytes of a window of all joints.
     window: usize,
-    /// Most bytes.
+    /// Memory limit, bytes.
     most: usize,
-    /// Pieces below this rank are held; `None`: everything, uncut.
+    /// Rank below which pieces are kept; `None`: everything is kept, uncut.
     limit: Option<f64>,
     fit: Vec<Held>,
     validate: Vec<Held>,
@@ -60,11 +61,11 @@ struct Held {
     recording: Recording,
     /// Number of its first piece.
     first: usize,
-    /// Pieces that came, those that are not held included.
+    /// Number of pieces read, including dropped ones.
     pieces: usize,
-    /// Seconds that came.
+    /// Duration read, s.
     seconds: f64,
-    /// Ranks of the stretches, where they are pieces.
+    /// Ranks of the stretches, if they are pieces.
     ranks: Vec<f64>,
 }
 
@@ -75,18 +76,19 @@ pub struct Coming {
     held: Held,
 }
 
-/// What was left out.
+/// Amount of data left out.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Thinning {
     /// Length of the pieces that were used, s.
     pub piece: f64,
-    /// Seconds that were used, and those that the recordings have.
+    /// Duration used, and total duration of the recordings, s.
     pub seconds: [f64; 2],
-    /// Recordings, shorter than what is left out between two pieces, of which nothing is used.
+    /// Number of recordings of which nothing is used, because they are shorter than the gap between
+    /// two pieces.
     pub without: usize,
 }
 
-/// Pieces of a stretch.
+/// Number of pieces of a stretch.
 fn pieces(stretch: &Stretch) -> usize {
     ((stretch.states.len as f64 * stretch.period / PIECE).round() as usize).max(1)
 }
@@ -106,7 +108,7 @@ impl Held {
         }
     }
 
-    /// Holds the pieces of a stretch below a rank; `number`: of its first piece.
+    /// Keeps the pieces of a stretch with ranks below `limit`; `number`: that of its first piece.
     fn hold(&mut self, stretch: &Stretch, number: usize, limit: f64) {
         let (len, count) = (stretch.states.len, pieces(stretch));
         for k in 0..count {
@@ -118,7 +120,7 @@ impl Held {
         }
     }
 
-    /// Cuts what is whole.
+    /// Cuts whole stretches into pieces.
     fn cut(&mut self) {
         let mut number = self.first;
         for stretch in std::mem::take(&mut self.recording.stretches) {
@@ -127,7 +129,7 @@ impl Held {
         }
     }
 
-    /// Leaves pieces below a rank.
+    /// Keeps only pieces with ranks below `limit`.
     fn leave(&mut self, limit: f64) {
         let mut ranks = self.ranks.iter();
         self.recording.stretches.retain(|_| ranks.next().is_some_and(|rank| *rank < limit));
@@ -136,13 +138,13 @@ impl Held {
 }
 
 impl Holding {
-    /// For a diagnosis of this arm with so many windows per second.
+    /// An empty store for a diagnosis of this arm with `rate` windows per second.
     pub fn new(arm: &dyn Arm, rate: f64) -> Self {
         let window = WINDOW * arm.dof() + ENTRY * arm.base_pattern().len();
         Self { rate, window, most: MOST, limit: None, fit: Vec::new(), validate: Vec::new() }
     }
 
-    /// Bytes that a diagnosis of a recording takes.
+    /// Bytes that the diagnosis of a recording needs.
     fn bytes(&self, held: &Held) -> usize {
         let of =
             |s: &Stretch| s.tau.len() * SAMPLE + s.states.len / samples_of_window(self.rate, s.period) * self.window;
@@ -156,14 +158,14 @@ impl Holding {
         }
     }
 
-    /// Before a recording is read; one that is read again begins again.
+    /// Starts to read a recording; one that is read again starts from its beginning.
     pub fn begin(&mut self, of: Use, name: &str) -> Coming {
         let first = self.of(of).iter().map(|held| held.pieces).sum();
         let recording = Recording::new(name);
         Coming { of, held: Held { recording, first, pieces: 0, seconds: 0.0, ranks: Vec::new() } }
     }
 
-    /// Takes in a stretch of motion of the recording that is being read.
+    /// Adds a stretch of motion to the recording that is being read.
     pub fn absorb(&mut self, coming: &mut Coming, motion: &Motion) {
         coming.held.absorb(motion, self.limit);
         while self.held() + self.bytes(&coming.held) > self.most {
@@ -183,20 +185,20 @@ impl Holding {
         }
     }
 
-    /// Bytes of what is held.
+    /// Bytes that the stored recordings need.
     fn held(&self) -> usize {
         self.fit.iter().chain(&self.validate).map(|held| self.bytes(held)).sum()
     }
 
-    /// The recording was read to its end. Whether what is held is no more than wanted.
+    /// Ends a recording. Returns whether the stored data are within the limit.
     pub fn end(&mut self, coming: Coming) -> bool {
         let Coming { of, held } = coming;
         self.of(of).push(held);
         self.held() <= self.most
     }
 
-    /// Recordings to fit and to validate, those without a sample left out where that is too much;
-    /// what is missing.
+    /// Recordings to fit and to validate, and the amount left out. After thinning, recordings
+    /// without a sample are omitted.
     pub fn recordings(self) -> ([Vec<Recording>; 2], Option<Thinning>) {
         let Self { limit, fit, validate, .. } = self;
         let came = fit.iter().chain(&validate).map(|held| held.seconds).sum();
@@ -219,12 +221,12 @@ mod tests {
 
     const PERIOD: f64 = 0.01;
 
-    /// For so many samples of joints, ten of which are a window.
+    /// A store for `most` samples of joints, ten of which are a window.
     fn holding(most: usize) -> Holding {
         Holding { rate: 10.0, window: 20 * 50, most: 200 * most, limit: None, fit: Vec::new(), validate: Vec::new() }
     }
 
-    /// The shares of a sample and of a window.
+    /// Both the share of samples and that of windows count.
     #[test]
     fn bytes_are_those_of_samples_and_windows() {
         let bytes = |rate: f64| {
@@ -253,7 +255,7 @@ mod tests {
         }
     }
 
-    /// A log of so many samples that comes in chunks.
+    /// Reads a log of `len` samples in chunks.
     fn read(held: &mut Holding, of: Use, len: usize, chunk: usize) -> bool {
         let mut coming = held.begin(of, "a log");
         for from in (0..len).step_by(chunk) {
@@ -276,7 +278,7 @@ mod tests {
         assert_eq!((&fit[..], validate.len()), (&[plain][..], 1));
     }
 
-    /// Of an hour as much is held as of minutes, evenly spread, and with its times.
+    /// An hour takes as much memory as minutes, evenly spread, and with its times.
     #[test]
     fn of_what_is_too_long_pieces_are_held() {
         let mut held = holding(40_000);
@@ -296,12 +298,12 @@ mod tests {
                 assert!((stretch.start - 5.0 - first * PERIOD).abs() < 1e-9, "{}", stretch.start);
             }
             let gaps = recording.stretches.windows(2).map(|w| (w[1].tau[0] - w[0].tau[0]) / 400.0);
-            // Neighbouring numbers of Fibonacci, and their sum.
+            // Neighbouring Fibonacci numbers, and their sum.
             gaps.for_each(|gap| assert!([13.0, 21.0, 34.0].contains(&gap), "{gap}"));
         }
     }
 
-    /// Hundreds of logs of a piece each: some are used, the first of each use always.
+    /// Hundreds of logs of one piece each: some are used, always including the first of each use.
     #[test]
     fn of_many_short_logs_some_are_used() {
         let mut held = holding(40_000);
@@ -315,7 +317,7 @@ mod tests {
         assert!((45..50).contains(&fit.len()) && without == 500 - fit.len(), "{} {without}", fit.len());
     }
 
-    /// A single piece that is too much can't be halved.
+    /// A single piece above the limit cannot be halved.
     #[test]
     fn one_piece_that_is_too_much_is_said() {
         let mut held = holding(700);

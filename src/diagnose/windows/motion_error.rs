@@ -5,11 +5,11 @@ use super::windowed_data::WindowedData;
 use crate::data::signal::repeatability;
 use crate::identify::{ErrorBudget, thinned, torque_of_errors};
 
-/// Windows at which the model's slopes are taken.
+/// Number of windows at which the model's sensitivities are evaluated.
 const SAMPLES: usize = 128;
 
-/// Contributions to each joint's error that no model causes, N m, before the residual is known:
-/// sensors (`noise`), motion and clock by the rigid model of the data, repetitions of what was `recorded`.
+/// Error budget of each joint, N m, before the residual is known. Sensors (`noise`), motion and
+/// clock by the rigid model of the data, and repeatability of what was `recorded`.
 pub(in crate::diagnose) fn budget<'r>(
     scene: &WindowedData<'_>,
     recorded: impl Iterator<Item = &'r Stretch> + Clone,
@@ -43,7 +43,7 @@ fn seconds_of(stretch: &Stretch) -> f64 {
     stretch.states.len as f64 * stretch.period
 }
 
-/// By how much the torques of repeated motions differ, N m, per joint.
+/// Difference between the torques of repeated motions, N m, per joint; `None` without repetitions.
 fn repetitions<'r>(recorded: impl Iterator<Item = &'r Stretch>, dof: usize) -> Option<Vec<f64>> {
     let (mut squares, mut all) = (vec![0.0; dof], 0.0);
     for stretch in recorded {

@@ -1,4 +1,4 @@
-//! A recording, whole in memory: filtered motion, and the measured torque, unfiltered.
+//! A recording in memory: filtered motion, and the unfiltered measured torque.
 
 use std::borrow::Cow;
 
@@ -8,12 +8,12 @@ use crate::model::{PerturbableArm, States};
 /// Highest cutoff of positions, Hz.
 pub const HIGHEST: f64 = 15.0;
 
-/// Second cutoff of positions, by the first: see [`Prepare::bursts`]. A joint that breaks away
-/// catches up with the bandwidth of its loop, some 10 Hz, in steps that are shorter.
+/// Ratio of the second cutoff of positions to the first: see [`Prepare::bursts`]. After breaking
+/// away, a joint catches up with the bandwidth of its loop, some 10 Hz, in shorter steps.
 const BURSTS: f64 = 8.0 / 3.0;
 
-/// How samples become a recording: torques stay raw; the log decides about the band of each joint's
-/// positions, below `highest`, Hz.
+/// Preparation of samples for a recording: torques stay raw, and the band of each joint's positions
+/// is determined from the log, below `highest`, Hz.
 pub fn preparation(highest: f64) -> Prepare {
     Prepare { adaptive: true, bursts: Some(BURSTS * highest), ..fixed_preparation(highest) }
 }
@@ -34,30 +34,31 @@ pub fn fixed_preparation(cutoff: f64) -> Prepare {
 pub struct Stretch {
     /// Time of the first sample, s.
     pub start: f64,
-    /// Spacing, s.
+    /// Sampling period, s.
     pub period: f64,
     /// Motion, joint-major.
     pub states: States,
     /// Measured torque, joint-major, N m.
     pub tau: Vec<f64>,
-    /// Temperature, joint-major, deg C; empty where there is none.
+    /// Temperature, joint-major, deg C; empty if not recorded.
     pub temperature: Vec<f64>,
-    /// Positions of the motors as recorded, joint-major, rad; empty where there are none.
+    /// Positions of the motors as recorded, joint-major, rad; empty if not recorded.
     pub motor: Vec<f64>,
     /// Torques of the joints behind the gears, joint-major, N m, where `tau` is that of the gears
-    /// alone; else empty.
+    /// alone; otherwise empty.
     pub load: Vec<f64>,
-    /// Standard deviation of the velocity error that the noise of the positions leaves, rad/s, per
+    /// Standard deviation of the velocity error due to the noise of the positions, rad/s, per
     /// joint.
     pub velocity_noise: Vec<f64>,
     /// Standard deviations of the errors of position, velocity and acceleration, rad, rad/s,
-    /// rad/s^2, per joint; empty where they are not known.
+    /// rad/s^2, per joint; empty if unknown.
     pub error: Vec<[f64; 3]>,
-    /// Standard deviation of the torques' noise, N m, per joint; empty where `tau` shows it.
+    /// Standard deviation of the torques' noise, N m, per joint; empty if it is to be estimated
+    /// from `tau`.
     pub torque_noise: Vec<f64>,
-    /// Standard deviation of the remaining error of the samples' times, s.
+    /// Standard deviation of the remaining error of the sample times, s.
     pub clock_error: f64,
-    /// Whether each joint sticks, joint-major; empty where that is not known.
+    /// Whether each joint sticks, joint-major; empty if unknown.
     pub stuck: Vec<bool>,
     /// Effect of the low-pass on the positions.
     pub band: Band,
@@ -66,23 +67,23 @@ pub struct Stretch {
 /// A log.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Recording {
-    /// Its name.
+    /// Name of the log.
     pub name: String,
-    /// Stamp from which times are counted: that of its first sample, s. Stretches begin later,
-    /// where filters have settled.
+    /// Time stamp of its first sample, s, from which times are counted. Stretches begin later,
+    /// after the filters have settled.
     pub begin: f64,
-    /// Its stretches, in time.
+    /// Stretches, in time order.
     pub stretches: Vec<Stretch>,
 }
 
 impl Recording {
-    /// Without a sample yet.
+    /// An empty recording.
     pub fn new(name: &str) -> Self {
         Self { name: name.into(), begin: 0.0, stretches: Vec::new() }
     }
 
-    /// Takes in a stretch of motion. Long stretches come in parts, each of which is a stretch of
-    /// its own here: its windows do not reach into the next, and it is split by itself.
+    /// Adds a stretch of motion. Long stretches arrive in parts, each of which becomes a separate
+    /// stretch: its windows do not overlap the next, and it is split separately.
     pub fn absorb(&mut self, motion: &Motion) {
         if self.stretches.is_empty() {
             self.begin = motion.segment_start;
@@ -90,7 +91,7 @@ impl Recording {
         self.stretches.push(Stretch::new(motion));
     }
 
-    /// Seconds of motion.
+    /// Duration of the motion, s.
     pub fn seconds(&self) -> f64 {
         self.stretches.iter().map(|s| s.states.len as f64 * s.period).sum()
     }
@@ -109,13 +110,13 @@ impl Recording {
     }
 }
 
-/// Recordings whose torques lack the effects of the file: those of the plain arm and of unmodelled
-/// effects.
+/// Recordings with the effects of the file subtracted from the torques. The remaining torques are
+/// those of the plain arm and of unmodelled effects.
 pub fn unexplained<'a>(plant: &dyn PerturbableArm, recordings: &'a [Recording]) -> Cow<'a, [Recording]> {
     let mut all = Vec::with_capacity(recordings.len());
     for recording in recordings {
         let mut recording = recording.clone();
-        // Through all its stretches, so that drives warm on.
+        // Evaluate over all stretches, so that the drives continue to warm up.
         let dof = plant.dof();
         let len: usize = recording.stretches.iter().map(|s| s.states.len).sum();
         let time: Vec<f64> = recording
@@ -144,7 +145,7 @@ pub fn unexplained<'a>(plant: &dyn PerturbableArm, recordings: &'a [Recording]) 
             let n = stretch.states.len;
             for j in 0..dof {
                 let tau = &mut stretch.tau[j * n..(j + 1) * n];
-                // A sensor that was off says nothing.
+                // A sensor that was off carries no information.
                 if tau.iter().any(|t| *t != 0.0) {
                     let known = &known[j * len + first..j * len + first + n];
                     tau.iter_mut().zip(known).for_each(|(tau, known)| *tau -= known);
@@ -158,10 +159,10 @@ pub fn unexplained<'a>(plant: &dyn PerturbableArm, recordings: &'a [Recording]) 
     Cow::Owned(all)
 }
 
-/// At most this part of a stretch is given up to its beginning.
+/// Largest share of a stretch that is dropped at its beginning.
 const BEGINNING: f64 = 0.3;
 
-/// Leaves out the beginning of each stretch, until each joint has travelled so far.
+/// Drops the beginning of each stretch, until each joint has travelled the given distance.
 fn settle(recording: &mut Recording, travel: &[f64]) {
     for stretch in &mut recording.stretches {
         let len = stretch.states.len;
@@ -182,7 +183,8 @@ fn settle(recording: &mut Recording, travel: &[f64]) {
     }
 }
 
-/// These samples of each joint of a joint-major series; nothing of one that has not as many.
+/// A range of samples of each joint of a joint-major series; empty if the series has another
+/// length.
 fn part<T: Clone>(x: &[T], dof: usize, len: usize, range: std::ops::Range<usize>) -> Vec<T> {
     if x.len() != dof * len || len == 0 {
         return Vec::new();
@@ -191,7 +193,7 @@ fn part<T: Clone>(x: &[T], dof: usize, len: usize, range: std::ops::Range<usize>
 }
 
 impl Stretch {
-    /// The samples of a motion that are to be used.
+    /// The usable samples of a motion.
     pub(super) fn new(motion: &Motion) -> Self {
         let (dof, len) = (motion.dof(), motion.states.len);
         let core = motion.core.clone();
@@ -203,7 +205,7 @@ impl Stretch {
             ddq: cut(&motion.states.ddq),
         };
         let (mut tau, load) = (cut(&motion.tau), cut(&motion.load));
-        // A sensor behind the gear that was off says nothing of the gear.
+        // If the sensor behind the gear was off, the gear's torque is unknown.
         let off = load.chunks_exact(core.len().max(1)).map(|load| load.iter().all(|t| *t == 0.0));
         for (tau, _) in tau.chunks_exact_mut(core.len().max(1)).zip(off).filter(|(_, off)| *off) {
             tau.fill(0.0);
@@ -225,7 +227,7 @@ impl Stretch {
         }
     }
 
-    /// Part of it.
+    /// A range of its samples.
     pub(super) fn cut(&self, range: std::ops::Range<usize>) -> Self {
         let (dof, len) = (self.velocity_noise.len(), self.states.len);
         let take = |x: &[f64]| part(x, dof, len, range.clone());

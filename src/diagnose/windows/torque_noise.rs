@@ -1,11 +1,12 @@
-//! Noise of the torques, and autocorrelation time of their errors.
+//! Noise of the torques, and autocorrelation time of residuals.
 
 use super::recording::Stretch;
 use crate::data::signal::noise_between_reversals;
 use crate::identify::dot;
 
 /// Standard deviation of each joint's torque noise, N m, without a model: see
-/// [`noise_between_reversals`]. Where rows were put on another clock, that of the rows.
+/// [`noise_between_reversals`]. If samples were resampled to another clock, that of the original
+/// samples.
 pub fn torque_noise<'r>(stretches: impl Iterator<Item = &'r Stretch> + Clone, dof: usize) -> Vec<f64> {
     let all = || stretches.clone();
     let of = |j: usize| {
@@ -27,8 +28,8 @@ pub fn torque_noise<'r>(stretches: impl Iterator<Item = &'r Stretch> + Clone, do
     (0..dof).map(of).collect()
 }
 
-/// Autocorrelation time of a residual, windows: `1 + 2 sum rho_k` up to the first negative
-/// pair (Geyer 1992), at least 1.
+/// Autocorrelation time of a residual, windows: `1 + 2 sum rho_k` up to the first negative pair
+/// (Geyer 1992), at least 1.
 pub fn autocorrelation_time(residual: &[f64], live: &[bool]) -> f64 {
     let n = residual.len();
     let masked: Vec<f64> = residual.iter().zip(live).map(|(e, live)| if *live { *e } else { 0.0 }).collect();
@@ -55,13 +56,13 @@ pub fn autocorrelation_time(residual: &[f64], live: &[bool]) -> f64 {
     total.clamp(1.0, count / 5.0)
 }
 
-/// Inner product in the widest registers of this processor: the bits are those of any other.
+/// Inner product in the widest registers of this processor, bitwise equal to any other width.
 #[multiversion::multiversion(targets("x86_64+avx2"))]
 fn product(a: &[f64], b: &[f64]) -> f64 {
     dot(a, b)
 }
 
-/// Windows that are used, 64 to a word.
+/// Flags of the used windows, 64 to a word.
 struct Bits(Vec<u64>);
 
 impl Bits {
@@ -70,7 +71,7 @@ impl Bits {
         Self(live.chunks(64).map(word).collect())
     }
 
-    /// Used windows for which the one `lag` later is used, too.
+    /// Number of used windows for which the window `lag` later is also used.
     fn pairs(&self, lag: usize) -> u32 {
         let (words, by) = (lag / 64, lag % 64);
         let later = |k: usize| self.0.get(k + words).copied().unwrap_or(0);
@@ -94,7 +95,7 @@ mod tests {
                 x
             })
             .collect();
-        // (1 + a) / (1 - a)
+        // Theory: (1 + a) / (1 - a).
         let found = autocorrelation_time(&series, &vec![true; series.len()]);
         assert!((found / 9.0 - 1.0).abs() < 0.25, "{found}");
     }

@@ -1,10 +1,9 @@
-//! Recordings at the rate at which causes are distinguished: torque and motion averaged over short
-//! windows.
+//! Recordings as windows: torque and motion averaged at the rate at which causes are distinguished.
 //!
-//! Averaging is a linear operation that is done to the measured torque and to every column alike,
-//! so no filter stands between the two. White noise stays white, and steps of friction keep their
-//! size. Windows in which a joint turns about are not used for that joint's own torque, since there
-//! the sign of its velocity is noise.
+//! Averaging is a linear operation applied to the measured torque and to every column alike, so no
+//! filter separates the two. White noise stays white, and steps of friction keep their size.
+//! Windows in which a joint reverses are not used for that joint's own torque, since the sign of
+//! its velocity is noise there.
 
 use std::borrow::Cow;
 use std::ops::Index;
@@ -20,25 +19,26 @@ use super::earlier::earlier;
 use super::recording::{Recording, Stretch};
 use super::torque_noise::torque_noise;
 
-/// Postures in which torques of a force on the tool are looked at.
+/// Number of postures in which torques of a force on the tool are evaluated.
 const POSTURES: usize = 16;
 
-/// Windows whose wrenches are computed at once: those of an hour would take 120 MB.
+/// Number of windows whose wrenches are computed at once: an hour at once would take 120 MB.
 const AT_ONCE: usize = 1024;
 
-/// The windows of a log in parts whose wrenches are computed at once.
+/// Ranges of windows whose wrenches are computed at once.
 pub(in crate::diagnose) fn parts(windows: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
     (0..windows).step_by(AT_ONCE).map(move |first| first..(first + AT_ONCE).min(windows))
 }
 
-/// Part of the largest sum of squared torques up to which a direction has none.
+/// Largest sum of squared torques, relative to the maximum, of a direction that counts as without
+/// torque.
 const IDLE: f64 = 1e-9;
 
-/// What is cut off both ends of every stretch, s, so that a delayed state exists for each sample.
+/// Time cut off both ends of every stretch, s, so that a delayed state exists for each sample.
 const EDGE: f64 = 0.15;
 
-/// Part of a series, taken `by` samples earlier; empty where nothing was recorded. What is not moved is
-/// not copied: all models read the same recording.
+/// Part of a series, taken `by` samples earlier; empty if not recorded. Unshifted data are
+/// borrowed, since all models read the same recording.
 fn recorded(series: &[f64], span: std::ops::Range<usize>, by: f64) -> Cow<'_, [f64]> {
     match (series.is_empty(), by == 0.0) {
         (true, _) => Cow::Borrowed(&[]),
@@ -47,43 +47,43 @@ fn recorded(series: &[f64], span: std::ops::Range<usize>, by: f64) -> Cow<'_, [f
     }
 }
 
-/// Samples that are cut off both ends of what is used of a stretch, `len` samples.
+/// Number of samples cut off both ends of the used part of a stretch; `len`: samples of that part.
 pub(in crate::diagnose) fn edge(stretch: &Stretch, len: usize) -> usize {
     if len as f64 * stretch.period > 1.0 { (EDGE / stretch.period).ceil() as usize } else { 0 }
 }
 
-/// The largest delay that is looked for, s.
+/// The largest delay in the search, s.
 pub const MOST_DELAY: f64 = 0.14;
 
-/// Parts of the data, for cross-validation; each is made of pieces from everywhere, so that what is
-/// left out lies within what the others saw.
+/// Number of parts of the data for cross-validation. Each is made of pieces from everywhere, so
+/// that left-out data lie within the range of the others.
 pub const BLOCKS: usize = 8;
 
 /// Length of a piece, s: longer than the autocorrelation time of residuals.
 const PIECE: f64 = 1.0;
 
-/// Windows whose base regressor is computed at once: all of a long log at once would take as much
+/// Number of windows whose base regressor is computed at once: a whole long log would take as much
 /// memory as everything else.
 const PART: usize = 1024;
 
-/// The same of torques, which are fewer: a piece of work for a thread.
+/// The same for torques, which are fewer: one task of a thread.
 const BATCH: usize = 1 << 11;
 
-/// Joints whose slopes are held: one by one they are searched, on a few threads.
+/// Number of joints whose slopes are cached: a few threads search one joint after the other.
 const SLOPES: usize = 2;
 
-/// States of some of the samples.
+/// States of a range of samples.
 fn part_of(states: &States, dof: usize, span: std::ops::Range<usize>) -> States {
     let of = |x: &[f64]| (0..dof).map(|j| &x[j * states.len..][span.clone()]).collect::<Vec<_>>().concat();
     States { len: span.len(), q: of(&states.q), dq: of(&states.dq), ddq: of(&states.ddq) }
 }
 
-/// Signs of a velocity, a byte each: -1, 0 or 1.
+/// Signs of a velocity, one byte each: -1, 0 or 1.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Signs(Vec<i8>);
 
 impl Signs {
-    /// One after the other.
+    /// Iterates over the signs in order.
     pub fn iter(&self) -> impl Iterator<Item = f64> + '_ {
         self.0.iter().map(|s| f64::from(*s))
     }
@@ -101,7 +101,7 @@ impl Index<usize> for Signs {
     }
 }
 
-/// One joint during one stretch, at the rate of the log.
+/// Motion of one joint during one stretch, at the rate of the log.
 #[derive(Debug, Clone)]
 pub struct JointSeries<'r> {
     /// Position, rad.
@@ -110,28 +110,28 @@ pub struct JointSeries<'r> {
     pub v: Cow<'r, [f64]>,
     /// Sign of the velocity, 0 inside its noise.
     pub sign: Signs,
-    /// Whether a law of the velocity says something: outside its noise, and the joint does not
-    /// stick.
+    /// Whether a law of the velocity applies: the velocity exceeds its noise, and the joint does
+    /// not stick.
     pub moves: Vec<bool>,
     /// Acceleration, rad/s^2.
     pub a: Cow<'r, [f64]>,
-    /// Temperature, deg C; empty where there is none.
+    /// Temperature, deg C; empty if not recorded.
     pub temperature: Cow<'r, [f64]>,
-    /// Position of the motor, rad; empty where there is none.
+    /// Position of the motor, rad; empty if not recorded.
     pub motor: Cow<'r, [f64]>,
-    /// Low-passes of the position.
+    /// Low-pass filters of the position.
     pub filters: Band,
-    /// Share of the wider one; see [`Band`].
+    /// Share of the wider low-pass; see [`Band`].
     share: Cow<'r, [f64]>,
-    /// Spacing of the samples, s.
+    /// Sampling period, s.
     pub period: f64,
     /// Time of the stretch's first sample since the recording began, s.
     start: f64,
-    /// Number of the first sample in the stretch, less the samples by which its torque is late.
+    /// Index of the first sample in the stretch, and the delay of its torque in samples.
     since: [f64; 2],
-    /// Torque of the rigid model over all windows, N m; empty until it is known.
+    /// Torque of the rigid model over all windows, N m; empty until it is computed.
     rigid: Arc<Vec<f64>>,
-    /// Rotor of the file, kg m^2.
+    /// Rotor inertia of the file, kg m^2.
     rotor: f64,
     first: usize,
     windows: usize,
@@ -145,7 +145,7 @@ impl JointSeries<'_> {
         self.start + (first + k as f64 - by) * self.period
     }
 
-    /// Torque of the rigid model without the file's rotor: what the gear transmits, N m.
+    /// Torque of the rigid model without the file's rotor, which the gear transmits, N m.
     pub fn load(&self, k: usize) -> f64 {
         match self.rigid.get(self.first..self.first + self.windows) {
             Some(rigid) => between(rigid, self.per, k) - self.rotor * self.a[k],
@@ -159,35 +159,35 @@ impl JointSeries<'_> {
     }
 }
 
-/// A series of numbers per joint that it acts on: what one unknown adds to the torques, averaged
-/// over the windows.
+/// Torques per unit of one unknown: for each joint on which it acts, a series averaged over the
+/// windows.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Column {
-    /// Joint and series (`len` numbers), by joint. Whoever sums up columns shares them.
+    /// Joint and series (`len` numbers), sorted by joint; shared between sums of columns.
     pub rows: Vec<(usize, Arc<Vec<f64>>)>,
 }
 
 impl Column {
-    /// Of these joints and series.
+    /// A column of these joints and series.
     pub fn new(rows: Vec<(usize, Vec<f64>)>) -> Self {
         Self { rows: rows.into_iter().map(|(joint, series)| (joint, Arc::new(series))).collect() }
     }
 
-    /// On one joint alone.
+    /// A column on one joint alone.
     pub fn on(joint: usize, series: Vec<f64>) -> Self {
         Self::new(vec![(joint, series)])
     }
 }
 
-/// How the rigid torques change with one joint's motion: a series over the windows for each joint's
-/// torque.
+/// Sensitivity of the rigid torques to one joint's motion: a series over the windows for each
+/// joint's torque.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Slopes {
-    /// With its position, N m/rad.
+    /// With respect to its position, N m/rad.
     pub position: Vec<Vec<f64>>,
-    /// With its velocity, N m s/rad.
+    /// With respect to its velocity, N m s/rad.
     pub velocity: Vec<Vec<f64>>,
-    /// With its acceleration, kg m^2.
+    /// With respect to its acceleration, kg m^2.
     pub acceleration: Vec<Vec<f64>>,
 }
 
@@ -196,16 +196,16 @@ struct Cut<'r> {
     stretch: &'r Stretch,
     /// Samples that are used.
     span: std::ops::Range<usize>,
-    /// Samples of a window.
+    /// Samples per window.
     per: usize,
-    /// Number of its first window.
+    /// Index of its first window.
     first: usize,
     windows: usize,
-    /// When the recording began, s.
+    /// Start time of the recording, s.
     begin: f64,
 }
 
-/// Samples of a window where there are `rate` windows per second.
+/// Samples per window at `rate` windows per second.
 pub(super) fn samples_of_window(rate: f64, period: f64) -> usize {
     ((1.0 / (rate * period)).round() as usize).max(1)
 }
@@ -238,17 +238,17 @@ impl<'r> Cut<'r> {
         (0..self.windows).map(move |w| start + (self.span.start as f64 + (w * self.per) as f64 + mid) * period)
     }
 
-    /// Torque of a joint, N m.
+    /// Torque of a joint averaged over the windows, N m.
     fn torque(&self, j: usize) -> Vec<f64> {
         average(&self.stretch.of(&self.stretch.tau, j)[self.span.clone()], self.per)
     }
 
-    /// Measured torque of a joint behind its gear, N m.
+    /// Measured torque of a joint behind its gear, averaged over the windows, N m.
     fn load(&self, j: usize) -> Vec<f64> {
         average(&self.stretch.of(&self.stretch.load, j)[self.span.clone()], self.per)
     }
 
-    /// Motion of a joint whose torque is late by `delay` s.
+    /// Motion of a joint whose torque has a delay of `delay` s.
     fn joint(&self, j: usize, delay: f64, signed: &SpeedSign) -> JointSeries<'r> {
         let (stretch, span): (&'r Stretch, _) = (self.stretch, &self.span);
         let (len, by) = (stretch.states.len, delay / stretch.period);
@@ -281,19 +281,19 @@ impl<'r> Cut<'r> {
     }
 }
 
-/// The sign of a joint's velocity, where that says something.
+/// Sign of a joint's velocity where it is above the noise.
 struct SpeedSign {
-    /// Speed below which it is noise, rad/s.
+    /// Speed below which the sign is noise, rad/s.
     zone: f64,
-    /// Whether the joint stands most of the time.
+    /// Whether the joint is at rest most of the time.
     stands: bool,
     /// Whether every sample counts.
     all: bool,
 }
 
 impl SpeedSign {
-    /// Where every sample counts, the sign is that of the file's laws, so that the measure is of
-    /// their output; of a joint that stands the sign is nothing but noise.
+    /// Sign of a velocity. If every sample counts, it is that of the file's laws, so that their
+    /// output is evaluated; for a joint at rest the sign is pure noise.
     fn of(&self, v: f64) -> i8 {
         let known = if self.all && !self.stands { v != 0.0 } else { v.abs() > self.zone };
         if known { v.signum() as i8 } else { 0 }
@@ -306,7 +306,7 @@ impl SpeedSign {
     }
 }
 
-/// Measured torques behind the gears, by joint; nothing where they are not known throughout.
+/// Measured torques behind the gears, by joint; empty where they are not known throughout.
 fn loads(cuts: &[Cut<'_>], dof: usize) -> Vec<Vec<f64>> {
     if cuts.iter().any(|cut| cut.stretch.load.is_empty()) {
         return Vec::new();
@@ -314,7 +314,7 @@ fn loads(cuts: &[Cut<'_>], dof: usize) -> Vec<Vec<f64>> {
     (0..dof).map(|j| cuts.iter().flat_map(|cut| cut.load(j)).collect()).collect()
 }
 
-/// Motion of all joints in the windows, `delay` s earlier.
+/// Motion of all joints averaged over the windows, `delay` s earlier.
 fn states_at(cuts: &[Cut<'_>], dof: usize, delay: f64) -> States {
     let len: usize = cuts.iter().map(|c| c.windows).sum();
     let series = || Vec::with_capacity(dof * len);
@@ -330,7 +330,7 @@ fn states_at(cuts: &[Cut<'_>], dof: usize, delay: f64) -> States {
     states
 }
 
-/// Data available to causes.
+/// Windowed data on which causes are evaluated.
 pub struct WindowedData<'a> {
     /// The arm.
     pub plant: &'a dyn PerturbableArm,
@@ -346,61 +346,61 @@ pub struct WindowedData<'a> {
     pub time: Vec<f64>,
     /// Whether a window is used for a joint's torque.
     pub live: Vec<Vec<bool>>,
-    /// Part of the data, for cross-validation.
+    /// Index of the part of the data, for cross-validation, per window.
     pub block: Vec<usize>,
-    /// Windows that follow each other without a gap.
+    /// Ranges of contiguous windows.
     pub runs: Vec<std::ops::Range<usize>>,
-    /// Each joint's stretches.
+    /// Motion of each joint at the rate of the log, by stretch.
     pub own: Vec<Vec<JointSeries<'a>>>,
-    /// Torque of the rigid model, per joint, N m; with the measured one behind the gears where torques
-    /// are those of the gears alone.
+    /// Torque of the rigid model, per joint, N m. Where torques are those of the gears alone, plus
+    /// the measured torque behind the gears.
     pub rigid: Vec<Arc<Vec<f64>>>,
-    /// Measured torques behind the gears, per joint, N m; empty where `y` has them.
+    /// Measured torques behind the gears, per joint, N m; empty where `y` contains them.
     load: Vec<Vec<f64>>,
     /// Torque of the whole model, per joint, N m.
     pub whole: Vec<Arc<Vec<f64>>>,
-    /// The same without Coulomb's friction, which jumps.
+    /// The same without Coulomb friction, which is discontinuous.
     pub smooth: Vec<Arc<Vec<f64>>>,
     /// Base parameters of the rigid model; friction entries zero.
     pub beta: Vec<f64>,
-    /// Standard parameters that give `beta`; `None` until it is known.
+    /// Standard parameters with the base parameters `beta`; `None` if unknown.
     pub standard: Option<Vec<f64>>,
     /// Spacing of the windows, s.
     pub step: f64,
     /// Speed below which a joint's sign is noise, rad/s.
     pub velocity_noise_limit: Vec<f64>,
-    /// Whether a joint stands most of the time.
+    /// Whether a joint is at rest most of the time.
     stands: Vec<bool>,
     /// Smallest and largest position of each joint, rad.
     pub travel: Vec<[f64; 2]>,
     /// Largest speed of each joint, rad/s.
     pub fastest: Vec<f64>,
-    /// By how much each joint's torque is taken to be late, s.
+    /// Assumed delay of each joint's torque, s.
     pub delays: Vec<f64>,
     /// Rotor inertias of the file, kg m^2.
     pub rotors: Vec<f64>,
     /// Largest torque of each joint, N m: its limit in the file, or one and a half times the
-    /// largest one seen.
+    /// largest one measured, whichever is larger.
     pub rated: Vec<f64>,
     /// Standard deviation of the noise of a window's torque, per joint, N m.
     pub noise: Vec<f64>,
-    /// Longest spacing of the logs' samples, s.
+    /// Longest sampling period of the logs, s.
     pub period: f64,
-    /// Whether every window counts, as where models are measured and not fitted.
+    /// Whether every window counts, as where models are evaluated and not fitted.
     pub all: bool,
-    /// [`WindowedData::slopes`] of the joints that were asked for last, with their numbers.
+    /// Cached [`WindowedData::slopes`] of the last joints, with their indices.
     slopes: Mutex<Vec<(usize, Arc<Slopes>)>>,
-    /// [`WindowedData::tool_positions`], once asked for.
+    /// Cached [`WindowedData::tool_positions`].
     positions: OnceLock<Vec<f64>>,
-    /// [`WindowedData::forces`], once asked for.
+    /// Cached [`WindowedData::forces`].
     forces: OnceLock<Vec<f64>>,
-    /// [`WindowedData::directions_without_torque`], once asked for.
+    /// Cached [`WindowedData::directions_without_torque`].
     idle: OnceLock<Vec<Vector3<f64>>>,
 }
 
 impl<'a> WindowedData<'a> {
-    /// Windows of about `1 / rate` seconds (at least a sample), torques taken as late by `delays`
-    /// (one per joint).
+    /// Windows of about `1 / rate` seconds (at least a sample). Torques are assumed late by
+    /// `delays` (one per joint, s).
     ///
     /// With `all`, every window counts, whatever the joint's speed.
     pub fn new(
@@ -460,8 +460,8 @@ impl<'a> WindowedData<'a> {
         windowed
     }
 
-    /// The same windows with torques taken as late by other delays, and the rigid model that goes
-    /// with that. `recordings`, `rate`: those of [`WindowedData::new`].
+    /// Changes the delays of the torques, and recomputes the dependent rigid torques. `recordings`,
+    /// `rate`: those of [`WindowedData::new`].
     pub fn delayed_by(&mut self, recordings: &'a [Recording], rate: f64, delays: &[f64]) {
         let before = self.delays.clone();
         self.take_delays(&cuts(recordings, rate), delays);
@@ -474,7 +474,7 @@ impl<'a> WindowedData<'a> {
         self.model_changed();
     }
 
-    /// Motion and torque of the joints whose delay is another than before.
+    /// Recomputes motion and torque of the joints whose delay has changed.
     fn take_delays(&mut self, cuts: &[Cut<'a>], delays: &[f64]) {
         let dof = self.dof();
         let mut distinct: Vec<f64> = Vec::new();
@@ -514,25 +514,25 @@ impl<'a> WindowedData<'a> {
         self.delays = delays.to_vec();
     }
 
-    /// A series over the windows from its stretches; one that grows by itself would take up to twice
-    /// its length.
+    /// A series over the windows, concatenated from its stretches. Allocated once: a growing vector
+    /// would take up to twice its length.
     pub fn joined<T>(&self, stretches: impl Iterator<Item = Vec<T>>) -> Vec<T> {
         let mut all = Vec::with_capacity(self.len);
         stretches.for_each(|stretch| all.extend(stretch));
         all
     }
 
-    /// Degrees of freedom.
+    /// Number of degrees of freedom.
     pub fn dof(&self) -> usize {
         self.y.len()
     }
 
-    /// A column that acts on joint `j` alone, from what that joint does at the log's rate.
+    /// A column that acts on joint `j` alone, from that joint's motion at the log's rate.
     pub fn own_column(&self, j: usize, f: impl Fn(&JointSeries<'_>) -> Vec<f64>) -> Column {
         Column::on(j, self.own_series(j, f))
     }
 
-    /// Its series.
+    /// The series of [`WindowedData::own_column`].
     pub fn own_series(&self, j: usize, f: impl Fn(&JointSeries<'_>) -> Vec<f64>) -> Vec<f64> {
         let mut series = self.joined(self.own[j].iter().map(|own| average(&f(own), own.per)));
         self.masked(j, &mut series);
@@ -544,12 +544,12 @@ impl<'a> WindowedData<'a> {
         self.own_column(j, |own| (0..own.v.len()).map(|k| f(own, k)).collect())
     }
 
-    /// Averages over one stretch's windows of `f` (number of the sample in the stretch).
+    /// Averages of `f` (index of the sample in the stretch) over one stretch's windows.
     pub fn average_of(&self, own: &JointSeries<'_>, f: impl Fn(usize) -> f64) -> Vec<f64> {
         average(&(0..own.v.len()).map(f).collect::<Vec<_>>(), own.per)
     }
 
-    /// A series over the windows, each as it was `by` seconds before, on lines within each run.
+    /// A series over the windows, delayed by `by` seconds, interpolated within each run.
     pub fn delayed(&self, series: &[f64], by: f64) -> Vec<f64> {
         let mut out = vec![0.0; series.len()];
         for run in &self.runs {
@@ -558,7 +558,7 @@ impl<'a> WindowedData<'a> {
         out
     }
 
-    /// Difference quotient of the torques when the arm has a change of size `scale`.
+    /// Difference quotient of the torques for a change of the arm of size `scale`.
     pub fn changed(&self, change: &Change, standard: &[f64], scale: f64) -> Vec<Vec<f64>> {
         let mut rows = vec![vec![0.0; self.len]; self.dof()];
         for (index, states) in self.states.iter().enumerate() {
@@ -613,8 +613,8 @@ impl<'a> WindowedData<'a> {
         })
     }
 
-    /// Directions in which a force on the tool gives no torque in any posture, axes of the base: that
-    /// across the plane of an arm that has one.
+    /// Directions in which a force on the tool causes no torque in any posture, in axes of the
+    /// base. A planar arm has one, normal to its plane.
     pub fn directions_without_torque(&self) -> &[Vector3<f64>] {
         self.idle.get_or_init(|| {
             let every = (self.len / POSTURES).max(1);
@@ -631,7 +631,7 @@ impl<'a> WindowedData<'a> {
         })
     }
 
-    /// The longest lever at the last frame that some joint has in some of the postures, m.
+    /// The longest lever arm at the last frame about any joint, over some of the postures, m.
     pub fn reach(&self) -> f64 {
         let every = (self.len / 8).max(1);
         let lever = |w: usize| {
@@ -642,7 +642,7 @@ impl<'a> WindowedData<'a> {
         (0..self.len).step_by(every).map(lever).fold(0.0, f64::max)
     }
 
-    /// Zero where the window is not used for joint `j`.
+    /// Sets a series to zero where the window is not used for joint `j`.
     pub fn masked(&self, j: usize, series: &mut [f64]) {
         series.iter_mut().zip(&self.live[j]).filter(|(_, live)| !**live).for_each(|(x, _)| *x = 0.0);
     }
@@ -664,7 +664,7 @@ impl<'a> WindowedData<'a> {
     pub fn base_rows(&self, wanted: &[bool]) -> Vec<Vec<(usize, Vec<f64>)>> {
         let pattern = self.plant.base_pattern();
         let mut rows: Vec<Vec<(usize, Vec<f64>)>> = vec![Vec::new(); self.dof()];
-        // Place of each entry among its row's, where the row takes them from these states.
+        // Position of each entry in its row, for rows that use these states.
         let mut places = vec![(0, 0); pattern.len()];
         for index in 0..self.states.len() {
             let own = |row: usize| self.state_of_joint[row] == index && wanted[row];
@@ -687,8 +687,8 @@ impl<'a> WindowedData<'a> {
         rows
     }
 
-    /// Entries of the base regressor, each joint's over its own states, a part of the windows at a time:
-    /// joint and base parameter, first window, values. Memory is that of a part.
+    /// Entries of the base regressor, each joint's over its own states, in parts of the windows to
+    /// limit memory: joint and base parameter, first window, values.
     pub fn base_entries(&self, mut take: impl FnMut((usize, usize), usize, &[f64])) {
         for index in 0..self.states.len() {
             self.base_parts(index, |_, &(row, column), first, part| {
@@ -699,8 +699,8 @@ impl<'a> WindowedData<'a> {
         }
     }
 
-    /// Entries of the base regressor over the states of a delay, a part of the windows at a time:
-    /// number and pattern of the entry, first window, values.
+    /// Entries of the base regressor over the states of one delay, in parts of the windows: index
+    /// and pattern of the entry, first window, values.
     fn base_parts(&self, index: usize, mut take: impl FnMut(usize, &(usize, usize), usize, &[f64])) {
         let pattern = self.plant.base_pattern();
         let mut out = vec![0.0; pattern.len() * PART.min(self.len)];
@@ -714,9 +714,9 @@ impl<'a> WindowedData<'a> {
         }
     }
 
-    /// Torques of the rigid arm with these base parameters, N m, of the `wanted` joints, where each
-    /// window's motion is first changed by `change` (a part of the motion, and which); zero of the
-    /// others.
+    /// Torques of the rigid arm with these base parameters, N m, of the `wanted` joints; zero for
+    /// the others. Each window's motion is first changed by `change` (a part of the motion, and its
+    /// range of windows).
     fn torques_where(
         &self,
         base: &[f64],
@@ -743,40 +743,40 @@ impl<'a> WindowedData<'a> {
         rows
     }
 
-    /// Torques of the rigid arm with these base parameters, N m, of the `wanted` joints; zero of the
-    /// others.
+    /// Torques of the rigid arm with these base parameters, N m, of the `wanted` joints; zero for
+    /// the others.
     pub fn base_torques(&self, base: &[f64], wanted: &[bool]) -> Vec<Vec<f64>> {
         self.torques_where(base, wanted, |_, _| {})
     }
 
-    /// Torque of the rigid model where each window's motion is first changed, as above.
+    /// Torque of the rigid model with each window's motion first changed by `change`.
     fn rigid_with(&self, change: impl Fn(&mut States, std::ops::Range<usize>) + Sync) -> Vec<Vec<f64>> {
         let mut rows = self.torques_where(&self.beta, &vec![true; self.dof()], change);
         self.with_load(&mut rows);
         rows
     }
 
-    /// Adds the measured torques behind the gears, where there are such.
+    /// Adds the measured torques behind the gears, if there are any.
     fn with_load(&self, rows: &mut [Vec<f64>]) {
         for (row, load) in rows.iter_mut().zip(&self.load) {
             row.iter_mut().zip(load).for_each(|(torque, load)| *torque += load);
         }
     }
 
-    /// Part of the rigid model's torque that the recorded motion gives, of a joint, N m.
+    /// Part of the rigid model's torque that follows from the recorded motion, of a joint, N m.
     pub fn by_motion(&self, j: usize) -> Vec<f64> {
         let load = |w: usize| self.load.get(j).map_or(0.0, |load| load[w]);
         self.rigid[j].iter().enumerate().map(|(w, torque)| torque - load(w)).collect()
     }
 
-    /// Takes base parameters (friction entries zero) for the rigid model.
+    /// Sets the base parameters (friction entries zero) of the rigid model.
     pub fn set_model(&mut self, beta: Vec<f64>, standard: Option<Vec<f64>>) {
         (self.beta, self.standard) = (beta, standard);
         self.rigid = self.rigid_with(|_, _| {}).into_iter().map(Arc::new).collect();
         self.model_changed();
     }
 
-    /// Brings up to date what follows from the rigid torques.
+    /// Updates everything that depends on the rigid torques.
     fn model_changed(&mut self) {
         self.forget();
         for (j, stretches) in self.own.iter_mut().enumerate() {
@@ -787,7 +787,7 @@ impl<'a> WindowedData<'a> {
     }
 
     /// Visible part of a change of joint `j`'s position, given as a function of a series over the
-    /// windows, after the low-pass of its positions. Returned are the change (rad) and its two
+    /// windows, after the low-pass of its positions. Returns the change (rad) and its two
     /// derivatives, over the windows.
     pub fn seen_through(&self, j: usize, series: &[f64], change: impl Fn(f64) -> f64) -> [Vec<f64>; 3] {
         let mut out: [Vec<f64>; 3] = std::array::from_fn(|_| Vec::with_capacity(self.len));
@@ -801,9 +801,9 @@ impl<'a> WindowedData<'a> {
         out
     }
 
-    /// Difference quotient of the rigid torque when joint `j` really moves by `scale` times these
-    /// (position, velocity, acceleration over the windows) more: the torques per unit of `scale`,
-    /// all joints.
+    /// Difference quotient of the rigid torque when joint `j` actually moves by `scale` times these
+    /// (position, velocity, acceleration over the windows) more. Returns the torques per unit of
+    /// `scale`, all joints.
     pub fn moved(&self, j: usize, by: &[Vec<f64>; 3], scale: f64) -> Vec<Vec<f64>> {
         let mut rows = self.rigid_with(|states, part| {
             let own = j * part.len()..(j + 1) * part.len();
@@ -817,14 +817,14 @@ impl<'a> WindowedData<'a> {
         rows
     }
 
-    /// Gives back the memory of what can be computed again.
+    /// Frees caches.
     pub fn forget(&mut self) {
         self.slopes = Mutex::default();
         self.positions = OnceLock::new();
         self.forces = OnceLock::new();
     }
 
-    /// How the rigid torques change with joint `j`'s motion.
+    /// Sensitivities of the rigid torques to joint `j`'s motion.
     pub fn slopes(&self, j: usize) -> Arc<Slopes> {
         let lock = || self.slopes.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some((_, known)) = lock().iter().find(|(joint, _)| *joint == j) {
@@ -862,8 +862,8 @@ impl<'a> WindowedData<'a> {
         out
     }
 
-    /// Difference quotient of the rigid torque when joint `j` really stands at `q + scale * shift`
-    /// (`shift` a series over the windows): the torques per unit of `scale`, all joints.
+    /// Difference quotient of the rigid torque when joint `j` is actually at `q + scale * shift`
+    /// (`shift` a series over the windows). Returns the torques per unit of `scale`, all joints.
     pub fn shifted(&self, j: usize, shift: &[f64], scale: f64) -> Vec<Vec<f64>> {
         let rate = self.rate_of(shift);
         let second = self.rate_of(&rate);
@@ -871,12 +871,12 @@ impl<'a> WindowedData<'a> {
     }
 }
 
-/// Means of consecutive groups.
+/// Means of consecutive groups of `per` samples.
 fn average(x: &[f64], per: usize) -> Vec<f64> {
     x.chunks_exact(per).map(|w| w.iter().sum::<f64>() / per as f64).collect()
 }
 
-/// From windows back to samples, on lines between the windows' middles.
+/// Linear interpolation from windows back to samples, between the windows' middles.
 fn spread(x: &[f64], per: usize) -> Vec<f64> {
     (0..x.len() * per).map(|k| between(x, per, k)).collect()
 }
@@ -898,12 +898,13 @@ fn rotors(plant: &dyn PerturbableArm) -> Vec<f64> {
     plant.rows().iter().map(of).collect()
 }
 
-/// Longest spacing of the samples, s.
+/// Longest sampling period, s.
 fn longest_period(recordings: &[Recording]) -> f64 {
     recordings.iter().flat_map(|r| &r.stretches).map(|s| s.period).fold(0.0, f64::max).max(1e-9)
 }
 
-/// The most that each joint gives, N m.
+/// Largest torque of each joint, N m: the larger of its limit and one and a half times the largest
+/// measured torque.
 fn rated(plant: &dyn PerturbableArm, recordings: &[Recording]) -> Vec<f64> {
     let stretches = || recordings.iter().flat_map(|r| &r.stretches);
     let seen = |j: usize| stretches().flat_map(|s| s.of(&s.tau, j)).fold(0.0_f64, |m, t| m.max(t.abs()));
@@ -911,8 +912,8 @@ fn rated(plant: &dyn PerturbableArm, recordings: &[Recording]) -> Vec<f64> {
     (0..plant.dof()).map(|j| limits[j].unwrap_or(0.0).max(1.5 * seen(j))).collect()
 }
 
-/// Speed below which each joint's sign is noise, rad/s, and whether it stands (is inside for most
-/// of the time).
+/// Speed below which each joint's sign is noise, rad/s, and whether it is at rest (below that speed
+/// most of the time).
 pub(in crate::diagnose) fn dead_zones(recordings: &[Recording], dof: usize) -> Vec<(f64, bool)> {
     let stretches = || recordings.iter().flat_map(|r| &r.stretches);
     (0..dof)

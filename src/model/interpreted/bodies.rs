@@ -1,4 +1,4 @@
-//! [`Dynamics`] by running tapes for one state at a time.
+//! [`Dynamics`] by interpreted tapes, one state at a time.
 
 use dh_codegen::arm::Function;
 use dh_codegen::arm::param::Parameter;
@@ -12,14 +12,14 @@ pub struct Bodies<'a> {
     arm: &'a Interpreted,
     base: Vec<f64>,
     still: Vec<f64>,
-    /// From the last frame's origin to the tool's, in the tool's axes: the same in all positions;
-    /// none before the first.
+    /// Vector from the last frame's origin to the tool's, in the tool's axes, m: constant. `None`
+    /// before the first evaluation.
     arm_of_tool: Option<[f64; 3]>,
     scratch: Scratch,
 }
 
 impl Interpreted {
-    /// Request in [`Interpreted::new`] that [`Interpreted::bodies`] needs.
+    /// Functions to request in [`Interpreted::new`] for [`Interpreted::bodies`].
     pub const BODIES: [Function; 5] = [
         Function::MassMatrix,
         Function::InverseDynamicsBase,
@@ -28,8 +28,8 @@ impl Interpreted {
         Function::Jacobian,
     ];
 
-    /// The bodies with these standard parameters (`P`); those of drives are left out. What they
-    /// compute panics unless [`Interpreted::BODIES`] were asked for.
+    /// The bodies with these standard parameters (`P`); drive parameters are ignored. Their methods
+    /// panic unless [`Interpreted::BODIES`] were requested.
     pub fn bodies(&self, standard: &[f64]) -> Bodies<'_> {
         let links_only = |(p, &value): (&Parameter, &f64)| if matches!(p, Parameter::Link(..)) { value } else { 0.0 };
         let standard: Vec<f64> = self.model.standard().iter().zip(standard).map(links_only).collect();

@@ -1,4 +1,4 @@
-//! Forward dynamics by the articulated-body algorithm, RBDA table 7.1; and by the mass matrix.
+//! Forward dynamics by the articulated-body algorithm, RBDA table 7.1, and by the mass matrix.
 
 use dh_codegen::arm::param::DriveTerm;
 use nalgebra::{DMatrix, DVector};
@@ -13,8 +13,8 @@ impl Numeric {
     /// Accelerations `ddq`, `n`, rad/s^2 or m/s^2, under the torques `tau`; friction, offset and
     /// rotor inertia included.
     ///
-    /// If the parameters are not those of real bodies, an inertia may vanish and the result is not
-    /// finite.
+    /// With parameters that no real bodies have, an inertia may vanish and the result be
+    /// non-finite.
     pub fn forward_dynamics(&self, q: &[f64], dq: &[f64], tau: &[f64], phi: &[f64]) -> DVector<f64> {
         let mut ddq = DVector::zeros(self.dof);
         self.forward_dynamics_into(&mut self.workspace(), q, dq, tau, phi, ddq.as_mut_slice());
@@ -36,7 +36,7 @@ impl Numeric {
         self.check("tau", tau.len());
         self.check("ddq", ddq.len());
         self.check_phi(phi);
-        // `ddq` first holds the torque that is left for the bodies.
+        // `ddq` first holds the torque that remains for the bodies.
         ddq.copy_from_slice(tau);
         for drive in &self.drives {
             if let Some(j) = drive.joint {
@@ -54,8 +54,8 @@ impl Numeric {
             work.articulated[i] = body.into(); // I^A
             work.d[i] = 0.0;
         }
-        // A rotor adds inertia to its joint and, in this model, to nothing else: it stands in D
-        // alone (RBDA, chapter 9, on gears).
+        // In this model a rotor adds inertia to its joint and to nothing else: it enters D alone
+        // (RBDA, chapter 9, on gears).
         for drive in &self.drives {
             if drive.term == DriveTerm::IA {
                 work.d[drive.row] += phi[drive.column];
@@ -89,8 +89,8 @@ impl Numeric {
         }
     }
 
-    /// The same accelerations by `M(q) ddq = tau - tau(q, dq, 0)`, Cholesky (RBDA, section 6.1).
-    /// `None` where `M` is not positive definite.
+    /// The same accelerations from `M(q) ddq = tau - tau(q, dq, 0)` by Cholesky (RBDA, section
+    /// 6.1). `None` if `M` is not positive definite.
     pub fn forward_dynamics_by_mass_matrix(
         &self,
         q: &[f64],
@@ -104,7 +104,7 @@ impl Numeric {
         Some(self.mass_matrix(q, phi).cholesky()?.solve(&left))
     }
 
-    /// `M(q)^-1`, `n x n`; `None` where `M` is not positive definite.
+    /// `M(q)^-1`, `n x n`; `None` if `M` is not positive definite.
     pub fn inverse_mass_matrix(&self, q: &[f64], phi: &[f64]) -> Option<DMatrix<f64>> {
         Some(self.mass_matrix(q, phi).cholesky()?.inverse())
     }

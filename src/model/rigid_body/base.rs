@@ -1,5 +1,5 @@
-//! Base parameters by numbers: how many combinations of the standard parameters the torques show,
-//! and which.
+//! Numeric determination of base parameters: number and choice of the combinations of standard
+//! parameters that affect the torques.
 //!
 //! `random states -> stacked regressor W -> columns scaled -> QR -> singular values (rank, gap) ->
 //! independent columns -> K`
@@ -9,8 +9,8 @@
 //! appendix 5. With independent columns `W_b` and the others `W_d = W_b K`, the torques are `W phi
 //! = W_b (phi_b + K phi_d)`.
 //!
-//! `samples` random states give `n * samples` equations; fewer than `P` of them cannot show
-//! everything. Twenty-five states are plenty for seven axes.
+//! `samples` random states give `n * samples` equations; fewer than `P` of them cannot determine
+//! the rank. Twenty-five states are plenty for seven axes.
 
 use dh_codegen::arm::param::{self, Inertial, Parameter};
 use dh_codegen::robot::{JointKind, Robot};
@@ -23,9 +23,9 @@ use crate::numerics::prng::Random;
 /// Torques under consideration.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Torques {
-    /// Those of motions: inertia, gravity, drives.
+    /// Torques of motions: inertia, gravity, drives.
     Motion,
-    /// Those of the links' weight at rest.
+    /// Torques of the links' weight at rest.
     Gravity,
 }
 
@@ -34,8 +34,8 @@ pub enum Torques {
 pub struct Rank {
     /// Number of independent columns of the regressor.
     pub rank: usize,
-    /// Smallest kept singular value over the largest that counts as zero (which counts as at least
-    /// the rounding error); a decision is safe at 1e6 and a guess at 10.
+    /// Smallest kept singular value over the largest that counts as zero (at least the rounding
+    /// error). A decision is safe at 1e6 and a guess at 10.
     pub gap: f64,
 }
 
@@ -44,17 +44,17 @@ pub struct Rank {
 pub struct Reduction {
     /// Independent standard parameters (the leaders), ascending: the columns of `W_b`.
     pub independent: Vec<usize>,
-    /// The others, ascending: the columns of `W_d`. Where the column of `K` is zero, no torque
-    /// shows the parameter.
+    /// The others, ascending: the columns of `W_d`. If the column of `K` is zero, the parameter
+    /// does not affect the torques.
     pub dependent: Vec<usize>,
-    /// `K`, independent x dependent; what is rounding error is an exact zero.
+    /// `K`, independent x dependent; rounding errors are set to exact zeros.
     pub grouping: DMatrix<f64>,
-    /// How safe the number of them is.
+    /// Rank, and how safe its decision is.
     pub rank: Rank,
 }
 
-/// The singular values and the order of preference disagree about the number of independent
-/// columns.
+/// Contradiction between the singular values and the order of preference about the number of
+/// independent columns.
 #[derive(Debug, Clone, Copy, PartialEq, Error)]
 #[error("{found} columns are independent in the given order but the rank is {rank} (gap {gap:.1e}); try more samples")]
 pub struct Undecided {
@@ -71,13 +71,13 @@ pub fn rank(robot: &Robot, seed: u64, samples: usize) -> Rank {
     rank_of(robot, Torques::Motion, seed, samples)
 }
 
-/// Number of parameters that these torques show.
+/// Number of parameter combinations that affect these torques.
 pub fn rank_of(robot: &Robot, torques: Torques, seed: u64, samples: usize) -> Rank {
     Stacked::new(robot, torques, seed, samples).spectrum().rank
 }
 
-/// Orthonormal basis, `P x (P - rank)`, of the changes of the standard parameters that no torque
-/// shows.
+/// Orthonormal basis, `P x (P - rank)`, of the changes of the standard parameters that do not
+/// affect the torques.
 pub fn null_space(robot: &Robot, torques: Torques, seed: u64, samples: usize) -> DMatrix<f64> {
     let stacked = Stacked::new(robot, torques, seed, samples);
     let spectrum = stacked.spectrum();
@@ -86,7 +86,7 @@ pub fn null_space(robot: &Robot, torques: Torques, seed: u64, samples: usize) ->
     if nullity == 0 {
         return DMatrix::zeros(p, 0);
     }
-    // W diag(1/scale) y = 0: back to x = y / scale, then orthonormal again.
+    // W diag(1/scale) y = 0: back to x = y / scale, then orthonormalise.
     let mut basis = spectrum.right.columns(spectrum.rank.rank, nullity).into_owned();
     for (mut row, scale) in basis.row_iter_mut().zip(&stacked.scale) {
         row /= *scale;
@@ -94,9 +94,9 @@ pub fn null_space(robot: &Robot, torques: Torques, seed: u64, samples: usize) ->
     basis.qr().q()
 }
 
-/// Order in which Khalil's and Gautier's closed-form rules would keep parameters. First come `ZZ XX
-/// XY XZ YZ MSX MSY` from base to tip (and `M` of prismatic rows), then the drives, and last those
-/// that the rules group away first: `MSZ`, `M`, `YY`.
+/// Order of preference equivalent to Khalil's and Gautier's closed-form rules. First come `ZZ XX XY
+/// XZ YZ MSX MSY` from base to tip (and `M` of prismatic rows), then the drives, and last the
+/// parameters that the rules group first: `MSZ`, `M`, `YY`.
 pub fn customary_order(robot: &Robot) -> Vec<usize> {
     let class = |p: &Parameter| match *p {
         Parameter::Link(row, Inertial::M) if robot.joints[row].kind == JointKind::Prismatic => 0,
@@ -108,8 +108,7 @@ pub fn customary_order(robot: &Robot) -> Vec<usize> {
     };
     let standard = param::standard(robot);
     let mut order: Vec<usize> = (0..standard.len()).collect();
-    // Stable, and ZZ and XX before the products only matters where they depend on each other: it
-    // then names ZZ.
+    // Stable sort; ZZ comes before the others, so that it is named where they depend on each other.
     order.sort_by_key(|&k| match standard[k] {
         Parameter::Link(row, which) => (class(&standard[k]), row, which != Inertial::ZZ),
         Parameter::Drive(row, _) => (class(&standard[k]), row, false),
@@ -118,9 +117,9 @@ pub fn customary_order(robot: &Robot) -> Vec<usize> {
 }
 
 impl Reduction {
-    /// With the leaders that come first in an order of preference (indices into `param::standard`).
-    /// Omitted ones follow in [`customary_order`], those out of range are ignored. A column is kept
-    /// if it does not depend on those kept before.
+    /// Keeps the leaders that come first in an order of preference (indices into
+    /// `param::standard`). Omitted ones follow in [`customary_order`], those out of range are
+    /// ignored. A column is kept if it is independent of those kept before.
     pub fn preferring(robot: &Robot, order: &[usize], seed: u64, samples: usize) -> Result<Self, Undecided> {
         let stacked = Stacked::new(robot, Torques::Motion, seed, samples);
         let spectrum = stacked.spectrum();
@@ -136,13 +135,13 @@ impl Reduction {
         if found != rank { Err(Undecided { rank, found, gap }) } else { Ok(kept.reduction(&stacked, spectrum.rank)) }
     }
 
-    /// With [`customary_order`].
+    /// Leaders in [`customary_order`].
     pub fn customary(robot: &Robot, seed: u64, samples: usize) -> Result<Self, Undecided> {
         Self::preferring(robot, &[], seed, samples)
     }
 
-    /// With the best conditioned leaders: QR with column pivoting, the column farthest from those
-    /// kept comes next.
+    /// The best conditioned leaders, by QR with column pivoting: the column farthest from the span
+    /// of those kept comes next.
     pub fn pivoted(robot: &Robot, seed: u64, samples: usize) -> Self {
         let stacked = Stacked::new(robot, Torques::Motion, seed, samples);
         let spectrum = stacked.spectrum();
@@ -179,19 +178,19 @@ impl Reduction {
     }
 }
 
-/// The stacked regressor with columns of length one, reduced to `P x P` by an orthogonal
+/// The stacked regressor with columns of unit norm, reduced to `P x P` by an orthogonal
 /// transformation.
 struct Stacked {
     triangle: DMatrix<f64>,
-    /// Lengths of the original columns; one for a column of zeros.
+    /// Norms of the original columns; one for a column of zeros.
     scale: Vec<f64>,
 }
 
 struct Spectrum {
     rank: Rank,
-    /// Between what is kept and what counts as zero.
+    /// Threshold between kept singular values and those that count as zero.
     tolerance: f64,
-    /// Right singular vectors, by falling singular value.
+    /// Right singular vectors, by descending singular value.
     right: DMatrix<f64>,
 }
 
@@ -199,7 +198,7 @@ impl Stacked {
     fn new(robot: &Robot, torques: Torques, seed: u64, samples: usize) -> Self {
         let (numeric, mut random) = (Numeric::new(robot), Random::new(seed));
         let (n, p) = (numeric.dof(), numeric.parameters());
-        // Rows of zeros, if need be, keep the factors P x P.
+        // Zero rows keep the factors at least P x P.
         let mut w = DMatrix::zeros((n * samples).max(p), p);
         for sample in 0..samples {
             let state = random.state(robot);
@@ -212,7 +211,7 @@ impl Stacked {
         let longest = w.column_iter().map(|c| c.norm()).fold(0.0, f64::max);
         let scale = w.column_iter_mut().map(|mut column| {
             let norm = column.norm();
-            // Columns that cancel only up to rounding must not be blown up to length one.
+            // Columns that cancel up to rounding must not be normalised.
             if norm <= 1e-13 * longest {
                 column.fill(0.0);
                 return 1.0;
@@ -250,8 +249,7 @@ impl Stacked {
     }
 }
 
-/// Columns that are kept, and an orthonormal basis of what they span (Gram-Schmidt, twice for
-/// stability).
+/// Kept columns, and an orthonormal basis of their span (Gram-Schmidt, twice for stability).
 struct Kept {
     columns: Vec<usize>,
     basis: Vec<DVector<f64>>,
@@ -286,14 +284,13 @@ impl Kept {
         if b > 0 && !dependent.is_empty() {
             let q_t = DMatrix::from_fn(b, p, |i, j| self.basis[i][j]);
             let of = |columns: &[usize]| &q_t * stacked.triangle.select_columns(columns);
-            // Q spans the kept columns, so that the matrix has an inverse.
+            // Q spans the kept columns, so the matrix is invertible.
             if let Some(k) = of(&self.columns).qr().solve(&of(&dependent)) {
                 grouping = k;
             }
         }
         for (j, mut column) in grouping.column_iter_mut().enumerate() {
-            // Clean while every column still has length one: an entry is then the share of its
-            // leader.
+            // Clean while columns have unit norm: an entry is then relative to its leader.
             column.iter_mut().filter(|k| k.abs() < 1e-9).for_each(|k| *k = 0.0);
             for (entry, &leader) in column.iter_mut().zip(&self.columns) {
                 *entry *= stacked.scale[dependent[j]] / stacked.scale[leader];

@@ -2,9 +2,8 @@
 //!
 //! Algorithm 1 of S. Echeandia and P. Wensing, *Numerical methods to compute the Coriolis matrix
 //! and Christoffel symbols for rigid-body systems*, J. Computational and Nonlinear Dynamics 16(9),
-//! 2021. Each body's gyroscopic force is written with the factor
-//! `B(I, v) = 1/2 ((v x*) I - I (v x) + (I v) x*)`. Of all factors with `B v = v x* I v` it is the
-//! one that leads to the Christoffel symbols.
+//! 2021. Each body's gyroscopic force is factored with `B(I, v) = 1/2 ((v x*) I - I (v x) + (I v)
+//! x*)`. Of all factors with `B v = v x* I v` it is the one that leads to the Christoffel symbols.
 
 use nalgebra::{DMatrix, Matrix6, Vector6};
 

@@ -1,4 +1,4 @@
-//! Energies and their regressors.
+//! Kinetic and potential energy and their regressors.
 
 use dh_codegen::arm::param::DriveTerm;
 use nalgebra::DVector;
@@ -9,7 +9,7 @@ use super::rnea::Sweep;
 use super::spatial::Motion;
 
 impl Numeric {
-    /// Kinetic energy, J, `1/2 sum v . I v`, rotors (`IA dq^2 / 2`) included.
+    /// Kinetic energy, J, `1/2 sum v . I v`, including rotors (`IA dq^2 / 2`).
     pub fn kinetic_energy(&self, q: &[f64], dq: &[f64], phi: &[f64]) -> f64 {
         self.check("q", q.len());
         self.check("dq", dq.len());
@@ -20,7 +20,7 @@ impl Numeric {
         0.5 * (bodies + self.rotors().map(|(column, j)| phi[column] * dq[j] * dq[j]).sum::<f64>())
     }
 
-    /// Potential energy, J, `-sum (M g . p + g . R MS)`: zero for a mass in the world frame's
+    /// Potential energy, J, `-sum (M g . p + g . R MS)`: zero for a mass at the world frame's
     /// origin.
     pub fn potential_energy(&self, q: &[f64], phi: &[f64]) -> f64 {
         self.check_phi(phi);
@@ -32,7 +32,7 @@ impl Numeric {
         -moments.sum::<f64>()
     }
 
-    /// `P`: the kinetic energy is its product with `phi`.
+    /// Regressor of the kinetic energy, `P` entries: its product with `phi` is the energy.
     pub fn kinetic_energy_regressor(&self, q: &[f64], dq: &[f64]) -> DVector<f64> {
         self.check("q", q.len());
         self.check("dq", dq.len());
@@ -61,7 +61,7 @@ impl Numeric {
         y
     }
 
-    /// `P`: the potential energy is its product with `phi`.
+    /// Regressor of the potential energy, `P` entries: its product with `phi` is the energy.
     pub fn potential_energy_regressor(&self, q: &[f64]) -> DVector<f64> {
         let mut y = DVector::zeros(self.parameters);
         for (i, pose) in self.poses(q).iter().enumerate() {
@@ -112,7 +112,7 @@ mod tests {
                 numeric.kinetic_energy(&q, &dq, &phi) + numeric.potential_energy(&q, &phi)
             };
             let h = 1e-4;
-            // Fourth order, so that the step can stay large against rounding.
+            // Fourth order, so that the step can be large compared to rounding.
             let rate = (8.0 * (energy(h) - energy(-h)) - (energy(2.0 * h) - energy(-2.0 * h))) / (12.0 * h);
             let tau = numeric.inverse_dynamics(&s.q, &s.dq, &s.ddq, &phi);
             let lost: f64 = robot.moving().iter().zip(&s.dq).fold(0.0, |sum, (&row, dq)| {

@@ -1,4 +1,4 @@
-//! Positions of the frames and their motion.
+//! Forward kinematics and Jacobians.
 
 use nalgebra::{Matrix4, Matrix6xX, Vector3, Vector6};
 
@@ -13,13 +13,13 @@ impl Numeric {
         self.poses(q).iter().map(homogeneous).collect()
     }
 
-    /// Pose of the tool frame in the world frame; of the last DH frame where the robot has no tool.
+    /// Pose of the tool frame in the world frame; of the last DH frame without a tool.
     pub fn tool(&self, q: &[f64]) -> Matrix4<f64> {
         homogeneous(&self.last_pose(q).then(&self.tool))
     }
 
-    /// `6 x n`: `[v; w] = J dq`, linear velocity (m/s) of the last DH frame's origin first, then
-    /// the angular (rad/s), in world axes.
+    /// Jacobian, `6 x n`: `[v; w] = J dq`, linear velocity (m/s) of the last DH frame's origin
+    /// first, then the angular velocity (rad/s), in world axes.
     pub fn jacobian(&self, q: &[f64]) -> Matrix6xX<f64> {
         let poses = self.poses(q);
         self.jacobian_at(poses.last().map_or(self.base.origin, |tip| tip.origin), &poses)
@@ -32,7 +32,7 @@ impl Numeric {
         (homogeneous(&tool), self.jacobian_at(tool.origin, &poses))
     }
 
-    /// Jacobian of a point that moves with the last frame, in the world frame.
+    /// Jacobian of a point fixed to the last frame, given in the world frame.
     fn jacobian_at(&self, point: Vector3<f64>, poses: &[Plucker]) -> Matrix6xX<f64> {
         let mut jacobian = Matrix6xX::zeros(self.dof);
         for (row, pose) in self.rows.iter().zip(poses) {
@@ -45,21 +45,21 @@ impl Numeric {
         jacobian
     }
 
-    /// `(dJ/dt) dq`, 6, m/s^2 and rad/s^2: the acceleration of the last DH frame that the
-    /// velocities alone cause, as [`Numeric::jacobian`] arranges it.
+    /// `(dJ/dt) dq`, 6, m/s^2 and rad/s^2: acceleration of the last DH frame due to the velocities
+    /// alone, arranged as [`Numeric::jacobian`].
     pub fn jacobian_dot_dq(&self, q: &[f64], dq: &[f64]) -> Vector6<f64> {
         self.check("dq", dq.len());
         let rotation = self.last_pose(q).rotation;
         let mut work = self.workspace();
         self.outward(&mut work, &Sweep { q, dq, ddq: &[], base_acceleration: Motion::zero() });
         let (Some(v), Some(a)) = (work.v.last(), work.a.last()) else { return Vector6::zeros() };
-        // From the spatial acceleration to that of the point at the origin.
+        // Convert the spatial acceleration to that of the point at the origin.
         let linear = rotation * (a.v + v.w.cross(&v.v));
         let angular = rotation * a.w;
         Vector6::new(linear.x, linear.y, linear.z, angular.x, angular.y, angular.z)
     }
 
-    /// All frames in the world frame.
+    /// Poses of all frames in the world frame.
     pub(super) fn poses(&self, q: &[f64]) -> Vec<Plucker> {
         self.check("q", q.len());
         let mut pose = self.base;
@@ -94,7 +94,7 @@ mod tests {
         q.iter().zip(dq).map(|(q, dq)| q + s * dq).collect()
     }
 
-    /// Misses of `J dq` beside differences of a pose along `dq`.
+    /// Relative deviation of a twist from the finite difference of a pose.
     fn misses(at: impl Fn(f64) -> Matrix4<f64>, twist: &Vector6<f64>) -> f64 {
         let h = 1e-6;
         let rate = (at(h) - at(-h)) / (2.0 * h);

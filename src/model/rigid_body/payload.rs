@@ -1,4 +1,4 @@
-//! The regressor of a body that the arm carries.
+//! Regressor of a carried body.
 
 use nalgebra::{DMatrix, Matrix6};
 
@@ -7,9 +7,9 @@ use super::rnea::Sweep;
 use super::spatial::body_regressor;
 
 impl Numeric {
-    /// Torques of a carried body are `Y pi`: `n x 10`, with `pi` the ten parameters (`M MSX .. YZ`)
-    /// of the body in the tool frame, about its origin; in the last DH frame where the robot has no
-    /// tool.
+    /// Regressor `Y`, `n x 10`, of the torques `Y pi` of a carried body. `pi` are its ten
+    /// parameters (`M MSX .. YZ`) in the tool frame, about its origin; without a tool in the last
+    /// DH frame.
     pub fn payload_regressor(&self, q: &[f64], dq: &[f64], ddq: &[f64]) -> DMatrix<f64> {
         self.check("q", q.len());
         self.check("dq", dq.len());
@@ -34,7 +34,8 @@ mod tests {
     use dh_codegen::arm::param;
     use nalgebra::DVector;
 
-    /// A payload is a tool: fold it into the last link and see what the torques gain.
+    /// A payload is equivalent to a tool: added to the last link it changes the torques by the
+    /// same.
     #[test]
     fn payload_adds_what_a_heavier_tool_does() {
         let mut random = Random::new(71);

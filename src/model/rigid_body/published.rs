@@ -1,5 +1,5 @@
-//! Checks against published numbers, which stand beside the project and not in it: without them the
-//! tests pass and say so.
+//! Comparison with published numbers from tables outside the project. Without these files the tests
+//! pass and print a message.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -69,7 +69,7 @@ fn lwr_groupings_are_the_published_ones() {
     }
 }
 
-/// `g(q)` and `M(q) ddq` of the maker's model at fifty states (the same paper).
+/// `g(q)` and `M(q) ddq` of the manufacturer's model at fifty states (the same paper).
 #[test]
 fn lwr_torques_are_the_published_ones() {
     let (Some(parameters), Some(vectors)) =
@@ -81,8 +81,8 @@ fn lwr_torques_are_the_published_ones() {
     robot.gravity = [0.0, 0.0, -9.80665];
     let numeric = Numeric::new(&robot);
     let names: Vec<String> = param::standard(&robot).iter().map(|p| p.name()).collect();
-    // The maker's model has other first moments in g than in M. A leader takes the value of its
-    // group, all else is zero.
+    // The manufacturer's model has other first moments in g than in M. A leader gets the value of
+    // its group, all others are zero.
     let phi = |column: usize| {
         let mut phi = vec![0.0; names.len()];
         for row in &parameters {
@@ -103,7 +103,7 @@ fn lwr_torques_are_the_published_ones() {
         worst.1 = worst.1.max((inertial - m_ddq).amax());
     }
     println!("largest deviation: g {:.1e} N m, M ddq {:.1e} N m", worst.0, worst.1);
-    // The table has nine digits; the maker's closed form of M carries coefficients rounded to about
-    // 1e-8.
+    // The table has nine digits; the manufacturer's closed form of M has coefficients rounded to
+    // about 1e-8.
     assert!(worst.0 < 1e-6 && worst.1 < 1e-4, "{worst:?}");
 }

@@ -10,19 +10,19 @@ use dh_codegen::robot::{
 /// Distribution of random robots. Probabilities are per robot or per row, as stated.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Family {
-    /// Fewest and most rows; at least one of them moves.
+    /// Least and largest number of rows; at least one of them moves.
     pub rows: [usize; 2],
     /// Probability that a row is prismatic.
     pub prismatic: f64,
     /// Probability that a row is fixed.
     pub fixed: f64,
-    /// Probability that a robot has only quarter turns and many zero lengths, as built arms have;
-    /// otherwise all is generic.
+    /// Probability of a robot with quarter turns and many zero lengths only, as real arms have;
+    /// otherwise all values are generic.
     pub exact: f64,
     /// Probability of the standard convention.
     pub standard: f64,
-    /// Probability that gravity is along the base's z, downwards; otherwise any direction,
-    /// sometimes none.
+    /// Probability that gravity is along the base's z, downwards; otherwise in any direction,
+    /// sometimes zero.
     pub upright: f64,
     /// Probability that a robot has drives; then each row has each term with probability 3/4.
     pub drives: f64,
@@ -84,8 +84,8 @@ impl Random {
         })
     }
 
-    /// The robot's own parameters where its links' are known, otherwise random bodies with the
-    /// file's drives; `P` values in the order of `param::standard`.
+    /// Standard parameters, `P` values in the order of `param::standard`: the robot's own if its
+    /// links are known, otherwise random bodies with the file's drives.
     pub fn phi(&mut self, robot: &Robot) -> Vec<f64> {
         if let Some(known) = param::standard_values(robot) {
             return known;
@@ -95,7 +95,7 @@ impl Random {
         param::standard_values(&filled).unwrap_or_default()
     }
 
-    /// A robot of the family, with the inertias of all its links.
+    /// A random robot of the family, with inertias of all links.
     pub fn robot(&mut self, family: &Family) -> Robot {
         let [fewest, most] = family.rows;
         let count = fewest.max(1) + self.below((most + 1).saturating_sub(fewest.max(1)));
@@ -144,7 +144,7 @@ impl Random {
             log: None,
             effects: Vec::new(),
         };
-        // Drawn last, and only on demand: the robots of other families stay what they are.
+        // Drawn last, and only on demand, so that robots of other families do not change.
         let base = (family.base > 0.0 && self.chance(family.base)).then(|| Pose {
             xyz: core::array::from_fn(|_| self.uniform(-1.0, 1.0)),
             rpy: core::array::from_fn(|_| self.angle(exact)),
@@ -159,12 +159,12 @@ impl Random {
         }
     }
 
-    /// Zero half of the time in an exact robot; one of the robot's constants where it names them.
+    /// A length: zero half of the time in an exact robot; a new constant if the robot names them.
     fn length(&mut self, exact: bool, named: bool, constants: &mut Vec<(String, f64)>) -> Length {
         if exact && self.chance(0.5) {
             return Length::zero();
         }
-        // Millimetres, as on a drawing; never zero by accident.
+        // In millimetres, as on a drawing; never zero by accident.
         let sign = if self.chance(0.3) { -1.0 } else { 1.0 };
         let value = sign * (50 + self.below(450)) as f64 / 1000.0;
         if !named {

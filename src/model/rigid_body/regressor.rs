@@ -1,4 +1,5 @@
-//! The regressor: torques are linear in the standard parameters, `tau = Y(q, dq, ddq) phi`.
+//! Regressor of the torques, which are linear in the standard parameters: `tau = Y(q, dq, ddq)
+//! phi`.
 
 use nalgebra::{DMatrix, SMatrix};
 
@@ -9,7 +10,7 @@ use super::spatial::{Force, body_regressor};
 
 impl Numeric {
     /// `Y`, `n x P`, in the order of `param::standard`: each body's regressor ([`body_regressor`]),
-    /// carried inward from joint to joint; then the drives' columns.
+    /// propagated inward from joint to joint, followed by the drives' columns.
     pub fn regressor(&self, q: &[f64], dq: &[f64], ddq: &[f64]) -> DMatrix<f64> {
         let mut y = DMatrix::zeros(self.dof, self.parameters);
         self.regressor_into(&mut self.workspace(), q, dq, ddq, &mut y);
@@ -30,7 +31,7 @@ impl Numeric {
         }
     }
 
-    /// The regressor of the gravity torque, `n x P`: `g(q) = Y phi`. The drives' columns are zero.
+    /// Regressor of the gravity torque, `n x P`: `g(q) = Y phi`. The drives' columns are zero.
     pub fn gravity_regressor(&self, q: &[f64]) -> DMatrix<f64> {
         self.check("q", q.len());
         let mut y = DMatrix::zeros(self.dof, self.parameters);
@@ -48,8 +49,8 @@ impl Numeric {
         }
     }
 
-    /// Forces on frame `i`, one a column, moment first -> their joint torques, in the columns of
-    /// `y` from `first` on.
+    /// Propagates forces on frame `i`, one per column, moment first, inward, and writes their joint
+    /// torques to the columns of `y` from `first`.
     pub(super) fn carry_inward(
         &self,
         work: &Workspace,

@@ -9,7 +9,7 @@ use super::body;
 use super::sign;
 use super::spatial::{Force, Motion};
 
-/// Initial values of a sweep. An empty `dq` or `ddq` stands for zero.
+/// Arguments of an outward sweep. An empty `dq` or `ddq` means zero.
 pub(super) struct Sweep<'a> {
     pub(super) q: &'a [f64],
     pub(super) dq: &'a [f64],
@@ -60,7 +60,7 @@ impl Numeric {
         tau
     }
 
-    /// Gravity torque `g(q)`, `n`: what holds the arm up, without the drives' offsets.
+    /// Gravity torque `g(q)`, `n`, without the drives' offsets.
     pub fn gravity(&self, q: &[f64], phi: &[f64]) -> DVector<f64> {
         self.check("q", q.len());
         self.check_phi(phi);
@@ -70,7 +70,8 @@ impl Numeric {
         tau
     }
 
-    /// The rigid-body part: outward for motions and the bodies' forces, inward for the joints'.
+    /// The rigid-body part: outward sweep for motions and the bodies' forces, inward for joint
+    /// torques.
     pub(super) fn newton_euler(&self, work: &mut Workspace, sweep: &Sweep<'_>, phi: &[f64], tau: &mut [f64]) {
         self.outward(work, sweep);
         for i in 0..self.rows.len() {
@@ -87,8 +88,8 @@ impl Numeric {
         }
     }
 
-    /// Transforms, velocities and accelerations of all frames, each in itself: `work.x`, `work.v`,
-    /// `work.a`.
+    /// Transforms, velocities and accelerations of all frames, each in its own axes: `work.x`,
+    /// `work.v`, `work.a`.
     pub(super) fn outward(&self, work: &mut Workspace, sweep: &Sweep<'_>) {
         let (mut v, mut a) = (Motion::zero(), sweep.base_acceleration);
         for (i, row) in self.rows.iter().enumerate() {
@@ -102,7 +103,7 @@ impl Numeric {
     }
 }
 
-/// Factor of a drive parameter in the torque of its joint.
+/// Torque of a joint per unit of a drive parameter.
 pub(super) fn drive_factor(term: DriveTerm, dq: f64, ddq: f64) -> f64 {
     match term {
         DriveTerm::IA => ddq,
@@ -148,8 +149,8 @@ mod tests {
         }
     }
 
-    /// One arm, two conventions: the standard table's constant part `TransX(d) RotX(alpha)` moves
-    /// to the row after it. The last one becomes a fixed row.
+    /// One arm in both conventions: the standard table's constant part `TransX(d) RotX(alpha)`
+    /// moves to the next row. The last one becomes a fixed row.
     #[test]
     fn both_conventions_describe_one_motion() {
         let mut random = Random::new(22);

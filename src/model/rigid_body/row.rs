@@ -1,5 +1,5 @@
-//! One row of the DH table as a joint in Featherstone's sense: a transform that depends on `q` and
-//! a constant axis.
+//! One row of the DH table as a joint in Featherstone's sense: a transform depending on `q` and a
+//! constant axis.
 
 use dh_codegen::robot::{Convention, Joint, JointKind};
 use nalgebra::{Matrix3, Vector3};
@@ -13,19 +13,19 @@ pub(super) struct Row {
     kind: JointKind,
     /// Index into `q`; `None` for a fixed row.
     pub(super) joint: Option<usize>,
-    /// Sine and cosine of the twist; exact where the angle is.
+    /// Sine and cosine of the twist; exact for exact angles.
     alpha: (f64, f64),
     d: f64,
     /// Sine and cosine of the constant part of theta.
     theta: (f64, f64),
     r: f64,
-    /// The joint's axis `S` in the frame of this row; constant in both conventions. Zero for a
+    /// The joint's axis `S` in the frame of this row, constant in both conventions; zero for a
     /// fixed row.
     pub(super) axis: Motion,
 }
 
 impl Row {
-    /// The row of `row`, whose position is `q[joint]`.
+    /// The row with this DH data; its position is `q[joint]`.
     pub(super) fn new(convention: Convention, row: &Joint, joint: Option<usize>) -> Self {
         let z = Vector3::z();
         let along_z = match row.kind {
@@ -35,9 +35,9 @@ impl Row {
         };
         let alpha = row.alpha.sin_cos();
         let axis = match convention {
-            // The joint is the last thing that happens in the row: its axis is the frame's own z.
+            // The joint motion comes last in the row: its axis is the frame's own z.
             Convention::Modified => along_z,
-            // TransX(d) RotX(alpha) follows the joint: the axis is the z of the row before.
+            // TransX(d) RotX(alpha) follows the joint: the axis is the previous row's z.
             Convention::Standard => {
                 Plucker { rotation: rot_x(alpha), origin: Vector3::new(row.d.value, 0.0, 0.0) }.motion(&along_z)
             }
@@ -51,7 +51,7 @@ impl Row {
         self.joint.and_then(|j| q.get(j)).copied().unwrap_or(0.0)
     }
 
-    /// Transform from the frame before to the frame of this row at the position `q`, rad or m.
+    /// Transform from the previous frame to the frame of this row at the position `q`, rad or m.
     pub(super) fn transform(&self, q: f64) -> Plucker {
         let (turn, r) = match self.kind {
             JointKind::Revolute => {

@@ -1,11 +1,11 @@
-//! Well-known arms in code, for tests that must not depend on the reader of robot files. Lengths in
-//! m; no inertias, no drives.
+//! Well-known arms in code, for tests independent of the reader of robot files. Lengths in m; no
+//! inertias, no drives.
 
 use dh_codegen::robot::{Angle, Collision, Convention, Drive, Joint, JointKind, Length, Limits, Robot};
 
 use crate::numerics::prng::Random;
 
-/// Quarter turns.
+/// Angle of `k` quarter turns.
 fn turns(k: i64) -> Angle {
     Angle::pi_fraction(k, 2)
 }
@@ -90,7 +90,7 @@ pub fn puma560() -> Robot {
     revolute("puma560", Convention::Modified, &rows)
 }
 
-/// Universal Robots UR5e, standard (the maker's table).
+/// Universal Robots UR5e, standard (the manufacturer's table).
 pub fn ur5e() -> Robot {
     let rows = [(1, 0., 0.1625), (0, -0.425, 0.), (0, -0.3922, 0.), (1, 0., 0.1333), (-1, 0., 0.0997), (0, 0., 0.0996)];
     revolute("ur5e", Convention::Standard, &rows)
@@ -128,8 +128,7 @@ pub fn with_friction(mut robot: Robot) -> Robot {
     robot
 }
 
-/// The robot on a base that is tilted about two axes: gravity of 9.81 m/s^2 in no special
-/// direction.
+/// The robot on a base tilted about two axes: gravity of 9.81 m/s^2 in a generic direction.
 pub fn tilted(mut robot: Robot) -> Robot {
     let (x, y): (f64, f64) = (0.3, -0.2);
     robot.gravity = [x, y, -(1.0 - x * x - y * y).sqrt()].map(|g| 9.81 * g);

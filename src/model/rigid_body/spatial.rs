@@ -8,7 +8,7 @@ use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 use nalgebra::{Matrix3, Matrix6, SMatrix, Vector3, Vector6};
 
 /// A motion vector: angular part `w` (rad/s) and velocity `v` (m/s) of the body-fixed point at the
-/// frame's origin. It may also be the spatial acceleration, whose linear part is *not* that of a
+/// frame's origin. It may also be a spatial acceleration, whose linear part is *not* that of a
 /// point (`a_point = v' + w x v`).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Motion {
@@ -28,7 +28,7 @@ pub struct Force {
 }
 
 impl Motion {
-    /// Nothing moves.
+    /// The zero vector.
     pub fn zero() -> Self {
         Self { w: Vector3::zeros(), v: Vector3::zeros() }
     }
@@ -67,12 +67,12 @@ impl Motion {
 }
 
 impl Force {
-    /// No force.
+    /// The zero vector.
     pub fn zero() -> Self {
         Self { n: Vector3::zeros(), f: Vector3::zeros() }
     }
 
-    /// The matrix that takes a motion `m` to `m x* self`.
+    /// The matrix that maps a motion `m` to `m x* self`.
     pub fn crossed_matrix(&self) -> Matrix6<f64> {
         let (n, f) = (skew(&self.n), skew(&self.f));
         -blocks(&n, &f, &f, &Matrix3::zeros())
@@ -125,28 +125,28 @@ pub struct Plucker {
 }
 
 impl Plucker {
-    /// A and B are the same frame.
+    /// The identity transform.
     pub fn identity() -> Self {
         Self { rotation: Matrix3::identity(), origin: Vector3::zeros() }
     }
 
-    /// `self` from A to B, then `next` from B to C: A to C.
+    /// Composition: `self` from A to B, then `next` from B to C, gives A to C.
     pub fn then(&self, next: &Self) -> Self {
         Self { rotation: self.rotation * next.rotation, origin: self.origin + self.rotation * next.origin }
     }
 
-    /// Motion in A -> the same in B: `X m`, equation 2.24.
+    /// Transforms a motion from A to B: `X m`, equation 2.24.
     pub fn motion(&self, m: &Motion) -> Motion {
         Motion { w: self.rotation.tr_mul(&m.w), v: self.rotation.tr_mul(&(m.v - self.origin.cross(&m.w))) }
     }
 
-    /// Force in B -> the same in A: `X' f` (the inverse of equation 2.25).
+    /// Transforms a force from B to A: `X' f` (the inverse of equation 2.25).
     pub fn force_to_parent(&self, f: &Force) -> Force {
         let force = self.rotation * f.f;
         Force { n: self.rotation * f.n + self.origin.cross(&force), f: force }
     }
 
-    /// Inertia in B -> the same in A: `X' I X`.
+    /// Transforms an inertia from B to A: `X' I X`.
     pub fn inertia_to_parent(&self, b: &SpatialInertia) -> SpatialInertia {
         let (r, p) = (&self.rotation, skew(&self.origin));
         let h = r * b.h;
@@ -154,13 +154,13 @@ impl Plucker {
         SpatialInertia {
             m: b.m,
             h: shifted,
-            // The parallel-axis theorem, from the origin of B to the centre of mass and on to the
+            // Parallel-axis theorem, from the origin of B to the centre of mass and on to the
             // origin of A.
             i: r * b.i * r.transpose() - p * skew(&h) - skew(&shifted) * p,
         }
     }
 
-    /// Articulated-body inertia in B -> the same in A.
+    /// Transforms an articulated-body inertia from B to A.
     pub fn articulated_to_parent(&self, b: &ArticulatedInertia) -> ArticulatedInertia {
         let (r, p) = (&self.rotation, skew(&self.origin));
         let rt = r.transpose();
@@ -169,14 +169,14 @@ impl Plucker {
         ArticulatedInertia { m, h, i: r * b.i * rt + p * h0.transpose() - h * p }
     }
 
-    /// `X`, 6 x 6, from A to B (equation 2.24).
+    /// The matrix `X`, 6 x 6, from A to B (equation 2.24).
     pub fn matrix(&self) -> Matrix6<f64> {
         let e = self.rotation.transpose();
         blocks(&e, &Matrix3::zeros(), &(-e * skew(&self.origin)), &e)
     }
 }
 
-/// Rigid-body inertia about the origin of the frame that it is given in (equation 2.63).
+/// Rigid-body inertia about the origin of its frame (equation 2.63).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpatialInertia {
     /// Mass, kg.
@@ -188,7 +188,7 @@ pub struct SpatialInertia {
 }
 
 impl SpatialInertia {
-    /// No body.
+    /// The zero inertia.
     pub fn zero() -> Self {
         Self { m: 0.0, h: Vector3::zeros(), i: Matrix3::zeros() }
     }
@@ -207,7 +207,7 @@ impl SpatialInertia {
         Force { n: self.i * v.w + self.h.cross(&v.v), f: v.v * self.m - self.h.cross(&v.w) }
     }
 
-    /// `I`, 6 x 6.
+    /// The matrix `I`, 6 x 6.
     pub fn matrix(&self) -> Matrix6<f64> {
         let h = skew(&self.h);
         blocks(&self.i, &h, &(-h), &(Matrix3::identity() * self.m))
@@ -224,16 +224,16 @@ impl Add for SpatialInertia {
 /// Articulated-body inertia `[i h; h' m]` (chapter 7): symmetric, but its mass is a matrix.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ArticulatedInertia {
-    /// Force from linear acceleration, kg.
+    /// Force per linear acceleration, kg.
     pub m: Matrix3<f64>,
-    /// Moment from linear acceleration, kg m.
+    /// Moment per linear acceleration, kg m.
     pub h: Matrix3<f64>,
-    /// Moment from angular acceleration, kg m^2.
+    /// Moment per angular acceleration, kg m^2.
     pub i: Matrix3<f64>,
 }
 
 impl ArticulatedInertia {
-    /// Force that gives the acceleration `a`.
+    /// Force for the acceleration `a`.
     pub fn times(&self, a: &Motion) -> Force {
         Force { n: self.i * a.w + self.h * a.v, f: self.h.tr_mul(&a.w) + self.m * a.v }
     }
@@ -261,13 +261,13 @@ impl Add for ArticulatedInertia {
     }
 }
 
-/// `u x`, 3 x 3.
+/// Matrix of the cross product `u x`, 3 x 3.
 pub fn skew(u: &Vector3<f64>) -> Matrix3<f64> {
     Matrix3::new(0.0, -u.z, u.y, u.z, 0.0, -u.x, -u.y, u.x, 0.0)
 }
 
-/// The regressor of one body, 6 x 10, moment first. `I a + v x* I v = A(v, a) phi`, with `phi` the
-/// ten parameters in the frame of `v` and `a` (C. Atkeson, C. An and J. Hollerbach, *Estimation of
+/// Regressor of one body, 6 x 10, moment first. `I a + v x* I v = A(v, a) phi`, with `phi` the ten
+/// parameters in the frame of `v` and `a` (C. Atkeson, C. An and J. Hollerbach, *Estimation of
 /// inertial parameters of manipulator loads and links*, IJRR 5(3), 1986; here from spatial
 /// vectors).
 pub fn body_regressor(v: &Motion, a: &Motion) -> SMatrix<f64, 6, 10> {

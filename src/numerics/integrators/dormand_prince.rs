@@ -1,5 +1,5 @@
 //! J. R. Dormand and P. J. Prince, *A family of embedded Runge-Kutta formulae*, J. Comp. Appl.
-//! Math. 6 (1980): orders 5 and 4, seven stages of which the last is the next step's first.
+//! Math. 6 (1980): orders 5 and 4, seven stages, the last of which is the first of the next step.
 
 use super::Breakdown;
 use super::Pace;
@@ -16,11 +16,11 @@ const A: [[f64; 6]; 7] = [
     [9017.0 / 3168.0, -355.0 / 33.0, 46732.0 / 5247.0, 49.0 / 176.0, -5103.0 / 18656.0, 0.0],
     [35.0 / 384.0, 0.0, 500.0 / 1113.0, 125.0 / 192.0, -2187.0 / 6784.0, 11.0 / 84.0],
 ];
-/// Order 5 minus order 4.
+/// Weights of order 5 minus those of order 4.
 const ERROR: [f64; 7] =
     [71.0 / 57600.0, 0.0, -71.0 / 16695.0, 71.0 / 1920.0, -17253.0 / 339200.0, 22.0 / 525.0, -1.0 / 40.0];
 
-/// Working memory.
+/// Work arrays.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct DormandPrince {
     k: [Vec<f64>; 7],

@@ -1,8 +1,8 @@
 //! ROS34PW2: J. Rang and L. Angermann, *New Rosenbrock W-methods of order 3 for partial
 //! differential algebraic equations of index 1*, BIT 45 (2005). Four stages, order 3 with an
 //! embedded order 2, stiffly accurate and L-stable. As a W-method it keeps its order with any
-//! Jacobian. So only stiff terms (springs, contacts, bristles, gains) stand in ours and the linear
-//! systems have the size of the mass matrix.
+//! Jacobian. The Jacobian used here therefore contains only stiff terms (springs, contacts,
+//! bristles, gains), and the linear systems have the size of the mass matrix.
 
 use super::Breakdown;
 use super::Linear;
@@ -29,13 +29,13 @@ const B: [f64; 4] =
     [2.421_238_070_609_535e-1, -1.223_250_583_904_514_7, 1.545_260_255_335_102, 4.358_665_215_084_59e-1];
 const B_LOW: [f64; 4] = [3.781_090_314_581_937e-1, -9.604_229_221_242_318e-2, 0.5, 2.179_332_607_542_295e-1];
 
-/// Working memory.
+/// Work arrays.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Rosenbrock {
     k: [Vec<f64>; 4],
     stage: Vec<f64>,
     rate: Vec<f64>,
-    /// The rate where the step begins.
+    /// Rate at the beginning of the step.
     first: Vec<f64>,
     sum: Vec<f64>,
     new: Vec<f64>,
@@ -76,7 +76,7 @@ impl Rosenbrock {
         Ok(())
     }
 
-    /// One step of length `h` to `self.new`; its error.
+    /// One step of length `h`, result in `self.new`; returns its error relative to the tolerance.
     fn step(&mut self, system: &mut dyn System, t: f64, h: f64, y: &[f64], tolerance: f64) -> Result<f64, Breakdown> {
         let n = system.coordinates();
         let hg = h * GAMMA;
@@ -93,7 +93,7 @@ impl Rosenbrock {
                 }
             }
         }
-        // The mass matrix passed already: what is added to it is out of bounds.
+        // The mass matrix is positive definite: the stiff terms added to it are too large.
         cholesky::factor(n, &mut self.matrix).map_err(|_| Breakdown::Step { time: t, step: h })?;
         for i in 0..4 {
             self.stage.copy_from_slice(y);
@@ -120,7 +120,7 @@ impl Rosenbrock {
         Ok(norm(system, tolerance, y, &self.new, |e| (0..4).map(|i| (B[i] - B_LOW[i]) * k[i][e]).sum()))
     }
 
-    /// `k_i` of `(I - h g J) k_i = h f + h J s`, by elimination of positions and bristles.
+    /// Solves `(I - h g J) k_i = h f + h J s` for `k_i`, eliminating positions and bristles.
     fn solve(&mut self, n: usize, h: f64, i: usize) {
         let hg = h * GAMMA;
         let (f, s) = (&self.rate, &self.sum);
@@ -196,8 +196,8 @@ mod tests {
         }
     }
 
-    /// Positions and bristles are eliminated: the same step by the whole matrix,
-    /// `(I - h g J) k_i = h f + h J s`.
+    /// Eliminating positions and bristles gives the same step as the whole matrix, `(I - h g J) k_i
+    /// = h f + h J s`.
     #[test]
     fn elimination_is_the_whole_system() {
         for h in [1e-4, 3e-3, 0.1] {

@@ -1,10 +1,10 @@
-//! `check --json`.
+//! Report of `denavit check` as JSON.
 
 use dh_codegen::arm::{Function, Inverse, Kernel, Model};
 use dh_codegen::robot::Robot;
 use serde_json::{Map, Value, json};
 
-/// Multiplications, additions, and pairs of sines and cosines that a kernel reads.
+/// Number of multiplications, additions and sine-cosine pairs of each kernel.
 pub(in crate::report) fn operations(model: &Model) -> Vec<(Function, usize, usize, usize)> {
     let one = |f: &Function| {
         let kernel: Kernel = model.kernel(*f);

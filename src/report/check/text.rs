@@ -1,4 +1,4 @@
-//! `check` for people.
+//! Report of `denavit check` as text.
 
 use core::fmt::Write;
 
@@ -7,7 +7,7 @@ use dh_codegen::robot::{Convention, Joint, Robot};
 
 use crate::report::parts::number::{counted, pad};
 
-/// Table, class, base parameters, operation counts.
+/// DH table, kinematic class, base parameters, operation counts.
 pub fn check_text(robot: &Robot, model: &Model) -> String {
     let mut t = String::new();
     let convention = match robot.convention {
@@ -58,7 +58,7 @@ pub fn check_text(robot: &Robot, model: &Model) -> String {
     t
 }
 
-/// One line per row; columns are as wide as what stands in them.
+/// The DH table, one line per row; columns are as wide as their widest cell.
 fn dh_table(robot: &Robot) -> String {
     let head = ["j", "name", "type", "alpha", "d", "theta", "r"].map(String::from);
     let row = |(j, joint): (usize, &Joint)| {

@@ -1,4 +1,4 @@
-//! An identification and the diagnosis of what it leaves, as one result.
+//! Report of an identification followed by a diagnosis, as one result.
 
 use std::fmt::Write;
 
@@ -8,17 +8,17 @@ use crate::identify::Identification;
 use crate::report::Warnings;
 use crate::report::parts::number::{digits, pad, percent};
 
-/// The identification that made the robot file which was then diagnosed.
+/// The identification that produced the diagnosed robot file.
 pub struct Identified<'a> {
-    /// Its parameters.
+    /// Identified parameters.
     pub found: &'a Identification,
-    /// What to know of it.
+    /// Warnings of the identification.
     pub warnings: &'a Warnings,
 }
 
-/// The joint, from 0, of which the extended model removes the largest share of the squared torque where
-/// it moves; where it gains nowhere, the one that errs most there beside what noise explains. `None`
-/// where no torque was measured.
+/// The joint, from 0, for which the extended model removes the largest share of the squared torque
+/// where it moves. If no joint gains, the one with the largest error relative to its noise there.
+/// `None` if no torque was measured.
 pub(super) fn most_improved_joint(found: &Diagnosis) -> Option<usize> {
     let share = |errors: &[f64], j: usize| (errors[j] / found.torque_rms[j]).powi(2);
     let (before, after) = (&found.baseline.moving, &found.extended.moving);
@@ -38,7 +38,8 @@ fn main_cause(found: &Diagnosis, joint: usize) -> Option<&Cause> {
     found.causes.iter().filter(here).max_by(|a, b| a.probability.total_cmp(&b.probability))
 }
 
-/// Both in three sentences.
+/// Summary in three sentences: error of the most improved joint, its likely cause, error over all
+/// joints.
 pub fn calibrate_verdict(found: &Diagnosis) -> String {
     let mean = |x: &[f64]| (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt();
     let (before, after) = (&found.baseline.validate, &found.extended.validate);
@@ -67,7 +68,7 @@ pub fn calibrate_verdict(found: &Diagnosis) -> String {
     text
 }
 
-/// Both for a terminal.
+/// Identification and diagnosis as text for the terminal.
 pub fn calibrate_text(found: &Diagnosis, identified: &Identified<'_>, warnings: &Warnings) -> String {
     let mut text = warnings.text();
     let _ = writeln!(text, "{}: identified and diagnosed; {}", found.robot, found.verdict.word().replace('_', " "));

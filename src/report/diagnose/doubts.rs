@@ -4,10 +4,10 @@ use crate::diagnose::Cause;
 
 /// Recurrence below which a cause's size differs between stretches.
 const UNSTEADY: f64 = 0.7;
-/// Share of its joint's error below which a cause is a small one.
+/// Share of its joint's error below which a cause counts as small.
 const SMALL: f64 = 0.3;
 
-/// Reasons to doubt a cause, the weightiest first; empty where the data give none.
+/// Reasons to doubt a cause, the most important first; empty if there are none.
 pub fn doubts(c: &Cause) -> Vec<String> {
     let mut all = Vec::new();
     if c.cause == "unknown" {

@@ -1,10 +1,10 @@
-//! The motion that a diagnosis asks for: JSON and a line of text.
+//! The motion proposed by a diagnosis, as JSON and as a line of text.
 
 use serde_json::{Value, json};
 
 use crate::diagnose::Separation;
 
-/// `next_experiment` of `diagnose --json` where a motion was designed.
+/// `next_experiment` of `diagnose --json`, if a motion was designed.
 pub fn next_experiment_json(next: &Separation, file: &str) -> Value {
     json!({
         "between": next.between,
@@ -17,7 +17,7 @@ pub fn next_experiment_json(next: &Separation, file: &str) -> Value {
     })
 }
 
-/// The same in a sentence.
+/// The proposed motion in a sentence.
 pub fn next_experiment_text(next: &Separation, file: &str) -> String {
     format!(
         "next experiment: {file} ({:.0} s) separates {} from {}: {:.0} % of the first one's effect would be left, {:.1} times the noise\n",

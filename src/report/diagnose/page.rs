@@ -1,8 +1,8 @@
-//! A diagnosis as one page that needs no network: verdict, gain, evidence per cause, torque and
+//! A diagnosis as one self-contained HTML page: verdict, gain, evidence per cause, torque and
 //! errors, maps of the error.
 //!
-//! The plots are drawn by `page.js` as SVG from numbers in the page. Before is orange and
-//! dashed, after blue and solid, so that a print without colour can be read too.
+//! `page.js` draws the plots as SVG from numbers in the page. Before is orange and dashed, after
+//! blue and solid, so that a monochrome print is readable.
 
 use dh_codegen::robot::effects;
 use std::fmt::Write;
@@ -22,7 +22,7 @@ use crate::report::parts::budget;
 use crate::report::parts::number::{digits, figure, percent};
 use crate::report::parts::page::{Page, escape};
 
-/// The page; `identified`: the identification that made the robot file, where both were one run.
+/// The page. `identified`: the identification that produced the robot file, if both were one run.
 pub fn diagnose_html(
     found: &Diagnosis,
     logs: &[Prepared],
@@ -33,7 +33,7 @@ pub fn diagnose_html(
     let before = if identified.is_some() { "as identified" } else { "of the unchanged file" };
     let mut body = String::new();
     header(&mut body, found, identified.is_some());
-    // The story begins with what was gained, a diagnosis with what to do.
+    // With an identification, begin with the gain; otherwise with the recommended actions.
     if let Some(identified) = identified {
         most_improved(&mut body, found, true);
         let mut all = warnings.clone();
@@ -79,7 +79,7 @@ pub fn diagnose_html(
     page.html()
 }
 
-/// Verdict.
+/// Heading and verdict.
 fn header(body: &mut String, found: &Diagnosis, calibrated: bool) {
     let (what, verdict) = match calibrated {
         true => ("Identification and diagnosis", calibrate_verdict(found)),
@@ -94,7 +94,7 @@ fn header(body: &mut String, found: &Diagnosis, calibrated: bool) {
     );
 }
 
-/// The joint that gained most, and all joints before and after.
+/// The most improved joint, and the errors of all joints before and after.
 fn most_improved(body: &mut String, found: &Diagnosis, calibrated: bool) {
     let before = if calibrated { "as identified" } else { "by the unchanged file" };
     let Some(joint) = most_improved_joint(found) else { return };
@@ -105,7 +105,7 @@ fn most_improved(body: &mut String, found: &Diagnosis, calibrated: bool) {
     );
 }
 
-/// The motion that would settle what the logs leave open.
+/// The motion that would separate the ambiguous causes.
 fn next_experiment(body: &mut String, found: &Diagnosis) {
     let Some(next) = &found.next_experiment else { return };
     let joints = match next.joints.as_slice() {
@@ -122,14 +122,14 @@ fn next_experiment(body: &mut String, found: &Diagnosis) {
     );
 }
 
-/// The identification that made the robot file.
+/// Parameters of the identification that produced the robot file.
 fn identification(body: &mut String, identified: &Identified<'_>) {
     body.push_str("<section><h2>Parameters as identified</h2>\n");
     parameter_table(body, identified.found);
     body.push_str("</section>\n");
 }
 
-/// How the page was made.
+/// Data, settings and provenance.
 fn foot(body: &mut String, found: &Diagnosis, provenance: &Provenance) {
     body.push_str("<section><h2>How this was made</h2><dl>\n");
     let validation = if found.own_validation {
@@ -156,7 +156,7 @@ fn foot(body: &mut String, found: &Diagnosis, provenance: &Provenance) {
     body.push_str("</dl></section>\n");
 }
 
-/// The causes in a table, and what to do: all that the first screen has room for.
+/// Table of the first causes, and the recommended actions.
 fn in_short(body: &mut String, found: &Diagnosis, warnings: &Warnings) {
     let mut rows = String::new();
     for c in found.causes.iter().take(SHOWN) {
@@ -183,13 +183,13 @@ fn in_short(body: &mut String, found: &Diagnosis, warnings: &Warnings) {
     body.push_str(&warnings.html());
 }
 
-/// Causes that the first table shows.
+/// Maximum number of causes in the first table.
 const SHOWN: usize = 5;
 
-/// Probability above which a cause is acted on, and below which it is a proposal.
+/// Probability above which a cause is acted on; below it is a proposal.
 const LIKELY: f64 = 0.8;
 
-/// Advice to an engineer, in sentences.
+/// Recommended actions, in sentences.
 fn actions(found: &Diagnosis) -> Vec<String> {
     let mut all = vec![match found.offer.offered {
         Offered::File => "Keep the robot file: nothing predicts surely better on data that were left out.".to_string(),
@@ -232,7 +232,7 @@ fn actions(found: &Diagnosis) -> Vec<String> {
     all
 }
 
-/// An identifier of the vocabulary as words.
+/// Name of a cause with spaces.
 fn words(cause: &str) -> String {
     cause.replace('_', " ")
 }
@@ -263,7 +263,7 @@ fn gain_table(body: &mut String, found: &Diagnosis, calibrated: bool) {
         }
         let [before, after] = [&found.baseline, &found.extended].map(|errors| errors.moving[j].powi(2));
         let attainable = before - noise * noise;
-        // Where the file errs by little more than its noise, the share has no meaning.
+        // If the file's error is close to its noise, the share is meaningless.
         let gained = if attainable > 0.2 * noise * noise && before > 0.0 {
             gained(before, after, attainable)
         } else {
@@ -275,7 +275,7 @@ fn gain_table(body: &mut String, found: &Diagnosis, calibrated: bool) {
     body.push_str(&budget::html(&found.budget, "the error of the extended model where joints move"));
 }
 
-/// Attained share of the possible gain, percent; of a loss by how much the error grew.
+/// Attained share of the possible gain, percent; for a loss the growth of the error.
 fn gained(before: f64, after: f64, attainable: f64) -> String {
     let times = (after / before).sqrt();
     match times {
@@ -340,13 +340,13 @@ fn cause(body: &mut String, number: usize, c: &Cause, own_validation: bool) {
     let _ = writeln!(body, "<div class=grid2 data-cause={number}></div></article>");
 }
 
-/// The curve, where it shows its cause: a delay is taken out by shifting time, adds no torque of
-/// its own, and would be a misleading line at zero.
+/// The curve of a cause, if it is meaningful. A delay is compensated by shifting time and adds no
+/// torque; its curve would be a misleading line at zero.
 fn drawn(c: &Cause) -> Option<&Evidence> {
     c.curve.as_ref().filter(|e| c.cause != effects::TimeDelay::NAME && !e.x.is_empty())
 }
 
-/// Numbers for the script, with the digits that a plot shows.
+/// Data for the script, rounded to the resolution of a plot.
 fn data(found: &Diagnosis) -> Value {
     let causes: Vec<Value> = found
         .causes
@@ -377,13 +377,14 @@ fn data(found: &Diagnosis) -> Value {
     json!({ "shares": shares, "causes": causes, "noise": short(&found.noise_floor), "curves": curves, "maps": maps })
 }
 
-/// Rounded to a four-thousandth of the largest: finer than any screen. What is no number is `null`.
+/// Values rounded to a four-thousandth of the largest, finer than any screen; `null` for NaN and
+/// infinity.
 fn short(x: &[f64]) -> Vec<Value> {
     let largest = x.iter().filter(|v| v.is_finite()).fold(0.0_f64, |m, v| m.max(v.abs()));
     let decimals = if largest > 0.0 { (4.0 - largest.log10().floor()).clamp(0.0, 12.0) as usize } else { 0 };
     x.iter()
         .map(|v| {
-            // By way of text: what is written is what is meant, without the tail of a binary
+            // Via text, so that the decimal number is written without the digits of a binary
             // fraction.
             let rounded = format!("{v:.decimals$}").parse::<f64>().unwrap_or(f64::NAN);
             if rounded.is_finite() { json!(rounded + 0.0) } else { Value::Null }

@@ -1,4 +1,4 @@
-//! A diagnosis as a screenful of text.
+//! A diagnosis as text.
 
 use std::fmt::Write;
 
@@ -10,10 +10,10 @@ use crate::report::diagnose::doubts::doubts;
 use crate::report::parts::budget;
 use crate::report::parts::number::{digits, pad};
 
-/// Error of a joint, by the file's, from which on a model is worse there: a tenth is what logs differ by.
+/// Ratio of a model's joint error to the file's above which it is worse: logs differ by a tenth.
 const WORSE: f64 = 1.1;
 
-/// Notes before the figures, the same in text, JSON and page.
+/// Warnings that precede the figures, the same in text, JSON and page.
 pub fn diagnose_warnings(found: &Diagnosis, logs: &[Prepared]) -> Warnings {
     let mut warnings = Warnings::default();
     let joints: Vec<String> = (0..found.noise_floor.len())
@@ -98,7 +98,7 @@ pub fn diagnose_verdict(found: &Diagnosis) -> String {
     format!("{first} {}", headline(found, data))
 }
 
-/// Sentences on torques in closed form that the extended model has.
+/// Sentences on laws in closed form in the extended model.
 fn by_formula(found: &Diagnosis) -> String {
     let sentence = |c: &Cause| {
         let (joint, law) = (*c.joints.first()?, c.law.as_ref().filter(|_| c.has_law())?);
@@ -109,8 +109,8 @@ fn by_formula(found: &Diagnosis) -> String {
     found.causes.iter().filter_map(sentence).collect()
 }
 
-/// The joint that was most wrong and what became of its error. Where much of it is of samples at
-/// rest or about reversals, the same where the joint moves.
+/// The joint with the largest improvement, and its errors. If samples at rest or about reversals
+/// contribute much, also its errors where it moves.
 fn headline(found: &Diagnosis, data: &str) -> String {
     let Some(j) = most_improved_joint(found) else { return String::new() };
     let beyond_noise = |k: usize| found.baseline.moving[k] > WITHIN_NOISE * found.noise_floor[k];
@@ -139,13 +139,14 @@ fn headline(found: &Diagnosis, data: &str) -> String {
     )
 }
 
-/// An error by its noise up to which there is nothing to tell of it: both are estimates.
+/// Ratio of error to noise up to which an error is within the noise: both are estimates.
 const WITHIN_NOISE: f64 = 1.1;
 
-/// An error of all samples by that where the joint moves, from which on both are said.
+/// Ratio of the error over all samples to that where the joint moves, above which both are stated.
 const AT_REST: f64 = 1.3;
 
-/// Says where no one model holds on fitted and validating logs; empty where one does.
+/// A sentence on joints that no single model predicts on fitted and validating logs; empty without
+/// any.
 fn changed_between_logs(found: &Diagnosis) -> String {
     let joints: Vec<String> = found.changed.iter().map(usize::to_string).collect();
     if joints.is_empty() {
@@ -174,7 +175,7 @@ pub(super) fn place(c: &Cause) -> String {
     }
 }
 
-/// How a robot file carries a law that was found; empty where there is none.
+/// How a robot file contains a law that was found; `None` if the cause has no law.
 pub(super) fn for_the_file(c: &Cause) -> Option<String> {
     let (Some(law), [joint]) = (&c.law, &c.joints[..]) else { return None };
     Some(match c.in_extended {
@@ -187,7 +188,7 @@ pub(super) fn for_the_file(c: &Cause) -> Option<String> {
     })
 }
 
-/// The result for a terminal.
+/// The result for the terminal.
 pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
     let mut text = warnings.text();
     let _ = writeln!(text, "{}: {}", found.robot, found.verdict.word().replace('_', " "));

@@ -1,26 +1,25 @@
-//! Whether the robot file that a diagnosis writes is the model that it offers: both figures, in
-//! words and as JSON.
+//! Compares the written robot file with the offered model: both errors, in words and as JSON.
 
 use serde_json::{Value, json};
 
 use crate::diagnose::measured_on;
 use crate::report::parts::number::digits;
 
-/// Errors may differ by this share of the larger: the file's laws are evaluated sample by sample,
-/// those of the diagnosis over lines.
+/// Largest relative difference of the errors: the file's laws are evaluated sample by sample, those
+/// of the diagnosis interpolated linearly.
 const ALIKE: f64 = 0.01;
 
 /// Errors on the validating logs, per joint, N m.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WrittenCheck {
-    /// Of the written file, by its inverse dynamics; `None` where it has no links, or the torques are
-    /// those of its gears alone.
+    /// Errors of the written file, by its inverse dynamics; `None` if it has no links, or the
+    /// torques are those of its gears alone.
     pub rms: Option<Vec<f64>>,
     /// Whether the torques are those of its gears alone.
     pub transmission: bool,
-    /// Of the model that the diagnosis offers.
+    /// Errors of the offered model.
     pub offered: Vec<f64>,
-    /// Whether the validating data are logs of their own.
+    /// Whether the validating data are separate logs.
     pub own_validation: bool,
 }
 
@@ -31,7 +30,7 @@ impl WrittenCheck {
         self.rms.as_ref().map(|rms| [mean(rms), mean(&self.offered)])
     }
 
-    /// Difference of the two by the larger; 0 where the file can't be evaluated.
+    /// Difference of the two relative to the larger; 0 where the file cannot be evaluated.
     fn difference(&self) -> f64 {
         self.figures().map_or(0.0, |[is, offered]| {
             let larger = if is.is_nan() { is } else { is.max(offered) };
@@ -39,10 +38,10 @@ impl WrittenCheck {
         })
     }
 
-    /// Why the file is not the offered model, where it is not.
+    /// Error message if the file is not the offered model.
     pub fn refusal(&self, file: &str) -> Option<String> {
         let [is, offered] = self.figures()?;
-        // A figure that is no number is not alike either.
+        // NaN differs from any error.
         if self.difference().abs() <= ALIKE {
             return None;
         }

@@ -1,4 +1,4 @@
-//! `eval --json`.
+//! Report of `denavit eval` as JSON.
 
 use serde_json::{Value, json};
 

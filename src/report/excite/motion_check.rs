@@ -1,4 +1,4 @@
-//! The verdict on a written motion.
+//! Report on the check of a motion against limits.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use crate::excite::check::Verdict;
 use crate::report::Warnings;
 use crate::report::parts::number::{counted, figure};
 
-/// Checks that were skipped, or made against a limit that is not in the file.
+/// Checks that were skipped, or used a limit that is not in the file.
 fn warnings(verdict: &Verdict) -> Warnings {
     let mut warnings = Warnings::default();
     verdict.unchecked.iter().for_each(|line| warnings.push(format!("not checked: {line}")));
@@ -21,7 +21,7 @@ fn warnings(verdict: &Verdict) -> Warnings {
     warnings
 }
 
-/// As JSON.
+/// The check as JSON.
 pub fn motion_check_json(verdict: &Verdict) -> Value {
     json!({
         "feasible": verdict.feasible(),
@@ -38,7 +38,7 @@ fn finding(f: &crate::excite::check::Finding) -> Value {
     json!({"kind": f.kind, "who": f.who, "time": f.time, "value": f.value, "limit": f.limit, "broken": f.broken})
 }
 
-/// For people.
+/// The check as text.
 pub fn motion_check_text(verdict: &Verdict) -> String {
     let mut out = String::new();
     let broken = verdict.findings.iter().filter(|f| f.broken).count();

@@ -1,4 +1,4 @@
-//! An exciting motion as one page that needs no network: curves against limits, history, the moving
+//! An exciting motion as one self-contained HTML page: curves against limits, history, the moving
 //! arm, expected precision.
 
 use std::fmt::Write;
@@ -76,7 +76,7 @@ pub fn excite_html(outcome: &Outcome<'_>, provenance: &Provenance) -> String {
     page.html()
 }
 
-/// Curves at some hundred instants, positions of frames and spheres at fewer.
+/// Curves at some hundred instants; positions of frames and spheres at fewer.
 fn data(outcome: &Outcome<'_>) -> Value {
     let Outcome { task, found, .. } = *outcome;
     let duration = found.trajectory.duration();

@@ -1,4 +1,4 @@
-//! A motion as coefficients in a JSON file, written and read back.
+//! Motions as coefficients in a JSON file, written and read back.
 
 use serde_json::{Value, json};
 

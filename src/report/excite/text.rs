@@ -1,4 +1,4 @@
-//! An exciting motion for people, as JSON and as CSV.
+//! An exciting motion as text, JSON, CSV and ROS trajectory.
 
 use std::fmt::Write;
 
@@ -24,7 +24,7 @@ pub fn motion_csv(motion: &Trajectory, rate: f64) -> String {
     for (s, t) in times.iter().enumerate() {
         let _ = write!(out, "{t:.6}");
         for part in [&states.q, &states.dq, &states.ddq] {
-            // The digits that no derivative by differences can miss; `+ 0.0` turns -0 round.
+            // Enough digits for numerical differentiation; `+ 0.0` replaces -0 by 0.
             (0..n).for_each(|j| {
                 let _ = write!(out, ",{:.12}", part[j * times.len() + s] + 0.0);
             });
@@ -34,19 +34,20 @@ pub fn motion_csv(motion: &Trajectory, rate: f64) -> String {
     out
 }
 
-/// A designed motion, with what belongs to it.
+/// A designed motion with its context.
 pub struct Outcome<'a> {
-    /// The task.
+    /// The design task.
     pub task: &'a Task<'a>,
-    /// The motion.
+    /// The designed motion.
     pub found: &'a Design,
-    /// Its expected precision.
+    /// Expected precision of the parameters.
     pub expected: &'a [Expected],
-    /// Durations that were tried, s, and the largest relative standard deviation, percent.
+    /// Durations that were tried, s, with the largest relative standard deviation, percent; `None`
+    /// without a feasible motion.
     pub tried: &'a [(f64, Option<f64>)],
     /// Run time, s.
     pub seconds: f64,
-    /// Notes before the figures.
+    /// Warnings that precede the figures.
     pub warnings: &'a Warnings,
 }
 
@@ -78,7 +79,7 @@ pub fn joint_trajectory(motion: &Trajectory, names: &[String], rate: f64) -> Str
     out
 }
 
-/// The keys of docs/excite.md.
+/// The result with the keys of docs/excite.md.
 pub fn excite_json(outcome: &Outcome<'_>) -> Value {
     let Outcome { task, found, expected, tried, seconds, warnings } = *outcome;
     json!({
@@ -129,7 +130,7 @@ pub fn missing_text(missing: &[Missing]) -> Vec<String> {
     lines
 }
 
-/// A summary.
+/// Summary for the terminal.
 pub fn excite_text(outcome: &Outcome<'_>) -> String {
     let Outcome { task, found, expected, tried, seconds, warnings } = *outcome;
     let mut out = String::new();

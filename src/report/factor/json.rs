@@ -1,10 +1,10 @@
-//! `factor --json`: the rows without their factors.
+//! Rows of `denavit factor` as JSON, without their factors.
 
 use serde_json::{Value, json};
 
 use super::table::FactorRow;
 
-/// One recording. `bytes` is the length of its factor.
+/// One recording. `bytes` is the size of its factor.
 pub fn factor_json(row: &FactorRow) -> Value {
     json!({
         "robot": row.robot,

@@ -17,7 +17,7 @@ use ::parquet::{
 use crate::data::log::Severity;
 use crate::identify::FactoredRecording;
 
-/// Columns in their order. Those without a value are null.
+/// Columns in order. Missing values are null.
 const SCHEMA: &str = "message factors {
     REQUIRED BINARY robot (STRING);
     OPTIONAL INT32 day (DATE);
@@ -31,7 +31,7 @@ const SCHEMA: &str = "message factors {
     OPTIONAL BINARY why (STRING);
 }";
 
-/// Rows of a row group: some MB of factors.
+/// Rows per row group: some MB of factors.
 const GROUP: usize = 64;
 
 /// One recording.
@@ -39,28 +39,28 @@ const GROUP: usize = 64;
 pub struct FactorRow {
     /// Name of the robot.
     pub robot: String,
-    /// Days since 1970, UTC; `None` where the log's time is not that of a calendar.
+    /// Days since 1970, UTC; `None` if the log's time is not a calendar time.
     pub day: Option<i32>,
-    /// Path.
+    /// Path of the log.
     pub file: String,
-    /// SHA-256 of the file; `None` where it can't be read to its end.
+    /// SHA-256 of the file; `None` if it cannot be read to its end.
     pub sha256: Option<String>,
-    /// Samples of the motion.
+    /// Number of samples of the motion.
     pub samples: usize,
     /// Seconds of motion.
     pub seconds: f64,
-    /// What the quality check says.
+    /// Verdict of the quality check.
     pub verdict: &'static str,
-    /// Mean over joints and samples, deg C.
+    /// Mean temperature over joints and samples, deg C.
     pub temperature: Option<f64>,
-    /// The factor's bytes.
+    /// The factor as bytes.
     pub factor: Option<Vec<u8>>,
-    /// Why there is no factor.
+    /// Reason why there is no factor.
     pub why: Option<String>,
 }
 
 impl FactorRow {
-    /// A recording of the robot of this name.
+    /// The row of a factored recording of this robot.
     pub fn of(robot: &str, file: &str, sha256: String, found: FactoredRecording) -> Self {
         let warns = found.findings.iter().any(|finding| finding.severity != Severity::Note);
         Self {
@@ -77,29 +77,29 @@ impl FactorRow {
         }
     }
 
-    /// One that can't be used, with the reason.
+    /// The row of an unusable recording, with the reason.
     pub fn without(robot: &str, file: &str, sha256: Option<String>, why: String) -> Self {
         let (robot, file) = (robot.into(), file.into());
         Self { robot, file, sha256, verdict: "refused", why: Some(why), ..Self::default() }
     }
 }
 
-/// Why rows can't be written.
+/// Error while writing the table.
 #[derive(Debug, thiserror::Error)]
 #[error("the table of factors can't be written: {0}")]
 pub struct FactorTableError(#[from] ParquetError);
 
-/// Writes rows as they come.
+/// Writes rows to a Parquet file, grouped in row groups.
 pub struct FactorTable<W: std::io::Write + Send> {
     writer: SerializedFileWriter<W>,
     group: Vec<FactorRow>,
 }
 
 impl<W: std::io::Write + Send> FactorTable<W> {
-    /// Begins the file, with names and values for its key-value metadata.
+    /// Starts the file, with names and values for its key-value metadata.
     ///
     /// # Errors
-    /// What the target says.
+    /// Errors of the target.
     pub fn new(out: W, provenance: &super::super::Provenance) -> Result<Self, FactorTableError> {
         let metadata = provenance.iter().map(|(name, value)| KeyValue::new(name.clone(), value.clone())).collect();
         let properties = WriterProperties::builder()
@@ -114,16 +114,16 @@ impl<W: std::io::Write + Send> FactorTable<W> {
     /// Adds a row.
     ///
     /// # Errors
-    /// What the target says.
+    /// Errors of the target.
     pub fn row(&mut self, row: FactorRow) -> Result<(), FactorTableError> {
         self.group.push(row);
         if self.group.len() >= GROUP { self.write_group() } else { Ok(()) }
     }
 
-    /// Writes what is still held, and the end of the file.
+    /// Writes the pending rows and the end of the file.
     ///
     /// # Errors
-    /// What the target says.
+    /// Errors of the target.
     pub fn finish(mut self) -> Result<(), FactorTableError> {
         if !self.group.is_empty() {
             self.write_group()?;

@@ -1,9 +1,9 @@
-//! `factor` for the terminal.
+//! Report of `denavit factor` as text.
 
 use super::table::FactorRow;
 use crate::report::parts::number::figure;
 
-/// A line on a recording.
+/// One line per recording.
 pub fn factor_text(row: &FactorRow) -> String {
     match (&row.factor, &row.why) {
         (Some(factor), _) => format!(
@@ -18,7 +18,7 @@ pub fn factor_text(row: &FactorRow) -> String {
     }
 }
 
-/// The last line.
+/// Summary line.
 pub fn factor_verdict(recordings: usize, without: usize, seconds: f64) -> String {
     let plural = if recordings == 1 { "" } else { "s" };
     let motion = figure(seconds);

@@ -1,4 +1,4 @@
-//! `force --json`, and the uncertainty out of `identify --json`.
+//! Report of `denavit force` as JSON, and the uncertainty read from `identify --json`.
 
 use nalgebra::DMatrix;
 use serde_json::{Value, json};
@@ -10,7 +10,7 @@ use crate::report::Provenance;
 use crate::report::force::text::{Forces, verdict, warnings};
 use crate::report::parts::fields::{FieldError, rule};
 
-/// The result as one JSON object; wrenches sample by sample stand in the CSV.
+/// The result as one JSON object; wrenches per sample are in the CSV.
 pub fn force_json(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Provenance) -> Value {
     let compared = |all: &[Comparison; 6]| -> Value {
         let one = |(i, c): (usize, &Comparison)| {
@@ -72,7 +72,7 @@ pub fn force_json(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
     })
 }
 
-/// A verdict on the bands.
+/// Verdict on the bands.
 fn judged(v: &Verdict) -> Value {
     let (bands, widen, probability, joint) = match v {
         Verdict::Hold { probability } => ("hold", None, Some(*probability), None),
@@ -83,7 +83,7 @@ fn judged(v: &Verdict) -> Value {
     json!({ "bands": bands, "widen": widen, "probability": probability, "joint": joint, "sentence": verdict(v) })
 }
 
-/// Explanation of the names, for readers of this file alone.
+/// Explanation of the keys, so that the file is self-explanatory.
 fn meaning() -> Value {
     json!({
         "wrench": "of the surroundings on the tool, about the origin of the tool's frame, in its axes; what the tool does to them has the other sign",
@@ -109,18 +109,18 @@ fn meaning() -> Value {
     })
 }
 
-/// Standard deviations below this have squares that are numbers, and no body or drive has larger
-/// ones.
+/// Upper limit of a standard deviation: its square remains finite, and no body or drive has a
+/// larger one.
 const MOST: f64 = 1e12;
-/// Rounding of a correlation.
+/// Rounding error of a correlation.
 const ROUNDING: f64 = 1e-6;
 
 /// Reads standard deviations, correlations and noise of `identify --json` for an arm with these
-/// base parameters. Parameters that the identification does not have (a robot file that was
-/// extended since has more friction) are taken to be exact, and named as such.
+/// base parameters. Parameters missing in the identification are taken as exact and listed as open.
+/// A robot file that was extended since has more friction, for example.
 ///
 /// # Errors
-/// What is missing, in words.
+/// The missing or invalid key, in words.
 pub fn uncertainty_of_json(json: &Value, base: &[BaseParameter], dof: usize) -> Result<Uncertainty, FieldError> {
     let parameters = json["parameters"].as_array().ok_or(FieldError::Absent("parameters"))?;
     let names: Vec<&str> = parameters.iter().filter_map(|p| p["name"].as_str()).collect();
@@ -170,9 +170,9 @@ pub fn uncertainty_of_json(json: &Value, base: &[BaseParameter], dof: usize) -> 
     })
 }
 
-/// Refuses what is no covariance: deviations from 0, correlations from -1 to 1, symmetric, and no
-/// sum of parameters with a negative variance. `null` stands for a deviation of a parameter that the
-/// data don't determine; it goes with no other.
+/// Checks that this is a covariance: deviations from 0, correlations from -1 to 1, symmetric, and
+/// no sum of parameters with a negative variance. A `null` deviation marks a parameter that the
+/// data do not determine; its correlations are not checked.
 fn deviations_and_correlations(
     parameters: &[Value],
     names: &[&str],
@@ -188,7 +188,7 @@ fn deviations_and_correlations(
     for &i in &told {
         for &k in &told {
             let (here, there) = (correlation[i][k], correlation[k][i]);
-            // A NaN is in no range.
+            // NaN lies in no range.
             let what = if !(-1.0 - ROUNDING..=1.0 + ROUNDING).contains(&here) {
                 "from -1 to 1"
             } else if i == k && here < 1.0 - ROUNDING {
@@ -244,7 +244,7 @@ mod tests {
         let both = |json: &mut Value, i: usize, k: usize, r: Value| {
             (json["correlation"][i][k], json["correlation"][k][i]) = (r.clone(), r);
         };
-        // Not determined by the data: it goes with no other.
+        // Not determined by the data: no correlation with others.
         let open = said(|json| {
             json["parameters"][1]["std"] = Value::Null;
             both(json, 0, 1, Value::Null);

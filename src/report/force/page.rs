@@ -1,4 +1,4 @@
-//! The wrench on the tool as one page that needs no network: six components with their bands.
+//! The wrench on the tool as one self-contained HTML page: six components with their bands.
 
 use std::fmt::Write;
 
@@ -12,7 +12,7 @@ use crate::report::identify::page::notes;
 use crate::report::parts::number::digits;
 use crate::report::parts::page::{Page, escape};
 
-/// Points that a curve has at most.
+/// Maximum number of points of a curve.
 const POINTS: usize = 900;
 
 /// The page.
@@ -75,7 +75,7 @@ pub fn force_html(outcome: &Forces<'_>, prepared: &[Prepared], provenance: &Prov
     .html()
 }
 
-/// Data of a log's plots, thinned: mean of each stretch, its largest half-width of the band.
+/// Data of a log's plots, thinned: mean of each stretch, and its largest half-width of the band.
 fn numbers(series: &Series) -> Value {
     let chunk = series.time.len().div_ceil(POINTS).max(1);
     let row = |from: usize| {
@@ -103,8 +103,8 @@ fn numbers(series: &Series) -> Value {
     json!({ "header": header, "rows": (0..series.time.len()).step_by(chunk).map(row).collect::<Vec<_>>() })
 }
 
-/// Half the height of a panel for values of these ascending sizes, and words where it cuts some: a
-/// short peak of more than twice the rest would flatten it.
+/// Half the height of a panel for values with these ascending magnitudes, and a note if it cuts
+/// some. A short peak of more than twice the rest would flatten the curve.
 fn scale(sizes: &[f64]) -> (f64, String) {
     let (usual, largest) = (sizes[(sizes.len() - 1) * 98 / 100], sizes[sizes.len() - 1]);
     if largest > 2.0 * usual.max(1e-6) {
@@ -113,8 +113,8 @@ fn scale(sizes: &[f64]) -> (f64, String) {
     ((1.08 * largest).max(1e-6), String::new())
 }
 
-/// One component over time: band, measured, estimated. Thinned to the outermost values of each
-/// stretch.
+/// Plot of one component over time: band, measured, estimated. Thinned to the extreme values of
+/// each stretch.
 fn component(body: &mut String, series: &Series, i: usize) {
     const W: f64 = 560.0;
     const H: f64 = 210.0;
@@ -123,7 +123,7 @@ fn component(body: &mut String, series: &Series, i: usize) {
     if len == 0 {
         return;
     }
-    // Segments stand end to end: each may have its own clock.
+    // Segments are joined end to end, since each may have its own clock.
     let mut clock = vec![0.0; len];
     for s in 1..len {
         let step = series.time[s] - series.time[s - 1];

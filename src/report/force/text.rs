@@ -1,4 +1,4 @@
-//! The wrench on the tool in a few lines.
+//! The wrench on the tool as text.
 
 use std::fmt::Write;
 
@@ -7,31 +7,31 @@ use crate::data::signal::Prepared;
 use crate::report::Warnings;
 use crate::report::parts::number::{digits, pad};
 
-/// Estimated quantities, and the uncertainty of the model.
+/// Estimated wrenches, and the uncertainty of the model.
 pub struct Forces<'a> {
     /// The robot's name.
     pub robot: &'a str,
-    /// One per log.
+    /// Estimated wrench of each log.
     pub found: &'a [Series],
-    /// Sources of the bands.
+    /// Uncertainty from which the bands are computed.
     pub uncertainty: &'a Uncertainty,
-    /// Its source, in words.
+    /// Source of the uncertainty, in words.
     pub known_from: &'a str,
 }
 
 impl Forces<'_> {
-    /// Whether the noise was taken from what is to be judged with it.
+    /// Whether the noise was estimated from the samples that it would judge.
     pub(in crate::report) fn circular(&self) -> bool {
         self.uncertainty.source == NoiseSource::Free
     }
 
-    /// Of the log that fares worst.
+    /// Verdict of the log with the worst one.
     pub(in crate::report) fn verdict(&self) -> Option<&Verdict> {
         Verdict::worst(self.found.iter().map(|s| &s.verdict))
     }
 }
 
-/// Notes before the figures, the same in text, JSON and page.
+/// Warnings that precede the figures, the same in text, JSON and page.
 pub(in crate::report) fn warnings(outcome: &Forces<'_>, prepared: &[Prepared]) -> Warnings {
     let mut warnings = Warnings::default();
     for series in outcome.found.iter().filter(|s| s.verdict.is_too_wrong() || s.verdict.is_doubtful()) {
@@ -86,7 +86,7 @@ pub fn force_text(outcome: &Forces<'_>, prepared: &[Prepared]) -> String {
     text
 }
 
-/// Available comparisons.
+/// Available comparisons: against the sensor, against zero, or else the estimate itself.
 pub(in crate::report) fn tables(series: &Series) -> Vec<(String, [Comparison; 6])> {
     let mut all = Vec::new();
     if let Some(rows) = series.against_measured() {
@@ -108,7 +108,7 @@ pub(in crate::report) fn tables(series: &Series) -> Vec<(String, [Comparison; 6]
 
 pub(in crate::report) const HEAD: [&str; 7] = ["", "RMS", "mean", "largest", "band +-", "inside %", "observable %"];
 
-/// Of one component.
+/// Table cells of one component.
 pub(in crate::report) fn cells(i: usize, c: &Comparison) -> [String; 7] {
     let unit = if i < 3 { "N" } else { "N m" };
     let none = || "–".to_string();

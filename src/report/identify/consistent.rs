@@ -1,4 +1,4 @@
-//! Possible bodies: what they cost, as text and as JSON.
+//! Report on physically possible bodies: their cost, as text and as JSON.
 
 use std::fmt::Write;
 
@@ -19,15 +19,15 @@ const COUPLING: &str = GearCoupling::NAME;
 /// Result of the search for possible bodies.
 #[derive(Debug, Clone)]
 pub struct Possible<'a> {
-    /// The bodies, or why there are none.
+    /// The bodies, or the reason why there are none.
     pub result: Result<&'a Consistent, &'a ConsistentError>,
-    /// Whether the robot file's values are theirs (`None`: none was written).
+    /// Whether the robot file contains their values (`None` if none was written).
     pub written: Option<bool>,
-    /// Whether what was written are bodies with exactly the plain solution's base parameters: it is
-    /// possible itself.
+    /// Whether the written bodies have exactly the plain solution's base parameters, because that
+    /// is possible itself.
     pub plain: bool,
-    /// If the validating logs prefer the plain solution: verdict of parts of the fitted logs that
-    /// were left out in turn.
+    /// If the validating logs prefer the plain solution: comparison on parts of the fitted logs
+    /// that were left out in turn.
     pub left_out: Option<&'a Result<Preference, LeftOutError>>,
 }
 
@@ -94,7 +94,7 @@ pub fn consistent_json(possible: &Possible<'_>) -> Value {
     })
 }
 
-/// Cost of possibility and prior.
+/// Cost of physical consistency and of the prior, in a sentence.
 pub(in crate::report) fn paid(c: &Consistent) -> String {
     format!(
         "To be possible, links pay {} % of the fit's weighted residual, {} than noise explains; with the prior (weight {}) {} %. Together they weigh {} kg.",
@@ -106,7 +106,7 @@ pub(in crate::report) fn paid(c: &Consistent) -> String {
     )
 }
 
-/// The bodies' error beside the plain fit's: `9.7 % larger (95 %: +2.1 to +18 %)`.
+/// The bodies' error relative to the plain fit's: `9.7 % larger (95 %: +2.1 to +18 %)`.
 fn beside(p: &Preference) -> String {
     let [low, high] = p.interval;
     let word = if p.percent < 0.0 { "smaller" } else { "larger" };
@@ -118,8 +118,8 @@ fn signed(x: f64) -> String {
     if size == "0.00" { size } else { format!("{}{size}", if x < 0.0 { "-" } else { "+" }) }
 }
 
-/// The parameters in which the plain solution is furthest from the bodies, in its own standard
-/// deviations: `XY7 = 0.366 ± 0.081 (bodies: 0)`.
+/// The three parameters in which the plain solution is furthest from the bodies, in its own
+/// standard deviations: `XY7 = 0.366 ± 0.081 (bodies: 0)`.
 fn furthest(found: &Identification, c: &Consistent) -> String {
     let mut all: Vec<_> =
         found.parameters.iter().zip(&c.base).filter(|(p, _)| p.standing == Standing::Identified).collect();
@@ -134,7 +134,7 @@ fn furthest(found: &Identification, c: &Consistent) -> String {
     all.iter().take(3).map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// Whether bodies or the plain solution predict the validating logs better, and what it means.
+/// Whether bodies or the plain solution predict the validating logs better, and the consequence.
 pub(in crate::report) fn preferred(found: &Identification, c: &Consistent, possible: &Possible<'_>) -> Option<String> {
     let against = c.against_plain.as_ref()?;
     let error =
@@ -165,7 +165,7 @@ pub(in crate::report) fn preferred(found: &Identification, c: &Consistent, possi
     })
 }
 
-/// A section for the terminal.
+/// Section for the terminal.
 pub fn consistent_text(found: &Identification, possible: &Possible<'_>) -> String {
     let mut out = String::from("\nPossible bodies\n");
     let c = match possible.result {
@@ -238,7 +238,7 @@ pub fn extrapolation_json(carry: &Extrapolation) -> Value {
     json!({ "torque_std": carry.torque_std, "ratio": carry.ratio, "doubtful_joints": carry.doubtful() })
 }
 
-/// Notes that a reader of an identification needs first.
+/// Warnings that precede the figures of an identification.
 pub fn identify_warnings(
     found: &Identification,
     logs: &[Prepared],
@@ -247,7 +247,7 @@ pub fn identify_warnings(
 ) -> Warnings {
     let mut warnings = Warnings::default();
     let underdetermined = underdetermined_text(found);
-    // The accuracy elsewhere needs standard deviations, which too few equations do not give.
+    // The predicted accuracy needs standard deviations, which too few equations do not give.
     let fitted = underdetermined.is_none();
     if let Some(text) = underdetermined {
         warnings.push(text);
@@ -263,7 +263,7 @@ pub fn identify_warnings(
     warnings
 }
 
-/// Effect of drives held at zero on the written plain values.
+/// Effect of drive parameters held at their bound on the written plain values.
 pub fn held_text(bounded: &Nonnegative, fit: &[Factors], validate: &[Factors]) -> String {
     let error = |logs: &[Factors]| {
         let all: Vec<&Factors> = logs.iter().collect();
@@ -278,8 +278,8 @@ pub fn held_text(bounded: &Nonnegative, fit: &[Factors], validate: &[Factors]) -
     )
 }
 
-/// Rotor inertias and friction levels that possible bodies hold at their bound of zero, as the
-/// plain fit has them below.
+/// Rotor inertias and friction levels that possible bodies hold at their bound of zero because the
+/// plain fit makes them negative.
 fn at_zero(found: &Identification) -> Option<String> {
     let one = |p: &crate::identify::Estimate| format!("{} (plain: {} ± {})", p.name, figure(p.value), figure(p.std));
     let names: Vec<String> =
@@ -287,7 +287,7 @@ fn at_zero(found: &Identification) -> Option<String> {
     (!names.is_empty()).then(|| format!("At their bound of 0: {}.", names.join(", ")))
 }
 
-/// The verdict on data that determine nothing, and what to do.
+/// A warning if the data do not determine the parameters, with advice.
 fn underdetermined_text(found: &Identification) -> Option<String> {
     let why = match found.underdetermined()? {
         Underdetermined::Equations { samples, independent, unknowns } => format!(
@@ -303,7 +303,7 @@ fn underdetermined_text(found: &Identification) -> Option<String> {
     ))
 }
 
-/// Expected accuracy of the plain fit elsewhere; nothing if it suffices.
+/// A warning if the plain fit does not carry over to other motions; `None` otherwise.
 fn extrapolation_text(found: &Identification, carry: &Extrapolation) -> Option<String> {
     let doubtful = carry.doubtful();
     if doubtful.is_empty() {
@@ -326,8 +326,8 @@ fn extrapolation_text(found: &Identification, carry: &Extrapolation) -> Option<S
         .filter(|p| p.relative_std_percent().is_nan() || p.relative_std_percent() >= 50.0)
         .map(|p| p.name.as_str())
         .collect();
-    // On measured logs: beyond three residuals two joints of three are wrong elsewhere by more than
-    // twice the fit's residual, below three two of five (docs/consistency.md).
+    // From measured logs: beyond three residuals, two joints of three are wrong elsewhere by more
+    // than twice the fit's residual, below three two of five (docs/consistency.md).
     let surely = doubtful.iter().any(|&j| carry.ratio[j - 1] > 3.0);
     Some(format!(
         "this fit {} carry over to other motions. All over the arm's range its torques are uncertain by more than its residual: {}. \

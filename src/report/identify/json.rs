@@ -1,4 +1,4 @@
-//! The keys of the JSON of `denavit identify`. A number that does not exist is `null`.
+//! Report of `denavit identify` as JSON. A number that does not exist is `null`.
 
 use serde_json::{Map, Value, json};
 

@@ -1,9 +1,8 @@
-//! The result as one page that needs no network.
+//! The identification as one self-contained HTML page.
 //!
-//! Curves are drawn as SVG by some 150 lines of script of our own (`parts/curves.js`), not by a
-//! plotting library. The page stays at some hundred kB instead of 4 MB, prints as vectors, and the
-//! library's hundred features are not missed. Curves come thinned to least and largest value per
-//! stretch, so that a spike stays a spike.
+//! Curves are drawn as SVG by some 150 lines of script (`parts/curves.js`) instead of a plotting
+//! library. The page stays at some hundred kB instead of 4 MB, and prints as vectors. Curves are
+//! thinned to the least and largest value per stretch, so that spikes remain visible.
 
 use std::fmt::Write;
 
@@ -20,7 +19,7 @@ use crate::report::parts::budget;
 use crate::report::parts::number::{figure, percent};
 use crate::report::parts::page::{Page, escape};
 
-/// The page; `links` as they go with the parameters, where that was asked.
+/// The page. `links`: the bodies with these parameters, if requested.
 pub fn identify_html(
     found: &Identification,
     logs: &[Prepared],
@@ -80,7 +79,7 @@ pub fn identify_html(
     page.html()
 }
 
-/// Notes on the logs; warnings stand at the top.
+/// Section of notes on the logs; warnings are at the top of the page.
 pub(in crate::report) fn notes(body: &mut String, logs: &[Prepared]) {
     let notes: Vec<(&str, &Finding)> = logs
         .iter()
@@ -216,8 +215,8 @@ fn foot(body: &mut String, found: &Identification, provenance: &Provenance) {
     body.push_str("</dl></section>\n");
 }
 
-/// Curves as integers in steps of 1/4000 of their joint's range, each as the difference to the one
-/// before: small, and finer than any screen.
+/// Curves as integers in steps of 1/4000 of their joint's range, finer than any screen, stored as
+/// differences, which are short.
 pub(in crate::report) fn curves(trace: &Trace) -> Value {
     let thick = trace.thinning > 1;
     let joints: Vec<Value> = trace

@@ -1,4 +1,4 @@
-//! The result as tables for a terminal.
+//! The identification as tables for the terminal.
 
 use std::fmt::Write;
 
@@ -62,7 +62,7 @@ pub fn identify_verdict(found: &Identification) -> String {
     text
 }
 
-/// Each log, and what is worth knowing of it; warnings stand elsewhere.
+/// Each log with its notes; warnings are printed elsewhere.
 pub(in crate::report) fn logs_text(logs: &[Prepared]) -> String {
     let mut out = String::new();
     for log in logs {
@@ -141,7 +141,7 @@ fn share(of_torque: f64) -> String {
     if of_torque.is_finite() { format!("({} %)", percent(of_torque)) } else { String::new() }
 }
 
-/// One row per joint.
+/// Torque errors, one row per joint.
 fn torque_table(found: &Identification) -> String {
     let mut head = vec!["joint".to_string(), "torque".into(), "fit".into(), "".into()];
     let mut columns: Vec<&Accuracy> = vec![&found.fit];
@@ -182,8 +182,8 @@ fn parameter_table(found: &Identification) -> String {
     table(&rows, 5)
 }
 
-/// Columns as wide as their widest cell; numbers to the right, the first column and those from
-/// `words` on (if not 0) to the left.
+/// A table with columns as wide as their widest cell. Numbers are right-aligned; the first column
+/// and those from `words` on (if not 0) are left-aligned.
 fn table(rows: &[Vec<String>], words: usize) -> String {
     let columns = rows.iter().map(Vec::len).max().unwrap_or(0);
     let width = |c: usize| rows.iter().filter_map(|r| r.get(c)).map(|s| s.chars().count()).max().unwrap_or(0);

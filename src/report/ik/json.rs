@@ -1,4 +1,4 @@
-//! `ik --json`.
+//! Report of `denavit ik` as JSON.
 
 use dh_codegen::arm::Inverse;
 use dh_codegen::ik::{Family, Status};
@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use crate::model::inverse_kinematics::{Answer, LockedRange, SwivelRange};
 
-/// The status in the JSON.
+/// Name of the status in the JSON.
 pub(in crate::report) fn status(status: Status) -> &'static str {
     match status {
         Status::Ok => "ok",
@@ -15,7 +15,7 @@ pub(in crate::report) fn status(status: Status) -> &'static str {
     }
 }
 
-/// Without limits there is no margin: null, and not an infinity that JSON does not have.
+/// Distance from the limits; null without limits, since JSON has no infinity.
 fn margin(margin: f64) -> Value {
     if margin.is_finite() { json!(margin) } else { Value::Null }
 }
@@ -30,7 +30,7 @@ fn locked(r: &LockedRange) -> Value {
     json!({ "intervals": r.intervals, "best": best })
 }
 
-/// How postures are found.
+/// Name of the solution method.
 fn method(inverse: &Inverse) -> &'static str {
     match (&inverse.family, inverse.exact) {
         (Family::Numerical, _) => "numerical search",
@@ -65,12 +65,12 @@ pub fn ik_json(name: &str, inverse: &Inverse, redundant: bool, poses: &[Answer])
         let mut v = json!({ "status": status(p.status), "solutions": solutions });
         if p.status == Status::Unreachable {
             v["distance"] = json!({ "position": p.distance[0], "rotation": p.distance[1] });
-            // Only a solver of the arm itself proves that there is none.
+            // Only an exact solver proves that there is no posture.
             v["not_found"] = json!(!inverse.exact || p.uncertain);
         }
         if redundant {
             v["swivel"] = json!(p.redundancy);
-            // What is given is no swivel angle but the position of this joint.
+            // The parameter is not a swivel angle but the position of this joint.
             if let Some(joint) = inverse.family.locked() {
                 v["locked_joint"] = json!(joint + 1);
             }
@@ -81,7 +81,7 @@ pub fn ik_json(name: &str, inverse: &Inverse, redundant: bool, poses: &[Answer])
         if let (Some(ranges), true) = (&answer.swivel, p.status != Status::Unreachable) {
             v["swivel_intervals"] = ranges.iter().map(range).collect();
         }
-        // Where the pose is out of reach at this position of the joint, it may be reached at others.
+        // Other positions of the joint may reach a pose that this one does not.
         if let Some(ranges) = &answer.locked {
             v["locked_intervals"] = locked(ranges);
         }

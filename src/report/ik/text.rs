@@ -1,4 +1,4 @@
-//! `ik` for people.
+//! Report of `denavit ik` as text.
 
 use core::fmt::Write;
 
@@ -7,7 +7,7 @@ use dh_codegen::ik::{Family, Status};
 
 use crate::model::inverse_kinematics::{Answer, LockedRange, SwivelRange};
 
-/// A larger pose error than this is no rounding, m and rad.
+/// Pose error, m and rad, above which it is more than rounding.
 const SHOWN: f64 = 1e-9;
 
 /// A table of postures for each pose.
@@ -20,7 +20,7 @@ pub fn ik_text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
             Status::Unreachable => {
                 let [p, r] = pose.distance;
                 let word = if inverse.exact && !pose.uncertain { "unreachable" } else { "not found" };
-                // Rounded in its file, and the arm has too few joints to follow.
+                // Rounded in its file, and the arm has too few joints to reach it.
                 let mend = if p.max(r) < 1e-4 { "; a larger --tolerance would take it" } else { "" };
                 writeln!(t, "\npose {}: {word}, by {p:.3e} m and {r:.3e} rad at the nearest posture found{mend}", k + 1)
             }
@@ -64,7 +64,7 @@ pub fn ik_text(name: &str, inverse: &Inverse, poses: &[Answer]) -> String {
     t
 }
 
-/// Positions of the locked joint.
+/// Positions of the locked joint within the limits.
 fn locked(t: &mut String, joint: usize, range: &LockedRange) {
     if range.intervals.is_empty() {
         let _ = writeln!(t, "  at no position of q{joint} that was looked at a posture respects the limits");
@@ -78,7 +78,7 @@ fn locked(t: &mut String, joint: usize, range: &LockedRange) {
     let _ = writeln!(t, "  positions of q{joint} at which a posture respects the limits: {}{best}", all.join(" "));
 }
 
-/// Intervals of the swivel angle.
+/// Intervals of the swivel angle within the limits.
 fn swivel(t: &mut String, inverse: &Inverse, ranges: &[SwivelRange]) {
     let whose = if inverse.exact { "" } else { " of the nominal arm" };
     if ranges.iter().all(|r| r.intervals.is_empty()) {

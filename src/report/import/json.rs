@@ -1,4 +1,4 @@
-//! `import --json`.
+//! Report of `denavit import` as JSON.
 
 use dh_codegen::robot::effects::{CoulombFriction, ViscousFriction};
 use serde_json::{Map, Value, json};

@@ -1,4 +1,4 @@
-//! `import` for people.
+//! Report of `denavit import` as text.
 
 use core::fmt::Write;
 
@@ -6,7 +6,7 @@ use crate::exchange::import::{REQUIRED, STATES};
 use crate::exchange::{Imported, Neighbours};
 use crate::report::parts::number::counted;
 
-/// Result of the import, its accuracy, and the open values.
+/// Result of the import, its accuracy, and unknown values.
 pub fn import_text(made: &Imported) -> String {
     let robot = &made.robot;
     let mut t = format!(
@@ -58,7 +58,7 @@ pub fn import_text(made: &Imported) -> String {
     t
 }
 
-/// Why the result is farther from the source than rounding, where it is.
+/// Reason why the result differs from the source by more than rounding; `None` otherwise.
 pub fn import_reason(made: &Imported) -> Option<String> {
     if made.error.position <= REQUIRED && made.error.rotation <= REQUIRED {
         return None;

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::data::log::{ChannelSummary, Proposal};
 
-/// `channels` and `mapping`.
+/// The keys `channels` and `mapping`.
 pub fn inspect_json(channels: &[ChannelSummary], proposal: &Proposal) -> Value {
     let channels: Vec<Value> = channels
         .iter()

@@ -1,4 +1,4 @@
-//! Channels of a recording and the proposed mapping, for people.
+//! Channels of a recording and the proposed mapping, as text.
 
 use core::fmt::Write;
 
@@ -64,7 +64,7 @@ fn remarks(channel: &ChannelSummary) -> String {
     remarks.join(", ")
 }
 
-/// The mapping as `--map` reads it.
+/// The mapping in the format of `--map`.
 pub fn mapping_yaml(proposal: &Proposal, file: &str) -> String {
     let mut t = format!("# Mapping of the channels of {}.\ncolumns:\n", file.replace(|c: char| c.is_control(), " "));
     for ((column, channel), reason) in proposal.mapping.columns.iter().zip(&proposal.reasons) {
@@ -81,14 +81,14 @@ fn entry(channel: &Channel) -> String {
     text
 }
 
-/// A YAML scalar: plain for letters and digits, else in double quotes.
+/// A YAML scalar: plain for letters and digits, otherwise in double quotes.
 fn quoted(text: &str) -> String {
     let plain = !text.is_empty() && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     // JSON strings are YAML strings.
     if plain && text != "y" && text != "n" { text.into() } else { serde_json::Value::from(text).to_string() }
 }
 
-/// The written file.
+/// Summary of the written file.
 pub fn converted_text(file: &str, log: &Passed, out: &str) -> String {
     let quantities: Vec<&str> =
         Quantity::ALL.iter().filter(|(q, _)| log.layout.has(*q)).map(|(_, prefix)| *prefix).collect();

@@ -1,4 +1,4 @@
-//! A painting motion as one page that needs no network: the wall, the path, the moving arm, joints
+//! A painting motion as one self-contained HTML page: the wall, the path, the moving arm, joints
 //! against their limits.
 
 use std::fmt::Write;
@@ -102,7 +102,7 @@ pub fn paint_html(planned: &Planned<'_>, provenance: &Provenance) -> String {
     page.html()
 }
 
-/// Input of the scripts: the keys of the excitation's page, then the wall.
+/// Data of the scripts: the keys of the excitation's page, followed by the wall.
 fn data(planned: &Planned<'_>, cover: &Coverage) -> Value {
     let Planned { task, plan, .. } = *planned;
     let (n, duration) = (task.dof(), plan.duration());
@@ -161,7 +161,7 @@ fn figures(planned: &Planned<'_>) -> Vec<Value> {
         .iter()
         .enumerate()
         .map(|(s, m)| {
-            // The roller: both ends, then its middle, whose path is drawn.
+            // Roller: both ends, then its middle, whose path is drawn.
             let end = |side: f64| (0..3).map(move |i| m.point[i] + side * plan.roller.width * across[i]);
             let roller = m.point.into_iter().chain(end(0.5)).chain(end(-0.5)).chain(m.point).map(|x| short(x, 3));
             let points: Vec<f64> = figures.joints(s).into_iter().chain(roller).collect();
@@ -170,7 +170,7 @@ fn figures(planned: &Planned<'_>) -> Vec<Value> {
         .collect()
 }
 
-/// The wall's edge in space.
+/// Outline of the wall in space.
 fn outline(planned: &Planned<'_>) -> Vec<[f64; 3]> {
     let surface = &planned.plan.surface;
     let ([left, right], [low, high]) = (surface.sides(), surface.ends());
@@ -178,7 +178,7 @@ fn outline(planned: &Planned<'_>) -> Vec<[f64; 3]> {
     corners.iter().map(|&[y, z]| surface.point([y, z, 0.0])).collect()
 }
 
-/// Runs of cells alike: row, first, count, passes, rows; equal rows are joined.
+/// Run-length encoding of the cells: row, first, count, passes, rows; equal rows are merged.
 fn runs(cover: &Coverage) -> Vec<[usize; 5]> {
     let [across, along] = cover.cells;
     let row = |k: usize| -> Vec<[usize; 3]> {

@@ -13,7 +13,7 @@ pub(in crate::report) fn status(run: &Run) -> String {
     words(run.status)
 }
 
-/// How it ended, as the end of a sentence.
+/// Outcome of the run, as the end of a sentence.
 pub fn paint_run_ended(run: &Run) -> String {
     status(run)
 }
@@ -49,11 +49,11 @@ fn reason(fault: Fault) -> &'static str {
     }
 }
 
-/// Said where no force could be compared.
+/// Note if no force could be compared.
 pub(in crate::report) const NOT_COMPARED: &str =
     "It did not press within the plan, so that no force can be compared with the desired one.";
 
-/// Gain margin, dB, in words where there is none.
+/// Gain margin, dB, or a phrase if it is infinite.
 pub(in crate::report) fn gain_margin(decibels: f64) -> String {
     match decibels.is_finite() {
         true => format!("gain margin {} dB", digits(decibels, 3)),
@@ -61,7 +61,7 @@ pub(in crate::report) fn gain_margin(decibels: f64) -> String {
     }
 }
 
-/// Root mean square differences, N.
+/// Root mean square differences of the forces, N.
 pub(in crate::report) fn differences(run: &Run) -> [(&'static str, f64); 3] {
     let a = &run.accuracy;
     [
@@ -71,7 +71,7 @@ pub(in crate::report) fn differences(run: &Run) -> [(&'static str, f64); 3] {
     ]
 }
 
-/// Some lines.
+/// Summary for the terminal.
 pub fn paint_run_text(painted: &Painted<'_>) -> String {
     let Painted { run, force, coats, warnings, .. } = *painted;
     let mut text = format!("{}; {} s without pressing\n\n", status(run), digits(run.off, 3));
@@ -105,7 +105,7 @@ pub fn paint_run_text(painted: &Painted<'_>) -> String {
     text + &warnings.text()
 }
 
-/// The same.
+/// The run as JSON.
 pub fn paint_run_json(painted: &Painted<'_>) -> Value {
     let Painted { run, force, coats, warnings, .. } = *painted;
     let a = &run.accuracy;

@@ -1,4 +1,4 @@
-//! A run against the wall as one page that needs no network.
+//! A run against the wall as one self-contained HTML page.
 
 use std::fmt::Write;
 
@@ -13,21 +13,21 @@ use crate::report::paint::trace;
 use crate::report::parts::number::digits;
 use crate::report::parts::page::{Page, escape};
 
-/// The run.
+/// A run with its context.
 pub struct Painted<'a> {
-    /// Its result.
+    /// Result of the run.
     pub run: &'a Run,
-    /// The task.
+    /// The executed plan.
     pub plan: &'a Plan,
-    /// Force that was wanted, N.
+    /// Desired force, N.
     pub force: f64,
-    /// Force in the feedback.
+    /// Force used in the feedback.
     pub feedback: Feedback,
-    /// Feedforward.
+    /// Feedforward terms.
     pub law: Law,
-    /// ForceErrors of each coat, that of `run` last.
+    /// Force errors of each coat, that of `run` last.
     pub coats: &'a [ForceErrors],
-    /// Notes before the figures.
+    /// Warnings that precede the figures.
     pub warnings: &'a Warnings,
 }
 
@@ -95,7 +95,7 @@ pub fn paint_run_html(painted: &Painted<'_>, provenance: &Provenance) -> String 
     .html()
 }
 
-/// What was done and how well, in a sentence or two.
+/// Heading: the task and the main errors, in a sentence or two.
 fn header(body: &mut String, painted: &Painted<'_>) {
     let Painted { run, plan, force, feedback, .. } = painted;
     let fed = match feedback {

@@ -1,4 +1,4 @@
-//! A painting plan as a JSON file, written and read back.
+//! Painting plans as a JSON file, written and read back.
 
 use serde_json::{Value, json};
 
@@ -25,8 +25,7 @@ pub fn plan_json(plan: &Plan) -> Value {
     })
 }
 
-/// Reads the output of [`plan_json`], also under the key `plan`. The sides that were not reached
-/// are not in it.
+/// Reads the output of [`plan_json`], also under the key `plan`. Unpainted sides are not included.
 ///
 /// # Errors
 /// The key that is missing or has the wrong shape.

@@ -1,4 +1,4 @@
-//! A painting motion for people, as JSON and as CSV.
+//! A painting motion as text, JSON and CSV.
 
 use std::fmt::Write;
 
@@ -9,27 +9,27 @@ use crate::report::Warnings;
 use crate::report::paint::saved::plan_json;
 use crate::report::parts::number::{counted, figure};
 
-/// A plan, with what belongs to it.
+/// A plan with its context.
 pub struct Planned<'a> {
-    /// The task.
+    /// The painting task.
     pub task: &'a Task<'a>,
-    /// The motion.
+    /// The planned motion.
     pub plan: &'a Plan,
     /// Run time, s.
     pub seconds: f64,
-    /// Notes before the figures.
+    /// Warnings that precede the figures.
     pub warnings: &'a Warnings,
 }
 
-/// Utilisation of a joint's limits, at worst.
+/// Worst utilisation of a joint's limits.
 pub(in crate::report) struct Use {
     /// Distance to the nearer end of its travel, rad or m.
     pub margin: f64,
-    /// Largest speed, acceleration, torque (with the force on the wall).
+    /// Largest speed, acceleration and torque (with the force on the wall).
     pub peak: [f64; 3],
 }
 
-/// Of every joint, at 200 Hz.
+/// Utilisation of every joint's limits, sampled at 200 Hz.
 pub(in crate::report) fn uses(task: &Task<'_>, plan: &Plan) -> Vec<Use> {
     let moments: Vec<Moment> = plan.sampled(200.0).into_iter().map(|(_, m)| m).collect();
     let (n, len) = (task.dof(), moments.len());
@@ -65,8 +65,8 @@ pub fn paint_csv(plan: &Plan, rate: f64) -> String {
     out
 }
 
-/// The roller: `t`, middle of its face `x y z` and on the wall `wall_y wall_z distance` (m),
-/// velocity `vx vy vz` (m/s), tool pose (twelve numbers), `swivel`, `phase`.
+/// Path of the roller: `t`, middle of its face `x y z` and on the wall `wall_y wall_z distance`
+/// (m), velocity `vx vy vz` (m/s), tool pose (twelve numbers), `swivel`, `phase`.
 pub fn paint_path_csv(plan: &Plan, rate: f64) -> String {
     let mut out = String::from(
         "t,x,y,z,wall_y,wall_z,distance,vx,vy,vz,r11,r12,r13,px,r21,r22,r23,py,r31,r32,r33,pz,swivel,phase\n",
@@ -82,7 +82,7 @@ pub fn paint_path_csv(plan: &Plan, rate: f64) -> String {
     out
 }
 
-/// Everything, with the plan under `plan`.
+/// The complete result, with the plan under `plan`.
 pub fn paint_json(planned: &Planned<'_>) -> Value {
     let Planned { task, plan, seconds, warnings } = *planned;
     let s = &plan.strokes;
@@ -124,7 +124,7 @@ pub fn paint_json(planned: &Planned<'_>) -> Value {
     })
 }
 
-/// A summary.
+/// Summary for the terminal.
 pub fn paint_text(planned: &Planned<'_>) -> String {
     let Planned { task, plan, seconds, warnings } = *planned;
     let (s, cover) = (&plan.strokes, plan.coverage());

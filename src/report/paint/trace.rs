@@ -1,4 +1,4 @@
-//! A run against the wall as drawings: the force over time, the distance from the plan, the path.
+//! Plots of a run against the wall: force over time, deviation from the plan, path.
 
 use std::fmt::Write;
 
@@ -8,7 +8,7 @@ use crate::report::parts::page::escape;
 const WIDTH: f64 = 820.0;
 const HEIGHT: f64 = 190.0;
 
-/// A frame with time below and values at the left.
+/// A plot frame with time on the abscissa and values on the ordinate.
 struct Frame {
     left: f64,
     right: f64,
@@ -66,13 +66,13 @@ impl Frame {
     }
 }
 
-/// Means of bins: a curve of a few hundred points.
+/// Means of bins: a curve of at most 700 points.
 fn thinned(values: &[f64]) -> Vec<f64> {
     let size = values.len().div_ceil(700).max(1);
     values.chunks(size).map(|c| c.iter().sum::<f64>() / c.len() as f64).collect()
 }
 
-/// Fig. 13: measured, estimated and desired force; the legend stands in the caption of each.
+/// Fig. 13: measured, estimated and desired force, with the legend in the caption.
 pub(in crate::report) fn force(svg: &mut String, trace: &Trace, desired: f64, title: &str) {
     let curves = [thinned(&trace.measured), thinned(&trace.estimated)];
     let finite = curves.iter().flatten().copied().filter(|v| v.is_finite());
@@ -88,7 +88,7 @@ pub(in crate::report) fn force(svg: &mut String, trace: &Trace, desired: f64, ti
     let _ = write!(svg, "<line class=chosen x1={} x2={} y1={at:.1} y2={at:.1} /></svg>", frame.left, frame.right);
 }
 
-/// How far the contact is from where the plan has it, along two axes of the wall's plane, mm.
+/// Deviation of the contact from the plan, along two axes of the wall's plane, mm.
 pub(in crate::report) fn aside(svg: &mut String, trace: &Trace, axes: [[f64; 3]; 2], names: [&str; 2]) {
     let off = |axis: [f64; 3]| -> Vec<f64> {
         let pairs = trace.actual.iter().zip(&trace.planned);
@@ -106,8 +106,8 @@ pub(in crate::report) fn aside(svg: &mut String, trace: &Trace, axes: [[f64; 3];
     svg.push_str("</svg>");
 }
 
-/// Fig. 12: where the roller was sent and where it was, in the plane of the wall with these axes
-/// (to the right and up).
+/// Fig. 12: planned and actual path of the roller, in the plane of the wall with these axes (to the
+/// right and up).
 pub(in crate::report) fn path(svg: &mut String, trace: &Trace, axes: [[f64; 3]; 2], title: &str) {
     let step = trace.t.len().div_ceil(1500).max(1);
     let of = |points: &[[f64; 3]]| -> Vec<[f64; 2]> {

@@ -1,4 +1,5 @@
-//! The links as bodies: mass, centre, principal moments, and what was moved from the robot file.
+//! Section on the links as bodies: mass, centre, principal moments, and displacement from the robot
+//! file.
 
 use std::fmt::Write;
 
@@ -8,18 +9,17 @@ use crate::report::identify::consistent::{Possible, paid, preferred};
 use crate::report::parts::number::{digits, figure};
 use crate::report::parts::page::escape;
 
-/// The links that go with the identified parameters, beside those of the robot file. Without the
-/// tool.
+/// The links with the identified parameters, and those of the robot file. Without the tool.
 pub struct Links<'a> {
-    /// Per link, in its frame; `None` where its mass is not positive.
+    /// Per link, in its frame; `None` if its mass is not positive.
     pub now: Vec<Option<Body>>,
-    /// The same of the robot file; `None` where it has none.
+    /// The links of the robot file; `None` where it has none.
     pub file: Vec<Option<Body>>,
     /// Result of the search for possible bodies.
     pub possible: Option<&'a Possible<'a>>,
 }
 
-/// A section of the page.
+/// The section of the page.
 pub(in crate::report) fn bodies_section(body: &mut String, found: &Identification, links: &Links<'_>) {
     body.push_str("<section id=bodies><h2>The links as bodies</h2>\n");
     match links.possible.map(|p| p.result) {
@@ -91,7 +91,7 @@ pub(in crate::report) fn bodies_section(body: &mut String, found: &Identificatio
     body.push_str("</tbody></table></div>\n<p class=note>In each link's own frame; moments about the centre of mass. Torques show combinations of these numbers only: what they don't show is the robot file's, or a guess from the arm's geometry. The distance is entropic, free of units: 0.005 per direction is a change by 10 %.</p></section>\n");
 }
 
-/// Tenths of a millimetre.
+/// A length in millimetres with one decimal.
 fn fixed(millimetres: f64) -> String {
     let tenths = (10.0 * millimetres).round() / 10.0;
     format!("{:.1}", if tenths == 0.0 { 0.0 } else { tenths })

@@ -1,4 +1,4 @@
-//! Composition of the error: sensors, motion, clock, repeatability, rest.
+//! Error budget: sensors, motion, clock, repeatability, remainder.
 
 use std::fmt::Write;
 
@@ -10,7 +10,7 @@ use crate::report::parts::number::{digits, pad};
 const HEADS: [&str; 4] = ["torque sensor", "encoder, derivatives", "clock", "left to explain"];
 const REPEATED: &str = "repetitions differ by";
 
-/// The parts in the order of the heads.
+/// The parts in the order of the column heads.
 fn parts(budget: &ErrorBudget) -> Vec<(&'static str, &[f64])> {
     let ErrorBudget { sensor, motion, clock, left, .. } = budget;
     let mut parts: Vec<(&str, &[f64])> = HEADS.into_iter().zip([&sensor[..], motion, clock, left]).collect();
@@ -18,7 +18,7 @@ fn parts(budget: &ErrorBudget) -> Vec<(&'static str, &[f64])> {
     parts
 }
 
-/// A sentence if the motion limits the estimate; empty otherwise.
+/// A sentence if the recorded motion limits the estimate; empty otherwise.
 fn limits(budget: &ErrorBudget) -> String {
     let joints: Vec<String> = budget.limited_by_motion().iter().map(|j| (j + 1).to_string()).collect();
     match joints.is_empty() {
@@ -30,7 +30,7 @@ fn limits(budget: &ErrorBudget) -> String {
     }
 }
 
-/// As a table for a terminal. `of`: whose error.
+/// The budget as a table for the terminal. `of`: the error that it composes.
 pub(in crate::report) fn text(budget: &ErrorBudget, of: &str) -> String {
     let parts = parts(budget);
     let width = |head: &str| head.chars().count().max(8) + 2;
@@ -49,7 +49,7 @@ pub(in crate::report) fn text(budget: &ErrorBudget, of: &str) -> String {
     text
 }
 
-/// `"error_budget"`.
+/// The key `error_budget`.
 pub(in crate::report) fn json(budget: Option<&ErrorBudget>) -> Value {
     budget.map_or(Value::Null, |b| {
         json!({
@@ -62,7 +62,7 @@ pub(in crate::report) fn json(budget: Option<&ErrorBudget>) -> Value {
     })
 }
 
-/// As a section of a page.
+/// The budget as a section of a page.
 pub(in crate::report) fn html(budget: &ErrorBudget, of: &str) -> String {
     let parts = parts(budget);
     let heads: String = parts.iter().map(|(head, _)| format!("<th>{head}<br>N m")).collect();

@@ -1,40 +1,40 @@
-//! Fields of a JSON file that `denavit` wrote, read back.
+//! Reads fields of JSON files that `denavit` has written.
 
 use serde_json::Value;
 
 use crate::apps::painting::SurfaceError;
 use crate::data::trajectory::CoefficientError;
 
-/// Reason why a JSON file is none of those that `denavit` writes.
+/// Reason why a JSON file is not one that `denavit` writes.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FieldError {
     /// A key is missing.
     #[error("`{0}` is missing")]
     Missing(String),
-    /// A value breaks a rule: the key and the rule.
+    /// A value violates a rule.
     #[error("`{key}` {rule}")]
     Rule {
-        /// The key.
+        /// Key of the value.
         key: String,
-        /// The rule: `must be a number`.
+        /// The violated rule: `must be a number`.
         rule: String,
     },
-    /// The output of another command is needed: the key that it has.
+    /// The output of another command is needed, which has this key.
     #[error("no `{0}` as `denavit identify --json` writes it")]
     Absent(&'static str),
-    /// The file is of another robot: a parameter that this robot lacks.
+    /// The file belongs to another robot: a parameter that this robot lacks.
     #[error("the parameter {0} is not of this robot; take the JSON that was written with this robot file")]
     Parameter(String),
-    /// Coefficients of no motion.
+    /// Invalid coefficients of a motion.
     #[error(transparent)]
     Coefficients(#[from] CoefficientError),
-    /// No wall.
+    /// Invalid wall.
     #[error(transparent)]
     Surface(#[from] SurfaceError),
 }
 
-/// The error of a value that breaks a rule.
+/// The error of a value that violates a rule.
 pub(in crate::report) fn rule(key: &str, rule: impl Into<String>) -> FieldError {
     FieldError::Rule { key: key.into(), rule: rule.into() }
 }

@@ -1,11 +1,11 @@
-//! Numbers for people.
+//! Formatting of numbers for readers.
 
-/// Four significant digits; a dash where there is none.
+/// Four significant digits; a dash for NaN and infinity.
 pub(in crate::report) fn figure(x: f64) -> String {
     digits(x, 4)
 }
 
-/// So many digits after the point: for data of pages.
+/// Rounds to `digits` decimals, for data of pages.
 pub(in crate::report) fn short(x: f64, digits: i32) -> f64 {
     let scale = 10f64.powi(digits);
     (x * scale).round() / scale
@@ -22,7 +22,7 @@ pub(in crate::report) fn percent(x: f64) -> String {
     }
 }
 
-/// This many significant digits, plain where that is short.
+/// This many significant digits, in plain notation where that is short.
 pub(in crate::report) fn digits(x: f64, significant: i32) -> String {
     if !x.is_finite() {
         return "–".into();
@@ -43,7 +43,7 @@ pub(in crate::report) fn counted(count: usize, one: &str, more: &str) -> String 
     format!("{count} {}", if count == 1 { one } else { more })
 }
 
-/// Width on the screen: characters, not bytes.
+/// Pads text to a width in characters, not bytes; `right`: right-aligned.
 pub(in crate::report) fn pad(text: &str, width: usize, right: bool) -> String {
     let fill = " ".repeat(width.saturating_sub(text.chars().count()));
     if right { format!("{fill}{text}") } else { format!("{text}{fill}") }

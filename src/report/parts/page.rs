@@ -1,4 +1,4 @@
-//! The frame of every page: one file that needs no network.
+//! Frame of every HTML page: one self-contained file.
 
 use std::fmt::Write;
 
@@ -6,17 +6,17 @@ use serde_json::Value;
 
 use crate::report::visible;
 
-/// Differences between pages.
+/// Content that differs between pages.
 pub(in crate::report) struct Page<'a> {
-    /// In the window's title; plain text.
+    /// Title of the window; plain text.
     pub title: String,
-    /// Style beyond `page.css`.
+    /// Style rules beyond `page.css`.
     pub style: &'a str,
     /// Markup of the body.
     pub body: &'a str,
-    /// Input of the script, as `data`.
+    /// Data of the script, as `data`.
     pub data: Value,
-    /// Script after `page.js`.
+    /// Script that follows `page.js`.
     pub script: &'a str,
 }
 
@@ -37,10 +37,10 @@ impl Page<'_> {
     }
 }
 
-/// Fewest headings that a table of contents is worth.
+/// Number of headings up to which there is no table of contents.
 const CONTENTS: usize = 4;
 
-/// The body with a link to each of its headings in front of the first section.
+/// The body with links to its headings before the first section.
 fn with_contents(body: &str) -> String {
     let parts: Vec<&str> = body.split("<h2>").collect();
     let (Some(start), true) = (body.find("<section"), parts.len() > CONTENTS) else { return body.to_string() };
@@ -52,13 +52,13 @@ fn with_contents(body: &str) -> String {
         let _ = write!(numbered, "<h2 id=s{number}>{part}");
     }
     links.push_str("</nav>\n");
-    // Nothing before the first section changes its length: headings stand in sections.
+    // The length before the first section is unchanged: headings are inside sections.
     let at = if body[..start].contains("<h2>") { 0 } else { start };
     numbered.insert_str(at, &links);
     numbered
 }
 
-/// Text inside markup; control characters are shown.
+/// Escapes text for markup; control characters become visible.
 pub(in crate::report) fn escape(text: &str) -> String {
     visible(text)
         .replace('&', "&amp;")

@@ -1,5 +1,4 @@
-//! An arm as a stick figure: origins of its frames and centres of its spheres, for pages that move
-//! it.
+//! An arm as a stick figure, for animated pages: origins of its frames and centres of its spheres.
 
 use crate::excite::Ball;
 

@@ -1,9 +1,9 @@
-//! Control characters in text that a reader sees.
+//! Makes control characters visible in text for readers.
 
 use std::borrow::Cow;
 
-/// Control characters as `\u{1b}`; lines and tabs stay. Marks that reorder or hide text count as
-/// control characters.
+/// Writes control characters as `\u{1b}`; line breaks and tabs stay. Marks that reorder or hide
+/// text count as control characters.
 pub fn visible(text: &str) -> Cow<'_, str> {
     if !text.contains(is_control) {
         return Cow::Borrowed(text);
@@ -15,7 +15,7 @@ pub fn visible(text: &str) -> Cow<'_, str> {
     Cow::Owned(out)
 }
 
-/// Does a terminal obey this character instead of showing it?
+/// Whether a terminal interprets this character instead of showing it.
 pub fn is_control(c: char) -> bool {
     let layout = matches!(c, '\n' | '\t');
     let unseen = matches!(c, '\u{200b}'..='\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2060}'..='\u{206f}' | '\u{feff}');

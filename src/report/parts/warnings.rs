@@ -1,4 +1,4 @@
-//! Warnings before the figures: one list per result, which text, JSON and page all show.
+//! Warnings that precede the figures: one list per result, shared by text, JSON and page.
 
 use serde_json::{Value, json};
 
@@ -6,32 +6,32 @@ use crate::data::log::{Finding, Kind, Severity};
 use crate::data::signal::Prepared;
 use crate::report::parts::page::escape;
 
-/// Warnings of one result, the gravest first.
+/// Warnings of one result, the most serious first.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Warnings {
     all: Vec<String>,
-    /// Those that a terminal has shown before the result.
+    /// Warnings that were printed to the terminal before the result.
     shown: Vec<String>,
 }
 
 impl Warnings {
-    /// One more, a sentence or a paragraph.
+    /// Adds a warning, a sentence or a paragraph.
     pub fn push(&mut self, warning: impl Into<String>) {
         self.all.push(warning.into());
     }
 
-    /// One that a terminal has shown before, as it arose.
+    /// Adds a warning that was printed to the terminal when it arose.
     pub fn push_shown(&mut self, warning: impl Into<String>) {
         self.shown.push(warning.into());
     }
 
-    /// Findings that are more than notes.
+    /// Adds findings more serious than notes.
     pub fn findings(&mut self, findings: &[Finding]) {
         let grave = findings.iter().filter(|f| f.severity != Severity::Note);
         self.all.extend(grave.map(ToString::to_string));
     }
 
-    /// Findings in the logs, except notes.
+    /// Adds findings in the logs more serious than notes.
     pub fn logs(&mut self, logs: &[Prepared]) {
         for log in logs {
             let grave = log.findings.iter().filter(|f| f.severity != Severity::Note);
@@ -41,22 +41,22 @@ impl Warnings {
         }
     }
 
-    /// Each of them.
+    /// Iterates over all warnings.
     pub fn iter(&self) -> impl Iterator<Item = &str> {
         self.all.iter().chain(&self.shown).map(String::as_str)
     }
 
-    /// For the terminal: a paragraph each, behind an empty line.
+    /// For the terminal: one paragraph each, after an empty line.
     pub fn text(&self) -> String {
         self.all.iter().map(|warning| format!("\nwarning: {warning}\n")).collect()
     }
 
-    /// `"warnings"`.
+    /// The key `warnings`.
     pub fn json(&self) -> Value {
         json!(self.iter().collect::<Vec<_>>())
     }
 
-    /// The section that stands behind the header of a page; nothing where there is no warning.
+    /// The section after the header of a page; empty without warnings.
     pub(in crate::report) fn html(&self) -> String {
         if self.iter().next().is_none() {
             return String::new();

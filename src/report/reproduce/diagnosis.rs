@@ -1,4 +1,4 @@
-//! The battery of the diagnosis: tables, a verdict, the cases as JSON.
+//! Report on hidden effects in simulated logs: tables, a verdict, the cases as JSON.
 
 use serde_json::{Value, json};
 
@@ -11,12 +11,12 @@ fn percent(share: Tally) -> String {
     share.value().map_or("–".into(), |v| format!("{:.0} % ({} of {})", 100.0 * v, share.good, share.all))
 }
 
-/// Required rate of right causes: less where an effect is hardly above the noise.
+/// Required share of right causes; lower where an effect is hardly above the noise.
 fn wanted(size: f64) -> f64 {
     if size < 3.0 { 0.80 } else { 0.95 }
 }
 
-/// In one paragraph.
+/// The verdict in one paragraph.
 pub(in crate::report) fn verdict(found: &Battery) -> String {
     let s = &found.scores;
     if found.settings.clean {
@@ -37,7 +37,7 @@ pub(in crate::report) fn verdict(found: &Battery) -> String {
     )
 }
 
-/// Figures, what was taken for what, probabilities, the cases that went wrong.
+/// Figures, confusion of causes, reliability of probabilities, wrong cases.
 pub(in crate::report) fn tables(found: &Battery) -> Vec<Table> {
     let s = &found.scores;
     let mut rows: Vec<Vec<String>> = Vec::new();
@@ -126,7 +126,7 @@ pub(in crate::report) fn tables(found: &Battery) -> Vec<Table> {
     vec![figures, confusion, reliability, wrong]
 }
 
-/// Probability that was claimed against share that was right, as a drawing.
+/// Plot of the true share over the stated probability.
 pub(in crate::report) fn drawing(found: &Battery) -> String {
     use std::fmt::Write;
     let mut svg =
@@ -167,7 +167,7 @@ pub(in crate::report) fn drawing(found: &Battery) -> String {
     svg
 }
 
-/// Settings, figures, cases.
+/// Settings, figures and cases as JSON.
 pub(in crate::report) fn to_json(found: &Battery) -> Value {
     let s = &found.scores;
     let share = |share: Tally| json!({ "good": share.good, "all": share.all, "share": share.value() });

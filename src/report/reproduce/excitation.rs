@@ -1,4 +1,4 @@
-//! Section III of the paper: tables, Fig. 5 as a drawing, a verdict.
+//! Report on section III of the paper: tables, Fig. 5 as a plot, a verdict.
 
 use std::fmt::Write;
 
@@ -9,11 +9,11 @@ use crate::apps::paper::excitation::CHOSEN;
 use crate::report::parts::number::digits;
 use crate::report::reproduce::text::Table;
 
-/// The criteria, and what they are called where they are drawn.
+/// The criteria with their names in plots.
 const CRITERIA: [(&str, &str); 3] =
     [("cond", "the condition number"), ("logdet", "-log det"), ("hadamard", "-log Hadamard")];
 
-/// In one paragraph.
+/// The verdict in one paragraph.
 pub(in crate::report) fn verdict(found: &Excitation) -> String {
     let mut text = String::from("The paper's Fig. 5, redesigned on the KUKA LWR.");
     for (criterion, name) in CRITERIA {
@@ -76,7 +76,7 @@ pub(in crate::report) fn tables(found: &Excitation) -> Vec<Table> {
     vec![fig5, others]
 }
 
-/// Fig. 5: (a) each criterion over the duration, (b) its differences, each by its own range.
+/// Fig. 5: (a) each criterion over the duration, (b) its differences, each scaled to its own range.
 pub(in crate::report) fn drawing(found: &Excitation) -> String {
     let mut svg = String::new();
     for (title, differences) in [
@@ -134,7 +134,7 @@ fn panel(svg: &mut String, found: &Excitation, title: &str, differences: bool) {
     svg.push_str("</svg>");
 }
 
-/// One key per figure.
+/// The result as JSON, one key per figure.
 pub(in crate::report) fn to_json(found: &Excitation) -> Value {
     json!({
         "seed": found.settings.seed,

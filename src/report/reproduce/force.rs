@@ -1,4 +1,4 @@
-//! Equation (14) and the paper's future work: tables, a verdict.
+//! Report on equation (14) and the paper's future work: tables, a verdict.
 
 use serde_json::{Value, json};
 
@@ -8,7 +8,7 @@ use crate::control::estimate::{COMPONENTS, Comparison};
 use crate::report::parts::number::digits;
 use crate::report::reproduce::text::Table;
 
-/// In one paragraph.
+/// The verdict in one paragraph.
 pub(in crate::report) fn verdict(found: &Force) -> String {
     let mut text = String::from("The wrench on the tool from joint torques, on the simulated KUKA LWR.");
     if let Some(row) = found.accuracy.iter().find(|r| r.state == "moving") {
@@ -34,7 +34,7 @@ pub(in crate::report) fn verdict(found: &Force) -> String {
     text
 }
 
-/// Accuracy, and coverage.
+/// Accuracy and coverage of the bands.
 pub(in crate::report) fn tables(found: &Force) -> Vec<Table> {
     let cells = |f: &dyn Fn(usize) -> String| (0..6).map(f).collect::<Vec<_>>();
     let rows = found.accuracy.iter().map(|r| {
@@ -82,7 +82,7 @@ pub(in crate::report) fn tables(found: &Force) -> Vec<Table> {
     all
 }
 
-/// One key per table.
+/// The result as JSON, one key per table.
 pub(in crate::report) fn to_json(found: &Force) -> Value {
     json!({
         "seed": found.settings.seed,

@@ -10,7 +10,7 @@ use crate::report::reproduce::on_real;
 use crate::report::reproduce::painting;
 use crate::report::reproduce::text::Parts;
 
-/// One key per part.
+/// One key per part of the paper.
 pub fn reproduce_json(parts: &Parts) -> Value {
     json!({
         "excitation": parts.excitation.as_ref().map(excitation::to_json),

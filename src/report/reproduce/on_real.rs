@@ -1,4 +1,4 @@
-//! Causes that were added to real recordings: tables, a verdict, the cases as JSON.
+//! Report on causes added to real recordings: tables, a verdict, the cases as JSON.
 
 use serde_json::{Value, json};
 
@@ -12,7 +12,7 @@ fn percent(share: Tally) -> String {
     share.value().map_or("–".into(), |v| format!("{:.0} % ({} of {})", 100.0 * v, share.good, share.all))
 }
 
-/// Tally of right causes named first that is wanted at a size.
+/// Required share of cases in which the right cause is named first, by its size.
 fn wanted(size: f64) -> f64 {
     if size >= 3.0 {
         0.95
@@ -27,7 +27,7 @@ fn claims(found: &RealBattery) -> Vec<Claim> {
     found.figures.iter().flat_map(|f| f.claims.iter().copied()).collect()
 }
 
-/// In one paragraph.
+/// The verdict in one paragraph.
 pub(in crate::report) fn verdict(found: &RealBattery) -> String {
     let each = |f: &Figures| format!("{} at {} residuals", percent(f.first), f.size);
     format!(
@@ -39,7 +39,7 @@ pub(in crate::report) fn verdict(found: &RealBattery) -> String {
     )
 }
 
-/// Figures by size, probabilities, stability, the cases that went wrong.
+/// Figures by size, reliability of probabilities, stability, wrong cases.
 pub(in crate::report) fn tables(found: &RealBattery) -> Vec<Table> {
     let row = |f: &Figures| {
         vec![
@@ -76,7 +76,7 @@ pub(in crate::report) fn tables(found: &RealBattery) -> Vec<Table> {
     vec![figures, probabilities(found), stability(found), misses(found)]
 }
 
-/// Whether stated probabilities hold.
+/// Stated probabilities against true shares.
 fn probabilities(found: &RealBattery) -> Table {
     Table {
         title: "Stated probability of new causes and share true".into(),
@@ -89,7 +89,7 @@ fn probabilities(found: &RealBattery) -> Table {
     }
 }
 
-/// Whether causes of untouched logs recur.
+/// Causes of the untouched logs that recur in halves of the excerpt.
 fn stability(found: &RealBattery) -> Table {
     Table {
         title: "Causes of the untouched logs".into(),
@@ -115,7 +115,7 @@ fn stability(found: &RealBattery) -> Table {
     }
 }
 
-/// Cases in which something else came first.
+/// Cases in which another cause came first.
 fn misses(found: &RealBattery) -> Table {
     let wrong = |c: &&RealCase| c.recovered() && !c.fresh().next().is_some_and(|cause| c.right(cause));
     Table {
@@ -141,7 +141,7 @@ fn misses(found: &RealBattery) -> Table {
     }
 }
 
-/// Settings, figures, cases.
+/// Settings, figures and cases as JSON.
 pub(in crate::report) fn to_json(found: &RealBattery) -> Value {
     let share = |share: Tally| json!({ "good": share.good, "all": share.all, "share": share.value() });
     json!({

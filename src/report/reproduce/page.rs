@@ -1,4 +1,4 @@
-//! The paper's experiments as one page that needs no network.
+//! The paper's experiments as one self-contained HTML page.
 
 use std::fmt::Write;
 
@@ -16,7 +16,7 @@ use crate::report::reproduce::on_real;
 use crate::report::reproduce::painting;
 use crate::report::reproduce::text::{Parts, Table, identification_verdict, tables};
 
-/// Sections of hidden effects and of causes added to recordings.
+/// Sections on hidden effects and on causes added to recordings.
 fn diagnoses(body: &mut String, parts: &Parts) {
     if let Some(found) = &parts.diagnosis {
         for table in &diagnosis::tables(found) {
@@ -89,7 +89,7 @@ pub fn reproduce_html(parts: &Parts, provenance: &Provenance) -> String {
     page.html()
 }
 
-/// A table between what is drawn above it and below it.
+/// A section with a table, and markup above and below it.
 fn section(body: &mut String, table: &Table, above: &str, below: &str) {
     let _ =
         writeln!(body, "<section><h2>{}</h2><p class=note>{}</p>\n{above}", escape(&table.title), escape(&table.note));
@@ -117,12 +117,12 @@ fn section(body: &mut String, table: &Table, above: &str, below: &str) {
     let _ = writeln!(body, "{below}</section>");
 }
 
-/// Whether verdicts stand in a column.
+/// Whether a column contains verdicts.
 fn judges(head: &str) -> bool {
     head == "verdict"
 }
 
-/// Position of this trace in the page's script.
+/// Placeholder for the plots of a trace, given its index in the page's data.
 fn torques(trace: usize) -> String {
     format!(
         "<p class=note><span class='key measured'></span>measured <span class='key estimated'></span>estimated <span class='key residual'></span>residual (its own panel), N m over s. Drag to zoom all joints, double-click to go back.</p><div class=plots data-trace={trace}></div>"

@@ -1,4 +1,4 @@
-//! Sections V and VI.B of the paper: Table IV, Figs. 12 and 13 as drawings, a verdict.
+//! Report on sections V and VI.B of the paper: Table IV, Figs. 12 and 13 as plots, a verdict.
 
 use std::fmt::Write;
 
@@ -10,7 +10,7 @@ use crate::report::paint::trace;
 use crate::report::parts::number::digits;
 use crate::report::reproduce::text::Table;
 
-/// In one paragraph.
+/// The verdict in one paragraph.
 pub(in crate::report) fn verdict(found: &Painting) -> String {
     let mut text = format!(
         "The paper's painting, rerun: a roller pressed on the wall with {} N by a simulated KUKA LWR without a force sensor. Estimated against measured force, estimated in the feedback:",
@@ -65,7 +65,7 @@ fn feedback(row: &PaintingRow) -> &'static str {
     }
 }
 
-/// Table IV, and what was known.
+/// Table IV, the models' torque errors, found causes and gains.
 pub(in crate::report) fn tables(found: &Painting) -> Vec<Table> {
     [Some(table4(found)), Some(known(found)), causes(found), Some(gains(found))].into_iter().flatten().collect()
 }
@@ -118,7 +118,7 @@ fn known(found: &Painting) -> Table {
     }
 }
 
-/// Causes found in the logs of the robot.
+/// Causes found in the logs of the robot; `None` without a diagnosis.
 fn causes(found: &Painting) -> Option<Table> {
     found.diagnosis.as_ref().map(|diagnosis| Table {
         title: format!("What the diagnosis found: {}", diagnosis.verdict.word().replace('_', " ")),
@@ -136,7 +136,7 @@ fn causes(found: &Painting) -> Option<Table> {
     })
 }
 
-/// Gains of joints and force loop.
+/// Gains of the joint controllers and the force loop.
 fn gains(found: &Painting) -> Table {
     let gains = found.rows.iter().filter(|r| {
         r.roller == found.rows[0].roller && r.law == Law::FED && r.feedback == Feedback::Estimated && r.coat == 1
@@ -166,7 +166,7 @@ fn gains(found: &Painting) -> Table {
     }
 }
 
-/// Figs. 13 a and b for each case of the large roller, and Fig. 12 under both laws.
+/// Figs. 13 a and b for each case of the large roller, and Fig. 12 with both laws.
 pub(in crate::report) fn drawing(found: &Painting) -> String {
     let mut svg = String::new();
     let roller = crate::apps::paper::painting::PAPER[0].0;
@@ -197,18 +197,18 @@ pub(in crate::report) fn drawing(found: &Painting) -> String {
     svg
 }
 
-/// In a word or two.
+/// Name of a control law.
 fn law_words(law: Law) -> &'static str {
     if law == Law::PAPER { "the paper's law" } else { "fed forward" }
 }
 
-/// And which coat, beyond the first.
+/// Name of a control law, with the coat beyond the first.
 fn law_and_coat(row: &PaintingRow) -> String {
     let law = law_words(row.law);
     if row.coat > 1 { format!("{law}, coat {}", row.coat) } else { law.into() }
 }
 
-/// Rows, gains, causes.
+/// Rows, gains and causes as JSON.
 pub(in crate::report) fn to_json(found: &Painting) -> Value {
     json!({
         "seed": found.settings.seed,

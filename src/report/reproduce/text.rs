@@ -18,24 +18,24 @@ use crate::report::reproduce::force;
 use crate::report::reproduce::on_real;
 use crate::report::reproduce::painting;
 
-/// The parts that were run.
+/// Results of the parts that were run.
 #[derive(Debug, Clone, Default)]
 pub struct Parts {
-    /// Section III.
+    /// Section III: excitation.
     pub excitation: Option<Excitation>,
-    /// Sections II.D, II.E, III.E, VI.A.
+    /// Sections II.D, II.E, III.E, VI.A: identification.
     pub identification: Option<Experiment>,
-    /// Sections V, VI.B.
+    /// Sections V, VI.B: painting.
     pub painting: Option<Painting>,
-    /// Section V.B.
+    /// Section V.B: force estimation.
     pub force: Option<Force>,
-    /// The diagnosis of hidden effects.
+    /// Diagnosis of hidden effects in simulated logs.
     pub diagnosis: Option<Battery>,
-    /// The diagnosis of causes that were added to real recordings.
+    /// Diagnosis of causes that were added to real recordings.
     pub on_real: Option<RealBattery>,
 }
 
-/// All tables.
+/// Verdicts and tables of all parts.
 pub fn reproduce_text(parts: &Parts) -> String {
     let mut text = String::new();
     if let Some(found) = &parts.excitation {
@@ -68,7 +68,7 @@ fn part(text: &mut String, verdict: &str, tables: &[Table]) {
     }
 }
 
-/// A table of words, the first column to the left.
+/// A table of text cells; the first column is left-aligned.
 pub(in crate::report) struct Table {
     pub title: String,
     pub note: String,
@@ -111,7 +111,7 @@ fn wrapped(text: &str) -> String {
     lines.join("\n")
 }
 
-/// In one paragraph.
+/// The verdict on the identification, in one paragraph.
 pub(in crate::report) fn identification_verdict(found: &Experiment) -> String {
     let verdicts: Vec<Verdict> = found.table2.iter().map(|r| r.verdict()).collect();
     let short: Vec<&str> = found.table2.iter().filter(|r| !r.verdict().holds()).map(|r| r.printed.name).collect();
@@ -313,7 +313,7 @@ fn base_parameters(found: &Experiment) -> Table {
     }
 }
 
-/// The paper's figures, if they are the textbook's.
+/// Comparison with the paper's standard deviations, assuming that they follow the textbook formula.
 fn textbook(found: &Experiment) -> Table {
     Table {
         title: "Table II, like for like: %σ where the residual is as large as the paper's".into(),
@@ -414,7 +414,7 @@ fn rollers(found: &Experiment) -> Vec<Table> {
         .collect()
 }
 
-/// `97 of 100 (92 to 99 %)`.
+/// A share with its interval: `97 of 100 (92 to 99 %)`.
 fn share(share: &Share) -> String {
     let [low, high] = share.interval().map(|x| 100.0 * x);
     format!("{} of {} ({low:.0} to {high:.0} %)", share.count, share.of)

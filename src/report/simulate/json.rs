@@ -1,4 +1,4 @@
-//! A simulation as JSON; nothing in it depends on the clock.
+//! A simulation as JSON; independent of the run time.
 
 use serde_json::{Value, json};
 

@@ -1,10 +1,10 @@
-//! A simulation in a few lines.
+//! A simulation as text.
 
 use crate::data::log::Quantity;
 use crate::report::Warnings;
 use crate::simulate::{Method, Mode, Recording, Request};
 
-/// Report of a simulation: its tracking error and speed; `seconds` is the run time.
+/// Report of a simulation: torques, tracking error and speed; `seconds` is the run time.
 pub fn simulate_text(
     robot: &str,
     recording: &Recording,
@@ -50,7 +50,7 @@ pub fn simulate_text(
     out + &format!("{seconds:.2} s: {}\n", pace(span / seconds.max(1e-9))) + &warnings.text()
 }
 
-/// Seconds of motion per second of computing, in words.
+/// Ratio of simulated to computing time, in words.
 fn pace(ratio: f64) -> String {
     match ratio {
         r if r >= 9.5 => format!("{r:.0} times faster than real time"),

@@ -1,6 +1,7 @@
-//! The body that the arm carries, as one page that needs no network.
+//! The carried body as one self-contained HTML page.
 //!
-//! Curves are drawn by the script of the identification's page; static drawings are SVG from here.
+//! Curves are drawn by the script of the identification's page; static drawings are SVG written
+//! here.
 
 use std::fmt::Write;
 
@@ -17,7 +18,7 @@ use crate::report::parts::page::{Page, escape};
 use crate::report::tool::text::{empty_hand, misfit};
 use crate::report::tool_verdict;
 
-/// The most tools that a figure shows.
+/// Maximum number of tools in a figure.
 const SHOWN: usize = 12;
 
 fn title(found: &Found) -> String {
@@ -91,7 +92,7 @@ pub fn tool_html(
     page.html()
 }
 
-/// The ten, beside the nearest tool's.
+/// The ten parameters, beside those of the nearest tool.
 fn parameters(body: &mut String, found: &Found) {
     let carried = &found.carried;
     let nearest = found.recognition.as_ref().map(|r| (r, &found.table[r.nearest().entry]));
@@ -131,7 +132,7 @@ fn parameters(body: &mut String, found: &Found) {
     body.push_str("</tbody></table></div></section>\n");
 }
 
-/// A dot on a line from -4 to 4 standard deviations.
+/// A deviation as a dot on a line from -4 to 4 standard deviations.
 fn deviation(off: f64) -> String {
     if !off.is_finite() {
         return "–".into();
@@ -228,13 +229,14 @@ fn ranking(body: &mut String, r: &Recognition) {
     body.push_str("</tbody></table></div></section>\n");
 }
 
-/// The table in its first two components, with what was identified and its 95 % ellipse.
+/// The table of tools in its first two principal components, with the identified tool and its 95 %
+/// ellipse.
 fn space(body: &mut String, r: &Recognition) {
     if r.pca.components() < 2 {
         return;
     }
-    // A heavy tool far away would press the others into a corner: the window is that of the
-    // nearest.
+    // The window is that of the nearest tools: a heavy, distant one would compress the others into
+    // a corner.
     let near = || r.candidates.iter().take(SHOWN);
     let points: Vec<[f64; 2]> =
         near().map(|c| &r.table_scores[c.entry]).chain([&r.scores]).map(|s| [s[0], s[1]]).collect();

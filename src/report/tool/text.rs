@@ -1,4 +1,4 @@
-//! The body that the arm carries, for a terminal.
+//! The carried body as text for the terminal.
 
 use std::fmt::Write;
 
@@ -9,13 +9,13 @@ use crate::report::Warnings;
 use crate::report::identify::text::logs_text;
 use crate::report::parts::number::{digits, figure, pad, percent};
 
-/// Whether the mass is beyond what an empty hand gives: three deviations, less is what it gives
-/// once in 400 logs.
+/// Whether the mass exceeds what noise gives with an empty hand: three standard deviations, below
+/// which 399 of 400 logs are.
 fn seen(carried: &Carried) -> bool {
     carried.known_mass.is_some() || carried.values[0] > 3.0 * carried.std[0]
 }
 
-/// Whether the logs determine all ten parameters, and there is nothing in the hand.
+/// Whether the logs determine all ten parameters, and the hand is empty.
 pub(super) fn empty_hand(carried: &Carried) -> bool {
     !seen(carried) && !carried.standing.contains(&Standing::NotIdentifiable)
 }
@@ -81,7 +81,7 @@ pub fn tool_verdict(found: &Found) -> String {
             digits(std, 2)
         );
     }
-    // Of an empty hand there is no more to say.
+    // For an empty hand there is nothing to recognise.
     if let Some(r) = found.recognition.as_ref().filter(|r| !(r.rejected && empty_hand(carried))) {
         let (nearest, tools) = (r.nearest(), r.candidates.len());
         let (near, limit) = (digits(nearest.distance, 3), digits(r.limit, 3));
@@ -115,7 +115,7 @@ pub fn tool_verdict(found: &Found) -> String {
     text.trim_end().to_string()
 }
 
-/// Why something is no member of a family of tools.
+/// Reason why a tool is no member of a family of tools.
 pub(in crate::report) fn misfit(size: &Relative) -> String {
     let distance = digits(size.distance, 3);
     match size.distance > size.limit {
@@ -143,7 +143,7 @@ fn size_sentence(size: &Relative, unknown: bool) -> String {
     )
 }
 
-/// Residual of a log although the tool is taken into account.
+/// A sentence on logs with a large residual although the tool is included in the model.
 fn weak_logs(found: &Found) -> String {
     let weak: Vec<String> = found
         .carried
@@ -161,7 +161,7 @@ fn weak_logs(found: &Found) -> String {
     }
 }
 
-/// Notes that a reader needs before the body.
+/// Warnings that precede the figures.
 pub fn tool_warnings(found: &Found, logs: &[Prepared]) -> Warnings {
     let mut warnings = Warnings::default();
     let solved = &found.carried.solved;
@@ -182,7 +182,7 @@ pub fn tool_warnings(found: &Found, logs: &[Prepared]) -> Warnings {
     warnings
 }
 
-/// The whole result.
+/// The complete result.
 pub fn tool_text(found: &Found, logs: &[Prepared], warnings: &Warnings) -> String {
     let carried = &found.carried;
     let mut out = format!("{}\n\n{}\n{}", carried.robot, tool_verdict(found), warnings.text());
@@ -259,7 +259,7 @@ pub fn tool_text(found: &Found, logs: &[Prepared], warnings: &Warnings) -> Strin
     out
 }
 
-/// Columns as wide as their widest cell, numbers to the right.
+/// A table with columns as wide as their widest cell, numbers right-aligned.
 fn columns(rows: &[Vec<String>]) -> String {
     let count = rows.iter().map(Vec::len).max().unwrap_or(0);
     let width = |c: usize| rows.iter().filter_map(|r| r.get(c)).map(|s| s.chars().count()).max().unwrap_or(0);

@@ -1,9 +1,9 @@
-//! `asymmetric_friction`: `FCA |sign(v)| + FVA |v|`: forward the levels are `FC + FCA`, backward
-//! `FC - FCA`.
+//! `asymmetric_friction`: `FCA |sign(v)| + FVA |v|`. The Coulomb level is `FC + FCA` forward and
+//! `FC - FCA` backward.
 
 use dh_codegen::robot::effects;
 
-/// Friction that differs with direction.
+/// Friction that depends on the direction of motion.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct AsymmetricFriction {
     /// `FCA`, N m.
@@ -17,7 +17,7 @@ impl AsymmetricFriction {
         Self { level: stated.level(rated), viscous: stated.viscous(rated) }
     }
 
-    /// Torque at velocity `v`; `s` stands for its sign, in `[-1, 1]`.
+    /// Torque at velocity `v`, N m; `s` replaces its sign, in `[-1, 1]`.
     pub fn torque(&self, v: f64, s: f64) -> f64 {
         self.level * s.abs() + self.viscous * v.abs()
     }

@@ -6,10 +6,10 @@ use dh_codegen::robot::effects;
 
 use super::JointElasticity;
 
-/// A dead zone, and the spring of the teeth on both sides of it.
+/// A dead zone; the spring of the teeth acts on both sides of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Backlash {
-    /// `BL`, rad, the whole width.
+    /// `BL`, the full width, rad.
     pub width: f64,
 }
 
@@ -18,8 +18,8 @@ impl Backlash {
         Self { width: stated.width() }
     }
 
-    /// Torque on the link, and how it changes with the angle and the velocity of the motor before
-    /// the link's.
+    /// Torque on the link, and its derivatives with respect to the angle and velocity of the motor
+    /// relative to the link.
     pub fn torque(&self, spring: &JointElasticity, angle: f64, velocity: f64) -> [f64; 3] {
         let half = 0.5 * self.width;
         if angle.abs() <= half {
@@ -27,7 +27,7 @@ impl Backlash {
         }
         let pressed = angle - half.copysign(angle);
         let torque = spring.stiffness * pressed + spring.damping * velocity;
-        // Damping may not make the teeth pull.
+        // Damping must not make the teeth pull.
         if torque * pressed <= 0.0 { [0.0; 3] } else { [torque, spring.stiffness, spring.damping] }
     }
 }

@@ -1,41 +1,42 @@
-//! `law`: a torque in closed form, by walking its expression. (Generated code has it as a tape.)
+//! `law`: a torque in closed form, evaluated from its expression tree. (Generated code compiles it
+//! to a tape.)
 
 use dh_codegen::robot::{LawFunction, Term, TorqueLaw, Variable};
 
 use crate::simulate::bristle::sign;
 use crate::simulate::drive::Drive;
 
-/// Further torque of a joint's drive.
+/// Additional torque of a joint's drive.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ClosedForm {
     law: TorqueLaw,
 }
 
-/// What laws may ask for, at one instant, joint by joint.
+/// Variables that laws can read, at one instant, joint by joint.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Moment {
     /// Angles of the motors, rad.
     pub q: Vec<f64>,
-    /// rad/s
+    /// Velocities of the motors, rad/s.
     pub dq: Vec<f64>,
-    /// rad/s^2
+    /// Accelerations of the motors, rad/s^2.
     pub ddq: Vec<f64>,
-    /// Substitutes for the signs of the velocities.
+    /// Smooth substitutes for the signs of the velocities.
     pub sign: Vec<f64>,
-    /// Degrees C.
+    /// Temperatures, degrees C.
     pub temperature: Vec<f64>,
-    /// Since the start, s.
+    /// Time since the start, s.
     pub t: f64,
 }
 
 impl Moment {
-    /// Of so many joints, at rest.
+    /// All zero, for `n` joints.
     pub(crate) fn of(n: usize) -> Self {
         let zeros = || vec![0.0; n];
         Self { q: zeros(), dq: zeros(), ddq: zeros(), sign: zeros(), temperature: zeros(), t: 0.0 }
     }
 
-    /// At this time; `of`: angle, velocity and its sign of each joint.
+    /// Sets time and motion; `of` gives angle, velocity and its sign for each joint.
     pub(crate) fn set(&mut self, t: f64, drives: &[Drive], of: impl Fn(usize) -> (f64, f64, f64)) {
         self.t = t;
         for (j, drive) in drives.iter().enumerate() {
@@ -56,10 +57,10 @@ impl Moment {
 }
 
 impl ClosedForm {
-    /// Of an arm with so many joints.
+    /// Checks the law for an arm with `joints` joints.
     ///
     /// # Errors
-    /// The number of a joint that is not there.
+    /// The number of a joint that does not exist.
     pub(crate) fn new(law: &TorqueLaw, joints: usize) -> Result<Self, usize> {
         let mut most = 0;
         law.term().variables(&mut |variable| {
@@ -74,18 +75,18 @@ impl ClosedForm {
         if most > joints { Err(most) } else { Ok(Self { law: law.clone() }) }
     }
 
-    /// N m.
+    /// Torque, N m.
     pub fn torque(&self, at: &Moment) -> f64 {
         value(self.law.term(), at, None)
     }
 
-    /// Half of what it changes by from one sign of the velocity of joint `j` to the other, N m.
+    /// Half of the change when the sign of the velocity of joint `j` goes from -1 to 1, N m.
     pub(crate) fn level(&self, at: &Moment, j: usize) -> f64 {
         let [up, down] = [1.0, -1.0].map(|sign| value(self.law.term(), at, Some((j, sign))));
         0.5 * (up - down)
     }
 
-    /// Notes the joints with a sign of their velocity in it.
+    /// Marks the joints whose velocity sign occurs in the law.
     pub(crate) fn signs(&self, of: &mut [bool]) {
         signs(self.law.term(), of);
     }
@@ -95,7 +96,7 @@ impl ClosedForm {
     }
 }
 
-/// The joint of `sign(dq_k)`, for which a bristle stands: a joint sticks where it has been.
+/// Joint of `sign(dq_k)`. A bristle replaces it, so that a joint sticks where it stops.
 fn sign_of(term: &Term) -> Option<usize> {
     match term {
         Term::Call(LawFunction::Sign, x) => match **x {
@@ -121,7 +122,7 @@ fn signs(term: &Term, of: &mut [bool]) {
     }
 }
 
-/// `with`: a joint, and what stands for the sign of its velocity in place of the moment's.
+/// Value of a term. `with` is a joint and a value that replaces the sign of its velocity.
 fn value(term: &Term, at: &Moment, with: Option<(usize, f64)>) -> f64 {
     let of = |x: &Term| value(x, at, with);
     if let Some(k) = sign_of(term) {

@@ -1,4 +1,4 @@
-//! `external_contact`: a wrench on the tool during a window of time, or a wall.
+//! `external_contact`: a wrench on the tool during a time window, or a wall.
 
 use dh_codegen::robot::effects;
 
@@ -7,20 +7,20 @@ use crate::simulate::Wall;
 /// A push, a wall, or both.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExternalContact {
-    /// s
+    /// Start, s.
     pub start: f64,
-    /// s
+    /// End, s.
     pub end: f64,
-    /// Force and moment about the origin of the tool's frame.
+    /// Force (N) and moment (N m) about the origin of the tool's frame.
     pub wrench: [f64; 6],
-    /// Whether they are in the axes of the base, and not in those of the tool.
+    /// Whether the wrench is in the axes of the base, else in those of the tool.
     pub in_base: bool,
-    /// Acts at any time.
+    /// Wall, which acts at any time.
     pub wall: Option<Wall>,
 }
 
 impl ExternalContact {
-    /// `span`: begin and end of the motion, s.
+    /// `span`: start and end of the motion, s. The default window is its middle third.
     pub(crate) fn new(stated: &effects::ExternalContact, span: &std::ops::Range<f64>) -> Self {
         let third = (span.end - span.start) / 3.0;
         Self {
@@ -37,8 +37,8 @@ impl ExternalContact {
         }
     }
 
-    /// How much of it acts at this time: it rises and falls in raised cosines of 20 ms, as no push
-    /// is a step.
+    /// Share of the wrench at time `t`: rises and falls as raised cosines of 20 ms, since no real
+    /// push is a step.
     pub fn share(&self, t: f64) -> f64 {
         const RISE: f64 = 0.02;
         let rise = RISE.min(0.5 * (self.end - self.start));
@@ -52,7 +52,7 @@ impl ExternalContact {
         0.5 - 0.5 * libm::cos(std::f64::consts::PI * inside / rise)
     }
 
-    /// Whether it may act at this time.
+    /// Whether the contact can act at this time.
     pub fn acts(&self, t: f64) -> bool {
         self.wall.is_some() || (self.start..self.end).contains(&t)
     }

@@ -3,10 +3,10 @@
 
 use dh_codegen::robot::effects;
 
-/// Temperature rise of a gear at work, K.
+/// Temperature rise of a gear in operation, K.
 const WARMING: f64 = 15.0;
 
-/// Warming up.
+/// Warm-up of the friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FrictionDrift {
     /// `DA`.
@@ -35,7 +35,7 @@ impl FrictionDrift {
         (1.0 + self.cold * libm::exp(-t / self.time) + rest).max(0.0)
     }
 
-    /// Degrees C, `t` s after the start.
+    /// Temperature, degrees C, `t` s after the start.
     pub fn temperature(&self, t: f64) -> f64 {
         self.reference + WARMING * (1.0 - libm::exp(-t / self.time))
     }

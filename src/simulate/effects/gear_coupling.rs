@@ -1,11 +1,11 @@
 //! `gear_coupling`: motor m turns with `w = dq_m + KC dq_k`, as in the wrists of Staubli arms. Its
-//! own part stands in the drive of joint m. The coupling adds `tau_k += KC (IAM ddq_m + FVM dq_m +
+//! own terms are in the drive of joint m. The coupling adds `tau_k += KC (IAM ddq_m + FVM dq_m +
 //! FCM sign(w))`, `tau_m += IAM KC ddq_k + FVM KC dq_k + FCM sign(w)`.
 
-/// A motor that turns with another joint.
+/// Coupling of a motor with another joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct GearCoupling {
-    /// The joint whose motor it is, m: degree of freedom, from 0.
+    /// Joint of the motor, m: degree of freedom, from 0.
     pub motor: usize,
     /// The other joint, k.
     pub other: usize,
@@ -22,7 +22,7 @@ pub struct GearCoupling {
 }
 
 impl GearCoupling {
-    /// Torques on k and m without the Coulomb part.
+    /// Torques on k and m, N m, without the Coulomb part.
     pub fn torques(&self, [v_m, v_k]: [f64; 2], [a_m, a_k]: [f64; 2]) -> [f64; 2] {
         let on_k = self.ratio * (self.rotor * a_m + self.viscous * v_m);
         let on_m = self.ratio * (self.rotor * a_k + self.viscous * v_k);

@@ -1,6 +1,6 @@
-//! `joint_elasticity`: motor and link are two inertias with a spring between them (M. W. Spong,
-//! *Modeling and control of elastic joint robots*, J. Dyn. Sys. Meas. Control 109, 1987). Friction,
-//! rotor and ripple act on the motor.
+//! `joint_elasticity`: motor and link are two inertias joined by a spring (M. W. Spong, *Modeling
+//! and control of elastic joint robots*, J. Dyn. Sys. Meas. Control 109, 1987). Friction, rotor and
+//! ripple act on the motor.
 
 use dh_codegen::robot::effects;
 
@@ -18,8 +18,9 @@ impl JointElasticity {
         Self { stiffness: stated.stiffness(rated), damping: stated.damping() }
     }
 
-    /// Stop of a gear with backlash if the file gives no elasticity. It is ten times as stiff as a
-    /// joint by default, with a tenth of critical damping against a rotor of `inertia` kg m^2.
+    /// Contact stiffness of a gear with backlash for which the file gives no elasticity. It is ten
+    /// times as stiff as a joint by default, with a tenth of critical damping against a rotor of
+    /// `inertia` kg m^2.
     pub(crate) fn of_teeth(rated: f64, inertia: f64) -> Self {
         let stiffness = 600.0 * rated;
         Self { stiffness, damping: 0.2 * (stiffness * inertia).sqrt() }

@@ -3,16 +3,16 @@
 
 use dh_codegen::robot::effects;
 
-/// A spring between a link and the one before.
+/// A spring between a link and its predecessor.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JointSpring {
     /// `KS`, N m/rad.
     pub stiffness: f64,
-    /// `QS`, rad.
+    /// `QS`, rest angle, rad.
     pub rest: f64,
     /// `KQ`, N m/rad^3.
     pub hardening: f64,
-    /// `SIDE`: the sign of the stretch at which it is taut; 0: always.
+    /// `SIDE`: sign of the stretch at which it is taut; 0: both.
     pub side: f64,
 }
 
@@ -22,19 +22,19 @@ impl JointSpring {
         Self { stiffness, rest, hardening: stated.cubic(), side: stated.side() }
     }
 
-    /// By how much it is stretched, rad; 0 where it hangs.
+    /// Stretch, rad; 0 where a cable is slack.
     fn stretch(&self, q: f64) -> f64 {
         let x = q - self.rest;
         if self.side * x < 0.0 { 0.0 } else { x }
     }
 
-    /// Torque that holds it at this angle.
+    /// Torque that holds the joint at this angle, N m.
     pub fn torque(&self, q: f64) -> f64 {
         let x = self.stretch(q);
         self.stiffness * x + self.hardening * x.powi(3)
     }
 
-    /// Its slope there, N m/rad.
+    /// Derivative of the torque with respect to the angle, N m/rad.
     pub fn slope(&self, q: f64) -> f64 {
         match self.stretch(q) {
             0.0 if self.side != 0.0 => 0.0,

@@ -1,9 +1,9 @@
-//! `load_dependent_friction`: `FL |tau_load| sign(v)`, `tau_load` the torque of the bodies that the
-//! gear transmits; `FLB` in place of `FL` where the load drives the motor.
+//! `load_dependent_friction`: `FL |tau_load| sign(v)`, with `tau_load` the torque that the gear
+//! transmits to the bodies. `FLB` replaces `FL` where the load drives the motor.
 
 use dh_codegen::robot::effects;
 
-/// Friction in proportion to the transmitted torque.
+/// Friction proportional to the transmitted torque.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LoadDependentFriction {
     /// `FL`.
@@ -17,7 +17,7 @@ impl LoadDependentFriction {
         Self { factor: stated.factor(), driven: stated.driven() }
     }
 
-    /// The level at this load and motor velocity, N m.
+    /// Coulomb level at this load (N m) and motor velocity, N m.
     pub fn level(&self, load: f64, v: f64) -> f64 {
         load.abs() * if load * v < 0.0 { self.driven } else { self.factor }
     }

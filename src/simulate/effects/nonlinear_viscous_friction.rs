@@ -2,28 +2,28 @@
 
 use dh_codegen::robot::effects;
 
-/// Below this speed, rad/s, a power less than 1 is rounded off, so that its slope stays finite.
+/// Speed, rad/s, below which a power less than 1 is rounded off to keep its slope finite.
 const ROUNDED: f64 = 1e-3;
 
-/// Friction by a power of speed.
+/// Friction as a power of speed, or saturating with speed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NonlinearViscousFriction {
     /// `FN`, N m at 1 rad/s.
     pub level: f64,
     /// `EN`.
     pub exponent: f64,
-    /// `VN`, rad/s; 0: a power.
+    /// `VN`, rad/s, speed of half the level; 0: a power.
     pub half: f64,
 }
 
 impl NonlinearViscousFriction {
-    /// One of each term.
+    /// One law per term.
     pub(crate) fn all(stated: &effects::NonlinearViscousFriction, rated: f64) -> Vec<Self> {
         let of = |[level, exponent, half]: [f64; 3]| Self { level, exponent, half };
         stated.terms(rated).into_iter().map(of).collect()
     }
 
-    /// Torque per velocity: the law is this times `v`.
+    /// Torque divided by velocity: the law is this times `v`.
     pub fn slope(&self, v: f64) -> f64 {
         if self.half > 0.0 {
             return self.level / (v.abs() + self.half);
@@ -31,7 +31,7 @@ impl NonlinearViscousFriction {
         self.level * libm::pow(v * v + ROUNDED * ROUNDED, 0.5 * (self.exponent - 1.0))
     }
 
-    /// Derivative of the law by `v`.
+    /// Derivative of the law with respect to `v`.
     pub fn derivative(&self, v: f64) -> f64 {
         if self.half > 0.0 {
             return self.level * self.half / (v.abs() + self.half).powi(2);

@@ -16,7 +16,7 @@ impl PositionDependentFriction {
         Self { amplitude: [stated.cosine(rated), stated.sine(rated)], periods: stated.periods() }
     }
 
-    /// Increase of the level at this angle, N m.
+    /// Increase of the Coulomb level at this angle, N m.
     pub fn excess(&self, q: f64) -> f64 {
         let [cosine, sine] = self.amplitude;
         cosine * libm::cos(self.periods * q) + sine * libm::sin(self.periods * q)

@@ -4,7 +4,7 @@
 
 use dh_codegen::robot::effects;
 
-/// Friction with memory near reversals.
+/// Friction with hysteresis near reversals.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PreslidingHysteresis {
     /// `HC`, N m.

@@ -2,7 +2,7 @@
 
 use dh_codegen::robot::effects;
 
-/// Friction that falls from breakaway to Coulomb level.
+/// Friction that falls from the breakaway to the Coulomb level.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct StribeckFriction {
     /// `FS`, N m, breakaway level.
@@ -23,7 +23,7 @@ impl StribeckFriction {
         }
     }
 
-    /// Increase of the level over `coulomb` at this velocity.
+    /// Increase of the level over `coulomb` at this velocity, N m.
     pub fn excess(&self, v: f64, coulomb: f64) -> f64 {
         let ratio = (v / self.velocity).abs();
         let power = if self.exponent == 2.0 { ratio * ratio } else { libm::pow(ratio, self.exponent) };

@@ -1,9 +1,8 @@
-//! `torque_ripple`: `RC cos(RN q) + RS sin(RN q)`, and more of the kind with 2, 3, ... behind the
-//! keys.
+//! `torque_ripple`: `RC cos(RN q) + RS sin(RN q)`, and further terms whose keys end in 2, 3, ...
 
 use dh_codegen::robot::effects;
 
-/// Torque that is periodic in the motor's angle.
+/// Torque periodic in the motor's angle.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TorqueRipple {
     /// Periods per joint turn, cosine and sine amplitude, N m.
@@ -20,7 +19,7 @@ impl TorqueRipple {
         self.terms.iter().map(|[n, c, s]| c * libm::cos(n * q) + s * libm::sin(n * q)).sum()
     }
 
-    /// Its derivative by the angle.
+    /// Derivative of the torque with respect to the angle, N m/rad.
     pub fn slope(&self, q: f64) -> f64 {
         self.terms.iter().map(|[n, c, s]| n * (s * libm::cos(n * q) - c * libm::sin(n * q))).sum()
     }

@@ -1,17 +1,17 @@
-//! The signature of each effect: what one would look for in a log of a real robot.
+//! Signature of each effect, as it would appear in a log of a real robot.
 
 use super::*;
 
-/// Velocity at which the bristles of a plain sign have long given way, rad/s.
+/// Velocity above which the bristles of a plain sign are saturated, rad/s.
 const FAST: f64 = 0.15;
 
-/// A joint's column of the truth.
+/// Column of a joint in the truth.
 fn joint(values: &[f64], recording: &Recording, j: usize) -> Vec<f64> {
     let len = recording.truth.t.len();
     values[j * len..(j + 1) * len].to_vec()
 }
 
-/// Torque that the effect adds at joint `j` when the motion is followed exactly; with the motion.
+/// Torque that an effect adds at one joint under exact motion, N m, with that motion.
 struct Added {
     t: Vec<f64>,
     q: Vec<f64>,
@@ -34,7 +34,7 @@ fn added(robot: &Robot, effects: &Effects, trajectory: &Trajectory, j: usize, ra
     }
 }
 
-/// Compares what is added with a law of `(t, q, v, load)` where the joint is not near a reversal.
+/// Compares the added torque with a law of `(t, q, v, load)` away from reversals.
 fn follows(name: &str, parameters: &[(&str, f64)], law: impl Fn(f64, f64, f64, f64) -> f64, bound: f64) {
     let robot = robot("planar2r");
     for j in 0..2 {
@@ -111,8 +111,8 @@ fn friction_fades_as_the_gear_warms() {
 
 #[test]
 fn presliding_is_a_loop_whose_area_is_the_energy_lost() {
-    // Back and forth within and beyond the presliding travel; slowly, so that the damping of the
-    // bristle is a percent.
+    // Cycles within and beyond the presliding travel, slow enough for the damping of the bristle to
+    // be about a percent.
     let robot = frictionless("planar2r");
     let loop_area = |size: f64| {
         let t: Vec<f64> = (0..=4000).map(|k| f64::from(k) * 0.1).collect();
@@ -120,7 +120,7 @@ fn presliding_is_a_loop_whose_area_is_the_energy_lost() {
             t.iter().map(|t| size * (0.01 * std::f64::consts::TAU * t).sin()).chain(t.iter().map(|_| 0.0)).collect();
         let motion = Trajectory::new(2, t, q, None, None).unwrap();
         let seen = added(&robot, &at_joint(0, "presliding_hysteresis", &[("HC", 2.0), ("HX", 2e-3)]), &motion, 0, 50.0);
-        // The last two of four periods.
+        // Mean of the last two of four periods.
         let from = seen.t.len() / 2;
         (from + 1..seen.t.len())
             .map(|k| 0.5 * (seen.torque[k] + seen.torque[k - 1]) * (seen.q[k] - seen.q[k - 1]))
@@ -138,8 +138,8 @@ fn presliding_is_a_loop_whose_area_is_the_energy_lost() {
 
 #[test]
 fn an_elastic_joint_rings_at_its_resonance() {
-    // The elbow's link against its locked motor would ring at sqrt(K / J); with a free rotor at
-    // sqrt(K (1 / J + 1 / I)).
+    // The elbow's link rings at sqrt(K / J) against a locked motor, and at sqrt(K (1 / J + 1 / I))
+    // with a free rotor.
     let mut robot = frictionless("planar2r");
     robot.gravity = [0.0; 3];
     let (stiffness, rotor) = (80.0, 0.02);
@@ -151,7 +151,7 @@ fn an_elastic_joint_rings_at_its_resonance() {
         robot: Vec::new(),
         ..Effects::default()
     };
-    // The shoulder is held, the elbow's motor gets a blow.
+    // The shoulder is held and the elbow's motor receives a torque pulse.
     let t: Vec<f64> = (0..=400).map(|k| f64::from(k) * 0.005).collect();
     let len = t.len();
     let torques: Vec<f64> = (0..len).map(|_| 0.0).chain((0..len).map(|k| if k < 4 { 1.0 } else { 0.0 })).collect();
@@ -259,7 +259,7 @@ fn sensors_that_lie() {
         }
     }
     assert!(true_torque.iter().any(|t| t.abs() > 3.0));
-    // An encoder with an offset: the log says what was asked for, the arm is elsewhere.
+    // Encoder offset: the log shows the desired motion while the arm is elsewhere.
     let shifted = run(&robot, &at_joint(0, "encoder_offset", &[("QO", 0.05)]), &trajectory, &exact(100.0));
     let followed = run(&robot, &at_joint(0, "encoder_offset", &[("QO", 0.05)]), &trajectory, &loop_at(100.0));
     for (seen, bound) in [(&shifted, 1e-12), (&followed, 2e-2)] {
@@ -271,7 +271,7 @@ fn sensors_that_lie() {
     }
 }
 
-/// Torques of the oracle along the same motion, with other bodies.
+/// Torques of the oracle along the same motion, for a robot with other bodies.
 fn by_oracle(robot: &Robot, recording: &Recording, k: usize) -> Vec<f64> {
     let numeric = crate::model::rigid_body::Numeric::new(robot);
     let phi = dh_codegen::arm::param::standard_values(robot).unwrap();
@@ -350,7 +350,7 @@ fn a_push_on_the_tool_is_felt_through_the_jacobian() {
         };
         let (q1, q2) = (with.truth.link_q[k], with.truth.link_q[len + k]);
         let a = q1 + q2;
-        // The force in world axes.
+        // Force in world axes.
         let (fx, fy) = (6.0 * a.cos() + 4.0 * a.sin(), 6.0 * a.sin() - 4.0 * a.cos());
         let elbow = l2 * (a.cos() * fy - a.sin() * fx) + 0.5;
         let shoulder = elbow + l1 * (q1.cos() * fy - q1.sin() * fx);
@@ -363,8 +363,8 @@ fn a_push_on_the_tool_is_felt_through_the_jacobian() {
     }
 }
 
-/// The torques of a wall in the file are the slopes of its energy, at any time; a push in the axes of
-/// the base does not turn with the tool.
+/// Torques of a wall in the file are the derivatives of its energy, at any time. A push in the axes
+/// of the base does not turn with the tool.
 #[test]
 fn a_wall_and_a_push_in_the_axes_of_the_base() {
     let robot = frictionless("planar2r");
@@ -393,8 +393,7 @@ fn a_wall_and_a_push_in_the_axes_of_the_base() {
 #[test]
 fn a_wall_stops_the_tool() {
     let robot = robot("planar2r");
-    // The arm hangs and swings towards a wall at x = 0.3; with the arm straight the tip is 0.9 m
-    // out.
+    // The arm swings towards a wall at x = 0.72; the straight arm reaches 0.9 m.
     let q = [-0.9, 0.2];
     let simulator = Simulator::new(&robot, &Effects::default()).unwrap();
     let t: Vec<f64> = (0..=300).map(|k| f64::from(k) * 0.01).collect();
@@ -434,8 +433,8 @@ fn a_saturated_drive_falls_behind() {
 
 #[test]
 fn stick_and_slip_needs_stribeck() {
-    // A slow ramp through a soft loop: with a breakaway level above Coulomb's the joint jerks,
-    // without it creeps evenly.
+    // Slow ramp with a soft loop: the joint jerks with a breakaway level above Coulomb's, and
+    // creeps evenly without.
     let mut robot = frictionless("planar2r");
     robot.gravity = [0.0; 3];
     let t: Vec<f64> = (0..=200).map(|k| f64::from(k) * 0.02).collect();

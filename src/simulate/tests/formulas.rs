@@ -1,14 +1,14 @@
-//! Laws of single effects by differences, limits and energies.
+//! Formulas of single effects, checked by differences, limits and energies.
 
 use crate::simulate::effects::{JointSpring, LoadDependentFriction, NonlinearViscousFriction};
 
-/// Central difference.
+/// Central difference quotient.
 fn slope(of: impl Fn(f64) -> f64, x: f64) -> f64 {
     const STEP: f64 = 1e-5;
     (of(x + STEP) - of(x - STEP)) / (2.0 * STEP)
 }
 
-/// A spring gives back the work that is put into it, whichever way it is bent.
+/// The work put into a spring equals its stored energy, in both directions.
 #[test]
 fn a_spring_has_an_energy() {
     let spring = JointSpring { stiffness: 30.0, rest: 0.2, hardening: 80.0, side: 0.0 };
@@ -30,7 +30,7 @@ fn a_cable_hangs_on_one_side() {
     }
 }
 
-/// The motor lifts a load, or is driven by it.
+/// The level depends on whether the motor lifts the load or is driven by it.
 #[test]
 fn a_gear_loses_otherwise_where_the_load_drives_it() {
     let gear = LoadDependentFriction { factor: 0.05, driven: 0.12 };
@@ -40,7 +40,7 @@ fn a_gear_loses_otherwise_where_the_load_drives_it() {
     }
 }
 
-/// It is linear where it begins, has half of its level at `VN`, and never more than its level.
+/// Linear near zero, half of the level at `VN`, and never more than the level.
 #[test]
 fn friction_that_saturates_has_its_level_and_half_of_it() {
     let law = NonlinearViscousFriction { level: 8.0, exponent: 1.0, half: 0.4 };

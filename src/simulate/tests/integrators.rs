@@ -1,10 +1,11 @@
-//! Both methods have the order that their papers say, the Rosenbrock method with any Jacobian.
+//! Both methods have the order of their papers, the Rosenbrock method with any Jacobian.
 
 use crate::numerics::integrators::dormand_prince::DormandPrince;
 use crate::numerics::integrators::rosenbrock::Rosenbrock;
 use crate::numerics::integrators::{Breakdown, Linear, LinearBristle, Method, Pace, Solver, System};
 
-/// A pendulum that is pushed and damped, with a bristle; share of its Jacobian that is given.
+/// A forced and damped pendulum with a bristle; `share` is the share of the Jacobian that it
+/// returns.
 struct Pendulum {
     share: f64,
 }

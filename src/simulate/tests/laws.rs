@@ -1,4 +1,4 @@
-//! Laws of mechanics.
+//! Laws of mechanics: energy, free swings, friction, control loop, sensor noise.
 
 use super::*;
 use crate::model::rigid_body::Numeric;
@@ -20,8 +20,8 @@ fn free(rate: f64, tolerance: f64) -> Request {
     }
 }
 
-/// A spring about 0.6 on joint 3, N/m: it keeps the Stanford arm's sliding joint from falling out
-/// of its bearing.
+/// Spring on joint 3: stiffness, N/m, and rest position, m. It keeps the Stanford arm's sliding
+/// joint from leaving its bearing.
 const SPRING: [f64; 2] = [200.0, 0.6];
 
 fn spring(name: &str) -> Effects {
@@ -70,7 +70,7 @@ fn a_free_swing_is_the_oracles() {
         let phi = param::standard_values(&robot).unwrap();
         let numeric = Numeric::new(&robot);
         let truth = run(&robot, &spring(name), &Trajectory::rest(q, 2.0).unwrap(), &free(10.0, 1e-10)).truth;
-        // The classical Runge-Kutta method on the articulated-body algorithm.
+        // Reference: the classical Runge-Kutta method with the articulated-body algorithm.
         let (n, h) = (q.len(), 2e-4);
         let rate = |y: &[f64]| {
             let mut tau = vec![0.0; n];
@@ -132,8 +132,8 @@ fn friction_holds_an_arm_that_is_not_heavy_enough() {
         run(&robot, &Effects::default(), &Trajectory::rest(&[0.0, 0.1], 5.0).unwrap(), &free(100.0, 1e-6)).truth;
     let len = truth.t.len();
     for j in 0..2 {
-        // The bristle gives way a little at first; then nothing moves but by the tolerance of the
-        // integration, 1e-5 rad/s.
+        // The bristle yields a little at first. After that the only motion is the integration
+        // tolerance, 1e-5 rad/s.
         let [start, soon, end] = [0, 100, len - 1].map(|k| truth.link_q[j * len + k]);
         assert!((soon - start).abs() < 1e-4, "joint {} gave way by {}", j + 1, soon - start);
         assert!((end - soon).abs() < 4e-5, "joint {} crept by {}", j + 1, end - soon);
@@ -148,7 +148,7 @@ fn the_loop_follows_and_its_torques_are_those_of_the_model() {
     let ideal = run(&robot, &Effects::default(), &trajectory, &exact(1000.0));
     let worst = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
     assert!(worst(&followed.truth.link_q, &ideal.truth.link_q) < 3e-3);
-    // The dynamics at the states that were passed, by the oracle: M ddq from the loop's own motion.
+    // Oracle's inverse dynamics at the states passed, with `ddq` from the loop's own motion.
     let phi = param::standard_values(&robot).unwrap();
     let numeric = Numeric::new(&robot);
     let (truth, len) = (&followed.truth, followed.truth.t.len());
@@ -205,8 +205,8 @@ fn sensors_have_the_noise_that_is_asked_for() {
     assert!(noisy.columns[1].iter().all(|q| ((q / 1e-4).round() * 1e-4 - q).abs() < 1e-15));
 }
 
-/// A drive whose motor gives what gravity and the offset of its friction take stands still; one that
-/// gives gravity alone is accelerated by the offset.
+/// A motor torque that balances gravity and the friction offset keeps the joint at rest. With
+/// gravity alone the offset accelerates it.
 #[test]
 fn an_offset_of_the_friction_holds_back() {
     let mut robot = frictionless("planar2r");

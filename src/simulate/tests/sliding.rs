@@ -1,10 +1,10 @@
-//! A joint that slides, and motors of it: the SCARA arm.
+//! Tests with a prismatic joint and its drive: the SCARA arm.
 
 use super::*;
 use crate::data::log::Quantity;
 use crate::identify::tool::shape::{Assembly, Axis};
 
-/// The links of the file are the solids that it names.
+/// The links of the file are the solids named in its comment.
 #[test]
 fn scara_links_are_the_solids_of_its_comment() {
     let (l1, l2) = (0.325, 0.275);
@@ -33,9 +33,8 @@ fn scara_links_are_the_solids_of_its_comment() {
     }
 }
 
-/// The stroke carries carriage and quill, 2 kg, whatever the arm does: F = M (a - g), its z
-/// pointing down. And what the sensors recorded is what the motion needs: a static arm holds them
-/// with -19.62 N.
+/// The prismatic joint carries carriage and quill, 2 kg, whatever the arm does: F = M (a - g), with
+/// z pointing down. The recorded force is the one that the motion requires: at rest -19.62 N.
 #[test]
 fn a_stroke_carries_its_weight() {
     let scara = robot("scara");
@@ -57,7 +56,7 @@ fn a_stroke_carries_its_weight() {
             let h = 1e-4;
             (stroke(t + h) - 2.0 * stroke(t) + stroke(t - h)) / (h * h)
         };
-        // The loop starts from rest behind the motion's first millisecond.
+        // Skips the transient of the loop, which starts from rest.
         for (t, force) in recording.truth.t.iter().zip(force).skip(50) {
             if *t > 0.05 && *t < 1.95 {
                 let due = 2.0 * (second(*t) - 9.81);
@@ -67,7 +66,7 @@ fn a_stroke_carries_its_weight() {
     }
 }
 
-/// Friction along a stroke in N and N s/m, a spring in N/m: what effects do to a joint that slides.
+/// On a prismatic joint, friction is in N and N s/m and a spring in N/m.
 #[test]
 fn effects_of_a_stroke_are_forces() {
     let scara = robot("scara");
