@@ -4,7 +4,6 @@
 //! A run identifies from a noisy log and estimates from another one with a known wrench of all six
 //! components. Parameters are identified again in each run, so their error, the same at all samples
 //! of a run, differs between runs. A band's coverage is therefore over runs and samples.
-//! a run, is thus drawn again as well, and a band's coverage is over runs and samples.
 
 use dh_codegen::robot::{Robot, no_files};
 
