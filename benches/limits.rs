@@ -1,5 +1,5 @@
-//! Each function of the generated LWR compared with the processor's limits: `cargo bench --bench
-//! limits`, without any flags.
+//! Each function of the generated LWR compared with the processor's limits:
+//! `cargo bench --bench limits`, without any flags.
 //!
 //! *Ports*: the shortest time for the function's additions, multiplications and divisions without
 //! dependencies. *Path*: the longest chain of dependent operations, a lower bound for any order of

@@ -158,7 +158,8 @@ fn laws_of_transmission_and_sensor() {
     });
 }
 
-/// A point of 2 kg that slides on a link of 0.3 kg m^2 in a vertical plane, by Lagrange's equations.
+/// A point of 2 kg that slides on a link of 0.3 kg m^2 in a vertical plane, by Lagrange's
+/// equations.
 fn polar(q: [f64; 2], v: [f64; 2], a: [f64; 2]) -> [f64; 2] {
     let (m, g) = (2.0, 9.81);
     let turning = (0.3 + m * q[1] * q[1]) * a[0] + 2.0 * m * q[1] * v[1] * v[0] + m * g * q[1] * q[0].sin();

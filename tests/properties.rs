@@ -125,8 +125,8 @@ proptest! {
         prop_assert!((gained - given).abs() < 1e-6 * (1.0 + given.abs() + power.abs()), "{gained} {given}");
     }
 
-    /// Every link of these chains is a real body, so no motion is free of inertia; and `T = dq' M
-    /// dq / 2`.
+    /// Every link of these chains is a real body, so no motion is free of inertia; and
+    /// `T = dq' M dq / 2`.
     #[test]
     fn mass_matrix_is_symmetric_positive_definite((robot, mut random) in chain()) {
         let arm = Arm::new(&robot, &[Function::MassMatrix, Function::KineticEnergyRegressor]);

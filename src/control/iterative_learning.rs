@@ -5,11 +5,11 @@
 //! A force loop cannot follow fast errors because of its low-pass and the arm's mass on the wall.
 //! These errors repeat at the same place of the same motion: gear ripple, friction at reversals,
 //! drag. `T(w)` is the linear model's response of the force to a displacement added to the closed
-//! loop. The error `e` of a coat (desired minus feedback force) adds `L e` on the next, `L = g Q T*
-//! / (|T|^2 + r^2)`. The filter is non-causal, as learning takes place after the coat. Of an error
-//! that follows the model, `1 - g Q |T|^2 / (|T|^2 + r^2)` remains. With `g` of 0.6 the error still
-//! decreases where the arm's response is up to three times its model's, or 60 degrees off in phase.
-//! `Q` ends where the model of rigid joints does.
+//! loop. The error `e` of a coat (desired minus feedback force) adds `L e` on the next,
+//! `L = g Q T* / (|T|^2 + r^2)`. The filter is non-causal, as learning takes place after the coat.
+//! Of an error that follows the model, `1 - g Q |T|^2 / (|T|^2 + r^2)` remains. With `g` of 0.6 the
+//! error still decreases where the arm's response is up to three times its model's, or 60 degrees
+//! off in phase. `Q` ends where the model of rigid joints does.
 //!
 //! Learning is outside the loop, so gains and margins do not change. `T` varies along a motion; it
 //! is interpolated between the neighbouring postures.

@@ -56,8 +56,8 @@ impl Constraints<'_> {
         torques.chain(ground).chain(pairs).chain((0..self.bodies.blocked.len()).map(Constraint::Box)).collect()
     }
 
-    /// Value of each constraint at each sample, not positive where it holds: `[constraint * len +
-    /// s]`.
+    /// Value of each constraint at each sample, not positive where it holds:
+    /// `[constraint * len + s]`.
     pub(super) fn values(&self, list: &[Constraint], states: &States) -> Vec<f64> {
         let len = states.len;
         let mut out = vec![0.0; list.len() * len];

@@ -2,9 +2,9 @@
 //! chapter 6; Sun and Tsoi for Hadamard).
 //!
 //! The condition number is not differentiable where its largest or smallest singular value is
-//! multiple, which is where minima tend to lie. Power means replace both: `log l_max <= log(sum
-//! l^p) / p`, and the same for `1 / l_min`. The bound is smooth and tight up to `log(B) / p`, and
-//! `p` grows while the solver runs.
+//! multiple, which is where minima tend to lie. Power means replace both:
+//! `log l_max <= log(sum l^p) / p`, and the same for `1 / l_min`. The bound is smooth and tight up
+//! to `log(B) / p`, and `p` grows while the solver runs.
 
 use nalgebra::DMatrix;
 

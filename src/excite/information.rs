@@ -74,8 +74,8 @@ impl Information {
         Self { values, len, gram, factor }
     }
 
-    /// Computes the factor if eigenvalues of the products would lose more than some ten digits: `tr
-    /// G tr G^-1` is at least the square of the condition number.
+    /// Computes the factor if eigenvalues of the products would lose more than some ten digits:
+    /// `tr G tr G^-1` is at least the square of the condition number.
     pub(super) fn sharpen(&mut self, columns: &Columns<'_>, scaling: &Scaling) {
         if self.factor.is_some() {
             return;

@@ -1,5 +1,5 @@
-//! Expected precision of the parameters after a motion, from the information alone: `cov = (W' P W
-//! + prior)^-1`.
+//! Expected precision of the parameters after a motion, from the information alone:
+//! `cov = (W' P W + prior)^-1`.
 
 use nalgebra::DMatrix;
 

@@ -152,7 +152,7 @@ fn simulate_plays_it() {
             })
             .collect();
         errors.sort_by(f64::total_cmp);
-        // At reversals bristles reverse; friction that is unknown to the loop makes the joint stick.
+        // At reversals bristles reverse; friction not modelled in the loop makes the joint stick.
         let share = if smooth { 95 } else { 80 };
         let (most, rms) = (errors[errors.len() * share / 100], 0.3);
         println!("exact {exact}, smooth {smooth}: {share} % of errors below {most:.2e} N m");

@@ -2,8 +2,8 @@
 //!
 //! Way points are passed at rest, so that legs are coupled only at their ends. With a leg's time
 //! `tau`, speeds scale with `1/tau`, accelerations with `1/tau^2`, and the integral of the squared
-//! jerk is `J / tau^5`. The optimal `tau` is the larger of the time that the limits require and `(5
-//! w J)^(1/6)`, where the derivative of `tau + w J / tau^5` vanishes. `T_C` of equation (12)
+//! jerk is `J / tau^5`. The optimal `tau` is the larger of the time that the limits require and
+//! `(5 w J)^(1/6)`, where the derivative of `tau + w J / tau^5` vanishes. `T_C` of equation (12)
 //! therefore needs no search.
 
 use nalgebra::DMatrix;
@@ -219,8 +219,9 @@ impl Leg {
 }
 
 /// Times of the legs, each at least its own minimum. With `duration` they sum to it and minimise
-/// the sum of `J / tau^5` (equal marginal gain: `tau` in proportion to `J^(1/6)`). Without it `tau
-/// + w J / tau^5` is minimised for each leg. The flag is true if the leg takes its minimum time.
+/// the sum of `J / tau^5` (equal marginal gain: `tau` in proportion to `J^(1/6)`). Without it
+/// `tau + w J / tau^5` is minimised for each leg. The flag is true if the leg takes its minimum
+/// time.
 pub(super) fn share_out(least: &[f64], jerk: &[f64], weight: f64, duration: Option<f64>) -> Vec<(f64, bool)> {
     let at = |scale: f64| -> Vec<(f64, bool)> {
         least

@@ -1,10 +1,12 @@
 //! The search for the minimum of equation (12).
 //!
 //! 1. A grid: the whole wall and parts of it, both orientations of the roller, every branch of the
-//! inverse kinematics, swivel angles all around. 2. Compass search in swivel, `Z_u`, `Z_l`, `Y_0`
-//! and `dY` from the best of them (`T_C` follows in closed form, see `leg_timing`). 3. Beyond the
-//! paper: the angle at each way point, by dynamic programming over a grid, then pattern search in
-//! all variables. A leg depends only on its two ends, so the grid's optimum is exact.
+//!    inverse kinematics, swivel angles all around.
+//! 2. Compass search in swivel, `Z_u`, `Z_l`, `Y_0` and `dY` from the best of them (`T_C` follows
+//!    in closed form, see `leg_timing`).
+//! 3. Beyond the paper: the angle at each way point, by dynamic programming over a grid, then
+//!    pattern search in all variables. A leg depends only on its two ends, so the grid's optimum is
+//!    exact.
 
 use super::strokes::Strokes;
 use super::surface::Roller;

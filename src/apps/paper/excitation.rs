@@ -71,8 +71,8 @@ pub struct Late {
     /// Share of the total decrease, from the shortest to the longest motion, that comes after
     /// [`CHOSEN`]; of the logarithm for the condition number.
     pub share: f64,
-    /// Mean standard deviation of a parameter at the end relative to that at [`CHOSEN`], from `log
-    /// det`.
+    /// Mean standard deviation of a parameter at the end relative to that at [`CHOSEN`], from
+    /// `log det`.
     pub deviation: Option<f64>,
     /// The same ratio if only the number of samples grew: `sqrt(T_chosen / T)`.
     pub by_samples: f64,

@@ -131,8 +131,8 @@ fn the_papers_identification() {
     assert!((0..7).all(|j| found.fig10.verdict(j).holds()));
 }
 
-/// Diagnosis of effects hidden in the simulator: one case of each kind, short logs. `denavit
-/// reproduce diagnosis` is the complete test.
+/// Diagnosis of effects hidden in the simulator: one case of each kind, short logs.
+/// `denavit reproduce diagnosis` is the complete test.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn hidden_effects_are_named() {

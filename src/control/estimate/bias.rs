@@ -1,8 +1,8 @@
 //! Bias removal: subtracts the mean residual torque over stretches without contact.
 //!
 //! Every constant part is removed: a sensor's offset, and of the torque error `W d` that the
-//! parameter error `d` causes its mean over the stretch, `mean(W) d`. The remainder is `(W -
-//! mean(W)) d`: the band narrows near the poses of the stretch and widens away from them. The
+//! parameter error `d` causes its mean over the stretch, `mean(W) d`. The remainder is
+//! `(W - mean(W)) d`: the band narrows near the poses of the stretch and widens away from them. The
 //! mean's own noise is added.
 
 use nalgebra::DMatrix;

@@ -2,11 +2,11 @@
 //!
 //! The residual torque without contact, whitened by the predicted covariance as `z = L^-1 e`, has a
 //! mean square of 1 per joint. Its mean over a run is less certain than that many samples suggest,
-//! as a parameter error is the same at every sample. The mean's variance is `2 sum_ts |L_t^-1 C_ts
-//! L_s^-T|^2 / M^2`, `C_ts = W_t C W_s' + [t = s] S`, over `M` instants spaced far apart compared
-//! with the filter's memory. The mean is compared with the chi-square distribution of the same mean
-//! and variance (Satterthwaite 1946). An arm with more than six joints can also be checked during
-//! contact, on the part of the residual that no wrench explains.
+//! as a parameter error is the same at every sample. The mean's variance is
+//! `2 sum_ts |L_t^-1 C_ts L_s^-T|^2 / M^2`, `C_ts = W_t C W_s' + [t = s] S`, over `M` instants
+//! spaced far apart compared with the filter's memory. The mean is compared with the chi-square
+//! distribution of the same mean and variance (Satterthwaite 1946). An arm with more than six
+//! joints can also be checked during contact, on the part of the residual that no wrench explains.
 
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, Gamma};

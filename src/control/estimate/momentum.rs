@@ -168,13 +168,13 @@ pub(super) fn white_speed(gain: f64, dt: f64, speed: &[f64]) -> f64 {
     dt * libm::sqrt(energy / steps.max(1e-300))
 }
 
-/// Gains of white noise of variance 1 per sample in the ramp-following output `G = H (1 + l (1 -
-/// H))`. `H` is `(1 - k) / (1 - k / z)` and `l` the [`lead`]. The first is for noise that enters as
-/// the mean of two samples, the second for noise that enters as their difference. The third is that
-/// of the mean in the remaining lag, `H (1 - H)^2` (for small steps).
+/// Gains of white noise of variance 1 per sample in the ramp-following output
+/// `G = H (1 + l (1 - H))`. `H` is `(1 - k) / (1 - k / z)` and `l` the [`lead`]. The first is for
+/// noise that enters as the mean of two samples, the second for noise that enters as their
+/// difference. The third is that of the mean in the remaining lag, `H (1 - H)^2` (for small steps).
 ///
-/// The impulse response of `G` is `g_n = (1 - k) k^n (1 + l k - l (1 - k) n)`; the sums of `g_n
-/// g_n` and `g_n g_{n+1}` are geometric series.
+/// The impulse response of `G` is `g_n = (1 - k) k^n (1 + l k - l (1 - k) n)`; the sums of
+/// `g_n g_n` and `g_n g_{n+1}` are geometric series.
 fn gains(k: f64, lead: f64) -> [f64; 3] {
     let (m, c, d) = (k * k, 1.0 + lead * k, lead * (k - 1.0));
     let (away, size) = ((1.0 - m).max(1e-12), (1.0 - k) * (1.0 - k));

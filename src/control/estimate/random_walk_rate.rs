@@ -53,9 +53,9 @@ impl RandomWalkRate {
     /// - A component that recently changed faster than the filter assumed already has the error of
     ///   that rate, in a steady state `sqrt(R) w`.
     /// - Lag, which at the chosen rate is a quarter of the variance on average (half of it where a
-    ///   sine is steepest). It is as uncertain as the mean square of the rate, which comes from `nu
-    ///   = 2 M / T + 1` independent values (an averaging time `M` over values correlated for `T /
-    ///   2`). Its 95 % quantile is therefore that of Student's distribution.
+    ///   sine is steepest). It is as uncertain as the mean square of the rate, which comes from
+    ///   `nu = 2 M / T + 1` independent values (an averaging time `M` over values correlated for
+    ///   `T / 2`). Its 95 % quantile is therefore that of Student's distribution.
     pub fn missing(&self, variance: f64, density: f64) -> f64 {
         if self.rate == 0.0 || !(density > 0.0 && variance > 0.0) {
             return 0.0;

@@ -2,8 +2,8 @@
 //!
 //! The equation is `J' F = e`, with an error of covariance `S` (torque noise and model) and an
 //! independent prior of covariance `D` on `F` ([`Scale`]). `F = (J S^-1 J' + D^-1)^-1 J S^-1 e` is
-//! the mean of `F` given `e`, and the inverse of the bracket its covariance. For `S = s^2 I` and `D
-//! = d^2 I` this is damped least squares (Nakamura and Hanafusa, J. Dyn. Sys. Meas. Control 108,
+//! the mean of `F` given `e`, and the inverse of the bracket its covariance. For `S = s^2 I` and
+//! `D = d^2 I` this is damped least squares (Nakamura and Hanafusa, J. Dyn. Sys. Meas. Control 108,
 //! 1986; Wampler, IEEE SMC 16, 1986), with damping `s / d`.
 
 use super::sample::{NINETY_FIVE, Scale};
