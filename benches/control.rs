@@ -2,19 +2,20 @@
 //! (15), gravity, closed-form inverse kinematics.
 //!
 //! `cargo bench --bench control` prints the distribution over a million steps along a painting
-//! stroke: median, 99th and 99.99th percentile and worst, by three clocks. Costly cases get a tenth
-//! as many steps: a wall out of reach, an outstretched arm, a wrist in line, missing samples.
+//! stroke: median, 99th and 99.99th percentile and maximum, by three clocks. Costly cases get a
+//! tenth as many steps: a wall out of reach, an outstretched arm, an aligned wrist, missing
+//! samples.
 //!
-//! `cargo bench --bench control -- --hostile 100000000` takes so many steps in which something is
-//! wrong half of the time, and prints a histogram of the times.
+//! `cargo bench --bench control -- --hostile 100000000` runs this number of steps with a failure
+//! half of the time, and prints a histogram of the times.
 //!
-//! - wall: with whatever else the machine did meanwhile; worth something on an idle machine, or on
-//!   a core of its own;
-//! - thread: processor time of the thread alone, so that being preempted does not count
-//!   (interrupts, and caches that others have used, do). The clock is a system call: what two calls
-//!   of it cost is measured and said, not taken off;
+//! - wall: includes everything else on the machine; meaningful on an idle machine, or on a reserved
+//!   core;
+//! - thread: processor time of the thread alone, so that preemption does not count (interrupts and
+//!   caches used by others do). The clock is a system call: the cost of two calls is measured and
+//!   reported, not subtracted;
 //! - best of three: the same step from the same state three times, the fastest by the wall clock:
-//!   what the law itself asks for, caches warm.
+//!   the cost of the law itself with warm caches.
 
 #[path = "control/hostile.rs"]
 mod hostile;
@@ -28,7 +29,7 @@ use denavit::control::law::{
 use kuka_lwr4::ik::{Query, Reference};
 
 const N: usize = kuka_lwr4::DOF;
-/// From the last frame to the roller's face, m.
+/// Distance from the last frame to the roller's face, m.
 const REACH: f64 = 0.428;
 
 #[derive(Clone)]
@@ -89,7 +90,7 @@ impl Body<N> for Lwr {
         kuka_lwr4::inverse_dynamics_base(q, dq, ddq, &self.beta)
     }
 
-    // The most work: friction of all joints in doubt.
+    // The most work: uncertain friction of all joints.
     fn turning(&self) -> [f64; N] {
         [0.1; N]
     }
@@ -99,22 +100,22 @@ impl Body<N> for Lwr {
     }
 }
 
-/// Work of the law in one step.
+/// Conditions of a benchmark of the law.
 struct Scene {
     name: &'static str,
     /// Middle of the motion, rad.
     base: [f64; N],
     /// Size of the motion, rad.
     swing: f64,
-    /// Does the force follow the displacement (a wall), or stay below what is wanted, so that the
-    /// displacement runs to where nothing reaches?
+    /// Whether the force follows the displacement (a wall). Otherwise it stays below the desired
+    /// one, so that the displacement runs out of reach.
     wall: bool,
-    /// Each so many samples one is missing, and one in ten times as many is a leap.
+    /// Interval of samples at which one is missing, and at ten times which one is discontinuous.
     missing: Option<usize>,
 }
 
-/// A stroke as it should be; and what could cost more: out of reach, an outstretched arm, a wrist
-/// in line, samples that are missing.
+/// A regular stroke, and cases that could cost more: out of reach, an outstretched arm, an aligned
+/// wrist, missing samples.
 const SCENES: [Scene; 5] = {
     let bent = [0.3, 0.9, 0.2, 1.3, 0.1, -0.9, 0.4];
     let stroke = Scene { name: "along a stroke", base: bent, swing: 0.2, wall: true, missing: None };
@@ -127,10 +128,10 @@ const SCENES: [Scene; 5] = {
     ]
 };
 
-/// One and the same wall for all scenes, N/m.
+/// Stiffness of the wall in all scenes, N/m.
 const STIFFNESS: f64 = 8e3;
 
-/// All limits are watched, and none is exceeded by the scenes.
+/// All limits are active, and none is exceeded by the scenes.
 fn limits() -> Limits<N> {
     Limits {
         position: [[-3.0, 3.0]; N],
@@ -173,10 +174,10 @@ fn main() {
         hostile::run(Lwr { beta }, settings, steps);
         return;
     }
-    // `cargo test --benches` asks for a look, not a measurement.
+    // `cargo test --benches` runs a short check, not a measurement.
     let steps: usize = if std::env::args().any(|a| a == "--bench") { 1_000_000 } else { 1_000 };
     for (k, scene) in SCENES.iter().enumerate() {
-        // The stroke is the measurement; of the others a tenth of it.
+        // The stroke is measured in full; the others take a tenth of its steps.
         let count = if k + 1 == SCENES.len() { steps } else { steps / 10 };
         if let Some(measured) = measure(scene, Lwr { beta }, settings, count) {
             measured.print(scene.name);
@@ -191,7 +192,7 @@ fn main() {
 struct Measured {
     times: [Vec<u32>; 3],
     preempted: usize,
-    /// Steps in which it pressed.
+    /// Number of steps in contact.
     pressing: usize,
 }
 
@@ -250,7 +251,7 @@ fn measure(scene: &Scene, lwr: Lwr, settings: Settings<N>, steps: usize) -> Opti
         }
         let mut best = u32::MAX;
         for round in 0..3 {
-            // The last round is the one that goes on.
+            // The last round is the one that continues.
             let (mut estimator_of, mut controller_of) = (estimator.clone(), controller.clone());
             let (own, begin) = (thread_time(), Instant::now());
             let wrench = std::hint::black_box(&mut estimator_of).step(&seen, &tau);
@@ -282,7 +283,7 @@ fn nanoseconds(time: Duration) -> u32 {
     u32::try_from(time.as_nanos()).unwrap_or(u32::MAX)
 }
 
-/// Processor time of this thread; zero where the system has no such clock.
+/// Processor time of this thread; zero if the system has no such clock.
 fn thread_time() -> Duration {
     #[cfg(target_os = "linux")]
     {

@@ -1,5 +1,5 @@
-//! All branches of one pose, and the swivel intervals of one branch. Printed are medians per pose
-//! over random poses, and clock cycles of the best round, which a slower clock does not change.
+//! All branches of one pose, and the swivel intervals of one branch. Prints medians per pose over
+//! random poses, and clock cycles of the best round, which do not depend on the clock rate.
 //! `benches/peers` measures other crates in the same run.
 //!
 //! For the figures of the README: `RUSTFLAGS="-C target-cpu=native" cargo bench --bench ik`.
@@ -30,7 +30,7 @@ fn measured<const N: usize>(name: &str, bench: &Bench<N>) {
     );
 }
 
-/// The same by the function of a generated crate, whose arm is a constant.
+/// The same with the function of a generated crate, whose arm is a constant.
 macro_rules! generated {
     ($name:literal, $krate:ident) => {{
         let bench = Bench::<{ $krate::DOF }>::new($name);

@@ -1,7 +1,7 @@
 //! Each function of two arms: generated for one state, generated for packs of eight, interpreted in
 //! batches, numeric in nalgebra. Sines and cosines are included everywhere. `cargo bench` prints
 //! medians per call; a call of `pack` is eight states and one of `batch` is 1000. The regressors
-//! are written into an array of the caller, every entry of it. A sample is many calls: reading the
+//! are written completely into an array of the caller. A sample contains many calls: reading the
 //! clock takes 20 ns, and a first call after it another 100.
 //!
 //! For the figures of the README: `RUSTFLAGS="-C target-cpu=native" cargo bench --bench kernels`.
@@ -17,7 +17,7 @@ fn main() {
     divan::main();
 }
 
-/// States in a batch.
+/// Number of states in a batch.
 const BATCH: usize = 1000;
 
 fn robot(name: &str) -> Robot {

@@ -1,11 +1,11 @@
-//! Each function of the generated LWR beside what the processor allows: `cargo bench --bench
-//! limits`, without any flags.
+//! Each function of the generated LWR compared with the processor's limits:
+//! `cargo bench --bench limits`, without any flags.
 //!
-//! *Ports*: the least time for the function's additions, multiplications and divisions if nothing
-//! waits. *Path*: the longest chain of operations that wait for each other, which no order of one
-//! state's operations undercuts. Both are of throughputs and latencies that are measured in the same
-//! run with loops of independent and of dependent operations, so that no clock is assumed. Time is
-//! the processor's, of this thread: the tenth of the samples that is fastest.
+//! *Ports*: the shortest time for the function's additions, multiplications and divisions without
+//! dependencies. *Path*: the longest chain of dependent operations, a lower bound for any order of
+//! one state's operations. Both use throughputs and latencies measured in the same run with loops
+//! of independent and of dependent operations, so that no clock rate is assumed. Time is the
+//! processor's, of this thread: the tenth of the samples that is fastest.
 
 use std::hint::black_box;
 
@@ -19,12 +19,13 @@ use kuka_lwr4::runtime::Scalar;
 use kuka_lwr4::runtime::dispatch::{Level, Numbers, Set, Work, sines_and_cosines};
 
 const N: usize = arm::DOF;
-/// States of an interpreted batch.
+/// Number of states in an interpreted batch.
 const BATCH: usize = 256;
-/// Operations on each register of angles, in `runtime/sincos.rs`: multiplications and additions.
+/// Number of operations on each register of angles, in `runtime/sincos.rs`: multiplications and
+/// additions.
 const SINES: [f64; 2] = [26.0, 35.0];
 
-/// Nanoseconds of this thread's processor time.
+/// Processor time of this thread, ns.
 fn now() -> f64 {
     #[cfg(target_os = "linux")]
     {
@@ -38,7 +39,7 @@ fn now() -> f64 {
     }
 }
 
-/// Nanoseconds of a call.
+/// Time of a call, ns.
 fn time(calls: usize, mut call: impl FnMut()) -> f64 {
     let mut samples: Vec<f64> = (0..100)
         .map(|_| {
@@ -51,7 +52,7 @@ fn time(calls: usize, mut call: impl FnMut()) -> f64 {
     samples[samples.len() / 10]
 }
 
-/// A loop over registers.
+/// A loop of one kind of operation on registers.
 #[derive(Clone, Copy)]
 enum Of {
     Adds,
@@ -64,10 +65,10 @@ enum Of {
     SineChain,
 }
 
-/// So many rounds of it.
+/// A number of rounds of it.
 struct Loop(Of, usize);
 
-/// Registers that are independent of each other.
+/// Number of registers that are independent of each other.
 const APART: usize = 12;
 
 impl Work for Loop {
@@ -109,7 +110,7 @@ impl Work for Loop {
     }
 }
 
-/// How many numbers a register of a level has.
+/// Number of values in a register of a level.
 struct Width;
 
 impl Work for Width {
@@ -148,12 +149,12 @@ impl Machine {
         }
     }
 
-    /// The least time for so many operations.
+    /// Shortest time for these numbers of operations, ns.
     fn ports(&self, muls: f64, adds: f64, divs: f64) -> f64 {
         (muls * self.mul).max(adds * self.add).max((muls + adds) * self.both) + divs * self.div
     }
 
-    /// The longest chain of a tape.
+    /// Time of the longest chain of a tape, ns.
     fn path(&self, kernel: &Kernel) -> f64 {
         let [add, mul, div, sine] = self.waits;
         let mut ready: Vec<f64> = Vec::with_capacity(kernel.tape.code.len());
@@ -179,7 +180,7 @@ impl Machine {
     }
 }
 
-/// Nanoseconds of a function: one state, and each of eight.
+/// Nanoseconds of a function: for one state, and per state in a pack of eight.
 fn times(function: Function) -> [f64; 2] {
     let [q, dq, ddq] = [0.7, 0.3, 0.2].map(|k| core::array::from_fn::<f64, N, _>(|i| (i as f64 + 1.0) * k));
     let eight = |x: [f64; N]| x.map(|x| core::array::from_fn::<f64, 8, _>(|l| x + 0.01 * l as f64));
@@ -218,7 +219,7 @@ fn times(function: Function) -> [f64; 2] {
     }
 }
 
-/// Nanoseconds of a state in an interpreted batch, structural zeros left out.
+/// Nanoseconds per state in an interpreted batch, structural zeros left out.
 fn interpreted(run: &Interpreter, function: Function) -> f64 {
     let column = |k: f64| (0..N * BATCH).map(|i| (i as f64 * k).sin() * 2.0).collect::<Vec<f64>>();
     let (q, dq, ddq, tau, parameters) = (column(0.7), column(0.3), column(0.9), column(0.2), [0.5; arm::STANDARD]);

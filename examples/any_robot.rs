@@ -1,5 +1,5 @@
-//! One controller and one planner for every robot: both are written over the traits of
-//! `denavit-runtime`, and run here on a SCARA and on a Puma 560.
+//! One controller and one planner for every robot: both use the traits of `denavit-runtime`, and
+//! run here on a SCARA and on a Puma 560.
 //!
 //! `cargo run --example any_robot`
 
@@ -21,7 +21,7 @@ fn settle<R: Dynamics<N>, const N: usize>(robot: &R, beta: &R::Base, start: [f64
     (0..N).map(|k| (goal[k] - q[k]).abs()).fold(0.0, f64::max)
 }
 
-/// Takes the tool's flange to a posture's pose in the posture that is nearest to `start`.
+/// Moves the flange to a posture's pose with the solution nearest to `start`.
 fn show<R: Dynamics<N> + InverseKinematics<N>, const N: usize>(robot: &R, start: [f64; N], posture: [f64; N]) {
     let pose = robot.forward_kinematics(&posture);
     let query = Query { near: Some(&start), ..Query::default() };

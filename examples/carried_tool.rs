@@ -1,4 +1,4 @@
-//! The body in the hand from two logs of one motion, with an empty hand and with the body.
+//! Identifies the payload from two logs of one motion, without and with it.
 //!
 //! `cargo run --release --example carried_tool`
 

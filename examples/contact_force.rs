@@ -1,5 +1,5 @@
-//! The force on the tool from joint torques: a simulated LWR is pushed for a second, and the
-//! estimate is compared with the push.
+//! Estimates the force on the tool from joint torques: a simulated LWR is pushed for a second, and
+//! the estimate is compared with the push.
 //!
 //! `cargo run --example contact_force`
 
@@ -29,8 +29,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let request = Request { sensors, control, ..Request::default() };
     let log = Simulator::new(&robot, &push.effects)?.run(&motion, &request, &mut |_| {})?.log;
 
-    // The model is the robot file's. Nothing touches in the first two seconds: what it leaves there
-    // is noise.
+    // The model is the robot file's. There is no contact in the first two seconds, whose residual
+    // torque counts as noise.
     let arm = Interpreted::new(&robot, &Interpreted::BODIES);
     let standard = standard_values(&robot).ok_or("the robot file has the parameters of every link")?;
     let beta = arm.model().base().values(&standard);

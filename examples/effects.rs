@@ -12,7 +12,7 @@ use denavit::simulate::{Control, Effect, Effects, Mode, Recording, Request, Sens
 
 type Problem = Box<dyn std::error::Error>;
 
-/// The joint that has the effect.
+/// The joint with the effect, from 0.
 const J: usize = 3;
 
 fn main() -> Result<(), Problem> {
@@ -56,7 +56,7 @@ fn motion(dof: usize, size: f64, seconds: f64) -> Result<Trajectory, Problem> {
 struct Picture {
     x: &'static str,
     y: &'static str,
-    /// Drawn in grey: what is compared with.
+    /// Reference curve, drawn in grey.
     reference: Vec<[f64; 2]>,
     curve: Vec<[f64; 2]>,
 }
@@ -76,8 +76,8 @@ fn picture(robot: &Robot, kind: EffectKind, motion: &Trajectory, plain: &Recordi
     if name == "joint_elasticity" || name == "backlash" {
         return soft(robot, &effects, name);
     }
-    // A joint's sensors lie about a motion that is what it is; the file's own friction would only
-    // blur the rest.
+    // A joint's sensors do not affect the motion itself; the file's own friction would only blur
+    // the rest.
     let seen = Simulator::new(robot, &effects)?.run(motion, &exact(), &mut |_| {})?;
     let (len, truth) = (seen.truth.t.len(), &seen.truth);
     let of = |values: &[f64], k: usize| values[J * len + k];
@@ -157,7 +157,7 @@ fn picture(robot: &Robot, kind: EffectKind, motion: &Trajectory, plain: &Recordi
             Picture { x: "time (s)", y: ADDED, reference: vec![], curve: pairs(&t, &added) }
         }
         _ => {
-            // Sorted by velocity, so that it is a curve; the instants at rest are left out.
+            // Sorted by velocity to give a curve; the instants at rest are left out.
             let mut curve = pairs(&v, &added);
             curve.sort_by(|a, b| a[0].total_cmp(&b[0]));
             if name == "stribeck_friction" {
@@ -168,7 +168,7 @@ fn picture(robot: &Robot, kind: EffectKind, motion: &Trajectory, plain: &Recordi
     })
 }
 
-/// Ever smaller strokes, slowly.
+/// Slow strokes of decreasing size.
 fn presliding(robot: &Robot, effects: &Effects) -> Result<Picture, Problem> {
     let n = robot.dof();
     let t: Vec<f64> = (0..=4000).map(|k| f64::from(k) * 0.01).collect();
@@ -185,8 +185,8 @@ fn presliding(robot: &Robot, effects: &Effects) -> Result<Picture, Problem> {
     Ok(Picture { x: "angle (mrad)", y: "added torque (N m)", reference: vec![], curve: curve.collect() })
 }
 
-/// A joint that is pushed and let go: it rings; and what lies between motor and link, over the
-/// load.
+/// A joint that is pushed and released: its oscillation, and the deflection between motor and link
+/// over the load.
 fn soft(robot: &Robot, effects: &Effects, name: &str) -> Result<Picture, Problem> {
     let mut robot = robot.clone();
     let n = robot.dof();
@@ -208,7 +208,7 @@ fn soft(robot: &Robot, effects: &Effects, name: &str) -> Result<Picture, Problem
     }
     let mut request = Request { sensors: Sensors::perfect(if ringing { 500.0 } else { 100.0 }), ..Request::default() };
     if ringing {
-        // A stiff loop holds the motor; a soft one would take the ringing's energy.
+        // A stiff loop holds the motor; a soft one would absorb the oscillation's energy.
         request.control.bandwidth = 400.0;
     }
     let seen = Simulator::new(&robot, &effects)?.run(&path, &request, &mut |_| {})?;
@@ -225,7 +225,7 @@ fn soft(robot: &Robot, effects: &Effects, name: &str) -> Result<Picture, Problem
 }
 
 impl Picture {
-    /// 320 by 200, a frame with the extremes written at it.
+    /// An SVG of 320 by 200: a frame with its extremes as labels.
     fn svg(&self, title: &str) -> String {
         let (left, right, top, bottom) = (46.0, 312.0, 20.0, 164.0);
         let all = || self.curve.iter().chain(&self.reference);
@@ -294,7 +294,7 @@ impl Picture {
     }
 }
 
-/// Round values inside, about four.
+/// Round values inside the range, about four.
 fn ticks(low: f64, high: f64) -> Vec<f64> {
     let rough = (high - low) / 4.0;
     let power = 10f64.powf(rough.log10().floor());

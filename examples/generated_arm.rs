@@ -1,5 +1,5 @@
-//! A generated crate by itself: torques that hold the LWR up, and how far its Jacobian is from
-//! singular.
+//! Use of a generated crate by itself: torques that hold the LWR up, and the distance of its
+//! Jacobian from singularity.
 //!
 //! `cargo run --example generated_arm`
 
@@ -13,12 +13,12 @@ fn main() {
     let gravity = arm::gravity(&q, &beta);
     println!("gravity torques, N m: {gravity:.3?}");
 
-    // Columns of the Jacobian that a push along z of the base meets: the torques of 10 N.
+    // The Jacobian's row along z of the base gives the torques of a push of 10 N.
     let jacobian = arm::jacobian(&q);
     let push: [f64; arm::DOF] = core::array::from_fn(|k| 10.0 * jacobian[2][k]);
     println!("torques of 10 N along z, N m: {push:.3?}");
 
-    // The same text on eight configurations at once.
+    // The same function for eight configurations at once.
     use arm::runtime::Pack;
     let sweep: [Pack; arm::DOF] =
         core::array::from_fn(|k| Pack::new(core::array::from_fn(|lane| if k == 3 { 0.2 * lane as f64 } else { q[k] })));

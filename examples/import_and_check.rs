@@ -1,4 +1,4 @@
-//! A robot file checked, exported to URDF, and imported again.
+//! Checks a robot file, exports it to URDF, and imports it again.
 //!
 //! `cargo run --example import_and_check`
 

@@ -1,5 +1,5 @@
-//! A torque that has no name, as a search would find it: made of terms, checked, printed, put into a
-//! robot file, and evaluated from there.
+//! A torque law without a name, as a search would find it: made of terms, checked, printed, put
+//! into a robot file, and evaluated from there.
 //!
 //! `cargo run --example law_of_terms`
 
@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let law = TorqueLaw::new(&law, &kinds)?;
     println!("{law}");
 
-    // What has no value for some motion, or mixes units, is refused like in a file.
+    // A law without a value for some motion, or with mixed units, is refused as in a file.
     let bare = call(LawFunction::Exp, Term::Variable(Variable::Velocity(0)));
     println!("refused: {}", TorqueLaw::new(&bare, &kinds).unwrap_err());
 

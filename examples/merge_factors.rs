@@ -16,7 +16,7 @@ use denavit::robot::Robot;
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::RowAccessor;
 
-/// The factors of a table by the SHA-256 of their recordings.
+/// Factors of a table by the SHA-256 of their recordings.
 fn factors(path: &str) -> Result<KeyedFactors, Box<dyn Error>> {
     let mut all = KeyedFactors::default();
     for row in SerializedFileReader::new(File::open(path)?)?.get_row_iter(None)? {

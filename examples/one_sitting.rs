@@ -1,5 +1,5 @@
-//! The whole sitting as a library: design a motion, play it on a simulated arm with a hidden
-//! effect, identify, and ask what the model lacks.
+//! A complete session as a library: design a motion, play it on a simulated arm with a hidden
+//! effect, identify, and diagnose what the model lacks.
 //!
 //! `cargo run --release --example one_sitting`
 
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let hidden = "joints: { 4: { torque_ripple: { RN: 20, RC: 0.4, RS: 0.3 } } }";
     let hidden = SimulationFile::from_yaml(hidden, &robot).map_err(|p| p.in_file("effects").to_string())?;
 
-    // Two motions: one to fit, one to judge. A few starts are enough to show how it goes.
+    // Two motions: one to fit, one to validate. A few starts suffice for an example.
     let designer = Differentiated::new(&robot);
     let simulator = Simulator::new(&robot, &hidden.effects)?;
     let mut logs = Vec::new();
@@ -50,7 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let held_out = found.validation.ok_or("there was a second log")?.rms;
     println!("held-out error of the identified model, N m: {held_out:.3?}");
 
-    // And why.
+    // Causes of the residual.
     let plant = PerturbableRobot::new(&robot);
     let mut recordings = Vec::new();
     for log in &logs {

@@ -1,4 +1,5 @@
-//! A wall painted by a UR10e: the plan, its time, and the share of the wall that it covers.
+//! Plans the painting of a wall by a UR10e: the plan, its time, and the share of the wall that it
+//! covers.
 //!
 //! `cargo run --example paint_wall`
 

@@ -1,4 +1,4 @@
-//! Every posture for a pose, from a generated crate: no allocation, no file.
+//! All postures for a pose from a generated crate, without allocation or files.
 //!
 //! `cargo run --example postures`
 

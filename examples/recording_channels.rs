@@ -1,5 +1,5 @@
-//! A recording with columns of its own: list its channels, take the proposed mapping, and read it
-//! as a log. The samples are those of a real Staubli TX40 in `data/`, under a recorder's names.
+//! A recording with columns of its own: lists its channels, takes the proposed mapping, and reads
+//! it as a log. The samples are those of a real Staubli TX40 in `data/`, under a recorder's names.
 //!
 //! `cargo run --example recording_channels`
 

@@ -1,5 +1,5 @@
-//! One figure of the paper's experiments: how many of the 95 % bands of an estimated wrench hold
-//! it, each run with its own identification.
+//! One figure of the paper's experiments: the share of the 95 % bands that contain the true wrench,
+//! each run with its own identification.
 //!
 //! `cargo run --example reproduce_bands`
 
@@ -10,7 +10,7 @@ use denavit::control::estimate::Method;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let runs = 10;
-    // 100 Hz; 20 postures to identify from, 8 to estimate in.
+    // 100 Hz; 20 postures for the identification, 8 for the estimate.
     let stage = Stage::new(11, 100.0, 20, 8, [0.7, 0.0], [&[]; 2])?;
     let all = coverage(&stage, &[Method::Residual], Case::Right, runs, 500, &|_, _| {})?;
     for c in &all {

@@ -1,4 +1,4 @@
-//! Applications: the painting of a wall, and the paper's experiments.
+//! Applications: painting a wall, and the paper's experiments.
 
 pub mod painting;
 pub mod paper;

@@ -126,7 +126,7 @@ impl Cli {
     /// Parses the arguments of this process.
     ///
     /// # Errors
-    /// What clap says: wrong use, or help and version to be printed.
+    /// Returns clap's error: wrong use, or help and version to print.
     pub fn of_process() -> Result<Self, clap::Error> {
         let mut command = with_negative_numbers(Self::command());
         let matches = command.try_get_matches_from_mut(std::env::args_os())?;
@@ -135,10 +135,10 @@ impl Cli {
         Ok(cli)
     }
 
-    /// Does what was asked.
+    /// Runs the command.
     ///
     /// # Errors
-    /// A paragraph for standard error and an exit status: 2 for wrong use or bad input, 1
+    /// Returns a paragraph for standard error and an exit status: 2 for wrong use or bad input, 1
     /// otherwise.
     pub fn run(self) -> Result<(), Failure> {
         let provenance = self.provenance;
@@ -169,8 +169,8 @@ impl Cli {
     }
 }
 
-/// Lets every option take a negative number as its value: its own check then says what is wrong
-/// with it, not the parser that there is no option `-5`.
+/// Permits a negative number as the value of every option. The option's own check then reports the
+/// error, instead of the parser reporting an unknown option `-5`.
 fn with_negative_numbers(command: clap::Command) -> clap::Command {
     command
         .mut_args(|arg| match arg.get_action().takes_values() && !arg.is_positional() {
@@ -180,22 +180,22 @@ fn with_negative_numbers(command: clap::Command) -> clap::Command {
         .mut_subcommands(with_negative_numbers)
 }
 
-/// Why a command stopped.
+/// Reason why a command failed.
 #[derive(Debug, Clone)]
 pub struct Failure {
-    /// 2: wrong use or bad input. 1: anything else.
+    /// Exit status. 2: wrong use or bad input. 1: anything else.
     pub status: u8,
-    /// What went wrong, where, and how to mend it.
+    /// What went wrong, where, and how to correct it.
     pub message: String,
 }
 
 impl Failure {
-    /// Wrong use or bad input.
+    /// Failure by wrong use or bad input.
     pub fn input(message: impl ToString) -> Self {
         Self { status: 2, message: message.to_string() }
     }
 
-    /// Not the input's fault.
+    /// Failure that is not the input's fault.
     pub fn other(message: impl ToString) -> Self {
         Self { status: 1, message: message.to_string() }
     }

@@ -1,8 +1,8 @@
-//! Robots as others write them: URDF and MJCF in, a robot file out, and back.
+//! Import and export of robot descriptions: URDF and MJCF to a robot file, and back.
 //!
 //! `text -> xml -> urdf | mjcf -> Tree -> chain (base to tip) -> to_dh (lines, common normals) ->
-//! Robot`, each step a function from values to values. The tree is evaluated by itself
-//! ([`Tree::poses`]), so that source and result can be compared.
+//! Robot`, each step a pure function. The tree is evaluated independently ([`Tree::poses`]), so
+//! that source and result can be compared.
 
 mod chain;
 mod delay;
@@ -27,7 +27,7 @@ pub use tree::Tree;
 
 use dh_codegen::robot::{Problem, Problems};
 
-/// A format of models.
+/// A format of robot models.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ModelFormat {
     /// The Unified Robot Description Format.
@@ -37,16 +37,16 @@ pub enum ModelFormat {
 }
 
 impl ModelFormat {
-    /// The format by the first element of a text.
+    /// Format according to the first element of a text.
     pub fn of(text: &str) -> Self {
         let root = xml::parse(text).ok().map(|d| d.root_element().tag_name().name().to_string());
         if root.is_some_and(|name| name.starts_with("mujoco")) { Self::Mjcf } else { Self::Urdf }
     }
 
-    /// The tree of a text in this format.
+    /// Reads the tree of a text in this format.
     ///
     /// # Errors
-    /// Like [`urdf::tree`] and [`mjcf::tree`].
+    /// As for [`urdf::tree`] and [`mjcf::tree`].
     pub fn tree(self, text: &str, snap: &mut Snap) -> Result<Tree, ImportError> {
         match self {
             Self::Urdf => urdf::tree(text, snap),
@@ -55,7 +55,7 @@ impl ModelFormat {
     }
 }
 
-/// Why a file can't be imported.
+/// Reason why a file can't be imported.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ImportError {
     /// Mistakes in the file, each with line and column.
@@ -64,9 +64,9 @@ pub enum ImportError {
     /// The content of the file, or the request, does not make a serial arm.
     #[error("{what}{}{mend}", if mend.is_empty() { "" } else { "; " })]
     Arm {
-        /// Obstacles, by name.
+        /// Name of the obstacle.
         what: String,
-        /// How to go on; may be empty.
+        /// Suggested remedy; may be empty.
         mend: String,
     },
 }
@@ -76,7 +76,7 @@ impl ImportError {
         Self::Arm { what: what.into(), mend: mend.into() }
     }
 
-    /// The message with the name of the file in it.
+    /// The message with the name of the file.
     pub fn in_file(&self, file: &str) -> String {
         match self {
             Self::File(problems) => problems.clone().in_file(file).to_string(),

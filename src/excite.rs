@@ -1,19 +1,19 @@
-//! Exciting motions: the most information about the parameters in the fewest seconds, inside every
-//! limit (the paper, section III).
+//! Exciting motions: as much information about the parameters as possible in a short time, within
+//! all limits (the paper, section III).
 //!
 //! `robot -> Task -> Program (criterion, constraints, their gradients) -> sqp -> Design`, many
-//! starts at once; `check` judges a written motion and shares no code with any of that.
+//! starts in parallel; `check` checks a written motion and shares no code with any of that.
 //!
 //! - `curve`: splines and Fourier series as linear functions of the search variables; bounds that
 //!   hold between samples.
-//! - `columns`, `extra`: which columns of the regressor count. `information`, `criterion`: their
+//! - `columns`, `extra`: selection of regressor columns. `information`, `criterion`: their
 //!   evaluation.
 //! - `bodies`, `constraints`: torque, ground, spheres, boxes. `program`: all of it as one nonlinear
 //!   program.
-//! - `sqp`, `subproblem`: the solver. `start`: where it begins. `design`: several starts, grids
+//! - `sqp`, `subproblem`: the solver. `start`: its starting points. `design`: several starts, grids
 //!   from coarse to fine.
-//! - `precision`: what standard deviation the parameters will have. `shortest`: the shortest motion
-//!   that reaches a target. `durations`: what longer motions gain.
+//! - `precision`: expected standard deviations of the parameters. `shortest`: the shortest motion
+//!   that reaches a target. `durations`: gain of longer motions.
 
 mod bodies;
 pub mod check;

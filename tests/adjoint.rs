@@ -1,5 +1,5 @@
-//! Adjoints as functions: against differences of what they differentiate, against the one that the
-//! designer runs, and printed against run.
+//! Adjoints: compared with differences, with the designer's own adjoint, and printed against
+//! interpreted.
 
 use std::path::Path;
 use std::process::Command;
@@ -15,7 +15,7 @@ fn robot(name: &str) -> (Robot, String) {
     (Robot::from_yaml(&text, &no_files).unwrap().robot, text)
 }
 
-/// Numbers between -1 and 1.
+/// Random numbers between -1 and 1.
 fn numbers(seed: u64, len: usize) -> Vec<f64> {
     let mut state = seed.wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1;
     let mut next = || {
@@ -27,7 +27,7 @@ fn numbers(seed: u64, len: usize) -> Vec<f64> {
     (0..len).map(|_| next()).collect()
 }
 
-/// Entries of a function that are not zero, at a state.
+/// Non-zero entries of a function at a state.
 fn entries(run: &Interpreter, function: Function, x: &[Vec<f64>; 3], parameters: &[f64]) -> Vec<f64> {
     let state = State { q: &x[0], dq: &x[1], ddq: &x[2], tau: &[], parameters };
     let all = run.one(function, &state);
@@ -36,7 +36,7 @@ fn entries(run: &Interpreter, function: Function, x: &[Vec<f64>; 3], parameters:
 
 #[test]
 fn adjoints_meet_differences_and_are_those_that_the_designer_runs() {
-    // Both conventions, sliding joints, angles that are no quarter turns (the tool), with and
+    // Both conventions, prismatic joints, angles that are no quarter turns (the tool), with and
     // without a tool.
     for name in ["planar2r", "kuka-lwr4", "franka-panda", "ur10e", "stanford", "scara"] {
         let model = Model::new(&robot(name).0);
@@ -75,7 +75,7 @@ fn adjoints_meet_differences_and_are_those_that_the_designer_runs() {
                     k % n + 1
                 );
             }
-            // The batches of the designer: the same bits.
+            // The designer's batches have the same bits.
             let kernel = model.kernel(primal);
             let pullback = Pullback::new(&kernel, &kernel.nonzeros(), &model.chain().angle_offsets());
             let batch = Batch { len: 1, q: &x[0], dq: &x[1], ddq: &x[2], tau: &[], parameters: &phi };
@@ -89,8 +89,8 @@ fn adjoints_meet_differences_and_are_those_that_the_designer_runs() {
     }
 }
 
-/// The crate with its adjoints, compiled by itself: its own tests, and the interpreter's numbers to
-/// the last bit.
+/// The crate with its adjoints, compiled by itself: passes its own tests, and has the interpreter's
+/// results to the last bit.
 #[test]
 fn printed_adjoints_say_the_same_bits() {
     let (robot, text) = robot("stanford");

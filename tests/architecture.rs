@@ -1,4 +1,4 @@
-//! Holds the structure that ARCHITECTURE.md describes: order of domains, who serialises, length of
+//! Checks the structure described in ARCHITECTURE.md: order of domains, serialisation, length of
 //! functions, unique names, paths in documents.
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -11,32 +11,32 @@ use quote::ToTokens;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
-/// Domains of `src`, each of which may use those before it.
+/// Domains of `src`; each may use those before it.
 const DOMAINS: [&str; 12] = [
     "numerics", "model", "exchange", "data", "identify", "simulate", "excite", "control", "diagnose", "apps", "report",
     "cli",
 ];
 
-/// Modules of `dh-macro/codegen/src`, each of which may use those before it.
+/// Modules of `dh-macro/codegen/src`; each may use those before it.
 const CODEGEN: [&str; 10] =
     ["runtime", "elementary", "drive", "ik", "robot", "sym", "arm", "interpret", "pullback", "rust"];
-// The first four are `denavit-runtime-core`, under the names by which `dh-codegen` passes them on.
+// The first four are `denavit-runtime-core`, under the names by which `dh-codegen` re-exports them.
 
-/// Longest function, lines.
+/// Longest permitted function, lines.
 const LONGEST: usize = 60;
 
-/// Functions that are longer than [`LONGEST`]: file, name, lines. Shorten one, and its line has to
-/// shrink or go.
+/// Functions longer than [`LONGEST`]: file, name, lines. When one is shortened, its line must be
+/// updated or removed.
 const LONG_FUNCTIONS: &str = include_str!("architecture/long_functions.txt");
 
-/// Public types of one domain that share a name: domain and name. Only to be shortened.
+/// Public types of one domain that share a name: domain and name. The list may only shrink.
 const SHARED_NAMES: &str = include_str!("architecture/shared_names.txt");
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// Files below a folder with this ending, sorted, relative to the root.
+/// Files with this ending below a folder, sorted, relative to the root.
 fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
     fn walk(folder: &Path, ending: &str, into: &mut Vec<PathBuf>) {
         for entry in fs::read_dir(folder).unwrap() {
@@ -56,7 +56,7 @@ fn files(folder: &str, ending: &str) -> Vec<PathBuf> {
     found
 }
 
-/// Is this an item of tests only?
+/// Whether an item is compiled for tests only.
 fn for_tests(attributes: &[syn::Attribute]) -> bool {
     attributes.iter().any(|a| {
         a.path().is_ident("test") || a.path().is_ident("cfg") && a.to_token_stream().to_string().contains("test")
@@ -79,7 +79,7 @@ fn attributes(item: &syn::Item) -> &[syn::Attribute] {
     }
 }
 
-/// Source files of a folder without what only tests compile.
+/// Source files of a folder, without items that only tests compile.
 fn sources(folder: &str) -> Vec<(PathBuf, syn::File)> {
     let test_file = |p: &Path| {
         p.components().any(|c| c.as_os_str() == "tests") || {
@@ -107,7 +107,7 @@ fn test_modules(path: &Path) -> Vec<PathBuf> {
     declared.map(|name| path.with_extension("").join(name).with_extension("rs")).collect()
 }
 
-/// First segments of all paths `crate::x`, also in groups and in macros' arguments.
+/// First segments of all paths `crate::x`, also in groups and in macro arguments.
 fn crate_paths(tokens: TokenStream, into: &mut BTreeSet<String>) {
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
     let is = |k: usize, c: char| matches!(trees.get(k), Some(TokenTree::Punct(p)) if p.as_char() == c);
@@ -133,7 +133,7 @@ fn crate_paths(tokens: TokenStream, into: &mut BTreeSet<String>) {
     }
 }
 
-/// The first folder or file below `folder` that a path stands in.
+/// First folder or file below `folder` in a path.
 fn domain(path: &Path, folder: &str) -> String {
     let below = path.strip_prefix(folder).unwrap();
     let first = below.components().next().unwrap().as_os_str().to_string_lossy().into_owned();
@@ -170,7 +170,7 @@ fn codegen_modules_use_only_those_before_them() {
     order_holds("dh-macro/codegen/src", &CODEGEN);
 }
 
-/// Words, identifier by identifier, also in macros.
+/// All identifiers, also in macros.
 fn identifiers(tokens: TokenStream, into: &mut BTreeSet<String>) {
     for tree in tokens {
         match tree {
@@ -181,7 +181,7 @@ fn identifiers(tokens: TokenStream, into: &mut BTreeSet<String>) {
     }
 }
 
-/// Identifiers outside which domains must not use.
+/// Checks identifiers that may only be used in certain domains.
 #[test]
 fn only_report_serialises_and_only_cli_touches_disk_and_terminal() {
     let rules: [(&[&str], &[&str]); 2] = [
@@ -207,7 +207,7 @@ fn only_report_serialises_and_only_cli_touches_disk_and_terminal() {
     assert!(wrong.is_empty(), "in the wrong domain:\n{}", wrong.join("\n"));
 }
 
-/// Text literals, also in macros' arguments, without documentation.
+/// String literals, also in macro arguments, without documentation.
 fn literals(tokens: TokenStream, into: &mut Vec<String>) {
     let trees: Vec<TokenTree> = tokens.into_iter().collect();
     for (k, tree) in trees.iter().enumerate() {
@@ -229,7 +229,7 @@ fn literals(tokens: TokenStream, into: &mut Vec<String>) {
     }
 }
 
-/// An effect is a type: its name is written in its own file, and elsewhere only in examples for the
+/// An effect is a type: its name is written only in its own file, and elsewhere in examples for the
 /// reader.
 #[test]
 fn an_effect_is_named_in_its_own_file_alone() {
@@ -240,7 +240,7 @@ fn an_effect_is_named_in_its_own_file_alone() {
         literals(file.into_token_stream(), &mut texts);
         for name in EffectKind::ALL.iter().map(|kind| kind.name()) {
             let own = path == Path::new("dh-macro/codegen/src/robot/effects").join(name).with_extension("rs");
-            // `payload` and `backlash` are words of English too.
+            // `payload` and `backlash` are ordinary English words too.
             let words = |text: &str| {
                 name.contains('_') && text.split(|c: char| !(c.is_alphanumeric() || c == '_')).any(|w| w == name)
             };
@@ -259,8 +259,8 @@ fn an_effect_is_named_in_its_own_file_alone() {
 }
 
 /// A key of an effect is a constant of its type (`effects::JointSpring::KS`), so that a misspelt
-/// one does not compile. Keys in small letters are words of English too, and those of bodies, rotor
-/// and plain friction the names of standard parameters.
+/// one does not compile. Keys in small letters are ordinary words too, and those of bodies, rotor
+/// and plain friction are the names of standard parameters.
 #[test]
 fn a_key_of_an_effect_is_written_in_its_own_file_alone() {
     let apart = [EffectKind::LinkInertiaError, EffectKind::Payload];
@@ -282,7 +282,7 @@ fn a_key_of_an_effect_is_written_in_its_own_file_alone() {
     assert!(wrong.is_empty(), "write the constant (`effects::..::KEY`) in place of the text:\n{}", wrong.join("\n"));
 }
 
-/// Functions with their lines, closures inside counted in.
+/// Functions with their number of lines, closures inside included.
 struct Functions<'a> {
     file: &'a str,
     found: Vec<(String, usize)>,
@@ -316,7 +316,7 @@ impl<'ast> Visit<'ast> for Functions<'_> {
     }
 }
 
-/// A list that may only shrink: entries that are no longer true have to go.
+/// Checks a list that may only shrink: entries that are no longer true must be removed.
 fn only_shrinks(list: &str, listed: &BTreeMap<String, usize>, found: &BTreeMap<String, usize>) {
     let more: Vec<String> = found
         .iter()
@@ -356,14 +356,14 @@ fn functions_are_short() {
     only_shrinks("tests/architecture/long_functions.txt", &table(LONG_FUNCTIONS), &found);
 }
 
-/// Whether the error of this function is a text.
+/// Whether the error type of this function is a string.
 fn text_error(signature: &syn::Signature) -> bool {
     let output = signature.output.to_token_stream().to_string();
     let text = [", String >", ", & 'static str >", ", & str >", ", Box < dyn"];
     output.contains("Result <") && text.iter().any(|end| output.contains(end))
 }
 
-/// Public functions whose error is a text.
+/// Public functions with a string as the error.
 struct TextErrors<'a> {
     file: &'a str,
     found: Vec<String>,
@@ -410,7 +410,7 @@ fn public_functions_have_errors_of_a_type() {
     assert!(found.is_empty(), "give these an error enum in place of a text:\n{}", found.join("\n"));
 }
 
-/// Results with a text as the error, wherever such a type is written.
+/// `Result` types with a string as the error, wherever they are written.
 #[derive(Default)]
 struct TextResults(Vec<String>);
 
@@ -432,8 +432,8 @@ impl<'ast> Visit<'ast> for TextResults {
     }
 }
 
-/// Private functions, closures and aliases, too. In `cli` a text goes to the terminal, and `clap`
-/// takes one.
+/// Covers private functions, closures and aliases, too. In `cli` strings go to the terminal, and
+/// `clap` expects them.
 #[test]
 fn no_error_is_a_text_outside_the_command() {
     let mut wrong = Vec::new();
@@ -448,7 +448,7 @@ fn no_error_is_a_text_outside_the_command() {
     assert!(wrong.is_empty(), "give these an enum in place of a text:\n{}", wrong.join("\n"));
 }
 
-/// Places that ask a parameter's name what the parameter is.
+/// Places that derive a parameter's kind from its name.
 #[derive(Default)]
 struct ParsedNames {
     found: Vec<String>,
@@ -484,7 +484,7 @@ impl<'ast> Visit<'ast> for ParsedNames {
     }
 }
 
-/// `StandardParameter` and `arm::param` say what a parameter is.
+/// Only `StandardParameter` and `arm::param` define what a parameter is.
 #[test]
 fn no_name_of_a_parameter_is_parsed_back() {
     let mut wrong = Vec::new();
@@ -496,7 +496,7 @@ fn no_name_of_a_parameter_is_parsed_back() {
     assert!(wrong.is_empty(), "match on `StandardParameter` in place of the name:\n{}", wrong.join("\n"));
 }
 
-/// Identifiers with how often each stands, those that a format string captures counted in.
+/// Identifiers with their number of occurrences, including captures in format strings.
 fn count_words(tokens: TokenStream, into: &mut BTreeMap<String, usize>) {
     for tree in tokens {
         match tree {
@@ -544,8 +544,8 @@ impl<'ast> Visit<'ast> for PublicNames {
     }
 }
 
-/// Without what only tests name. The rigid-body recursions are the tests' oracle, and public for
-/// it.
+/// Does not count uses in tests only. The rigid-body recursions are the tests' oracle, and public
+/// for that purpose.
 #[test]
 fn public_items_are_used() {
     let mut words = BTreeMap::new();
@@ -601,7 +601,7 @@ fn named_paths(text: &str) -> BTreeSet<String> {
         .collect()
 }
 
-/// Files with `unsafe`: path, how often it stands there, and why.
+/// Files with `unsafe`: path, number of occurrences, and reason.
 const UNSAFE: &str = include_str!("architecture/unsafe.txt");
 
 #[test]
@@ -642,7 +642,7 @@ fn paths_in_documents_exist() {
             let mut places = folders.map(|f| Path::new(f).join(&path)).to_vec();
             places.push(beside.join(&path));
             let known = places.iter().any(|p| root().join(p).exists());
-            // Files that others keep beside a checkout, and outputs of the text's commands.
+            // Files kept beside a checkout, and outputs of the commands in the text.
             if !known && !path.starts_with("..") && !path.starts_with('/') {
                 missing.push(format!("{}: {path}", document.display()));
             }

@@ -1,5 +1,4 @@
-//! The control law: what it answers to anything that may arrive, and that it needs nothing but
-//! `core`.
+//! Tests of the control law: its response to any input, and that it needs nothing but `core`.
 
 mod gantry;
 
@@ -34,7 +33,7 @@ fn what_is_fed_forward_need_not_be_displaced() {
     assert!((command.unwrap().displacement - world.q[0]).abs() < 1e-3);
 }
 
-/// What is fed forward goes within 20 ms of the end of contact, and comes within half a second.
+/// The feed-forward force ends within 20 ms of the end of contact, and starts within half a second.
 #[test]
 fn what_is_fed_forward_ends_with_the_contact() {
     let mut controller = Controller::new(Gantry::default(), Settings { carry: 1.0, ..settings() }).unwrap();
@@ -54,7 +53,7 @@ fn what_is_fed_forward_ends_with_the_contact() {
         (last.torque[0], last.displacement, speed)
     };
     let (before, start, _) = steps(30.0, 1);
-    // Meanwhile the tool is sent deeper: what the spring of the joint loop says to it, and the
+    // Meanwhile the tool is moved deeper; this gives torques of the joint loop's spring and
     // damping.
     let (after, deeper, speed) = steps(0.0, 21);
     let loops = 400.0 * (deeper - start) + 40.0 * speed;
@@ -76,7 +75,7 @@ fn a_drag_aside_is_carried_by_its_estimate() {
         assert!((world.force() - 30.0).abs() < 0.05, "{}", world.force());
         world.q[1]
     };
-    // The spring of the joint loop (400 N/m) carries all of it, or what is left.
+    // The spring of the joint loop (400 N/m) carries all of the force, or the remainder.
     assert!((moved(0.0) + 8.0 / 400.0).abs() < 1e-4);
     assert!((moved(0.9) + 0.8 / 400.0).abs() < 1e-4);
 }
@@ -84,8 +83,8 @@ fn a_drag_aside_is_carried_by_its_estimate() {
 #[test]
 fn drag_is_learned_and_then_known_before_the_estimate_shows_it() {
     const FRICTION: f64 = 0.4;
-    // Moves to and fro along y, the push aside measured through a low-pass of 10 Hz. Returns how
-    // far the tool is off in the last of seven turns.
+    // Moves back and forth along y with the tangential push measured through a low-pass of 10 Hz.
+    // Returns the tool's deviation in the last of seven turns.
     let run = |drag: f64| {
         let settings = Settings { carry: 1.0, feed: 1.0, aside: 0.5, aside_pole: 4.0, drag, ..settings() };
         let mut controller = Controller::new(Gantry::default(), settings).unwrap();
@@ -117,11 +116,11 @@ fn drag_is_learned_and_then_known_before_the_estimate_shows_it() {
     };
     let ((late, nothing), (known, learned)) = (run(0.0), run(1.0));
     assert!(nothing == 0.0 && (learned - FRICTION).abs() < 0.05, "{learned}");
-    // With the prediction in place of what the estimate shows of it, or the reverse, it is a tenth.
+    // With the prediction instead of the estimate's value, or the reverse, it is a tenth.
     assert!(known < 0.05 * late, "{known} {late}");
 }
 
-/// A push along the motion is no friction, and none is learned from it.
+/// A push along the motion is not friction, and none is learned from it.
 #[test]
 fn drag_is_never_negative() {
     let settings = Settings { carry: 1.0, drag: 1.0, ..settings() };
@@ -141,8 +140,8 @@ fn drag_is_never_negative() {
     }
 }
 
-/// Newton's steps with the Jacobian move the point and keep the tool's direction, on an arm where
-/// one needs the other.
+/// Newton steps with the Jacobian move the point and keep the tool's direction, on an arm where the
+/// two are coupled.
 #[test]
 fn a_posture_is_moved_without_turning_the_tool() {
     let tool = |q: &[f64; 7]| {
@@ -165,8 +164,8 @@ fn a_posture_is_moved_without_turning_the_tool() {
 
 #[test]
 fn the_planned_motion_is_fed_forward() {
-    // A unit mass without friction follows a planned wave as if there were no loop, but for the
-    // half period by which torques are held.
+    // A frictionless unit mass follows a planned wave as if there were no loop, except for the half
+    // period for which torques are held.
     let worst = |feed: f64| {
         let mut controller = Controller::new(Gantry::default(), Settings { feed, ..settings() }).unwrap();
         let mut world = World { wall: false, ..World::new() };
@@ -191,7 +190,7 @@ fn the_planned_motion_is_fed_forward() {
 
 #[test]
 fn anti_windup() {
-    // Held for a long time where the force can't be reached, it answers at once when it can.
+    // After long with an unreachable force, the loop responds at once when it is reachable.
     let mut force =
         denavit::control::law::ForceLoop::new(ForceSettings { kp: 1e-3, ki: 0.1, range: [0.0, 0.05], rate: 1.0 });
     for _ in 0..10_000 {
@@ -203,7 +202,7 @@ fn anti_windup() {
     assert!(force.displacement() < 0.03, "{}", force.displacement());
 }
 
-/// What is known to be needed is added to what the loop asks for, within the limits of the sum.
+/// A feed-forward displacement is added to the loop's own, within the limits of the sum.
 #[test]
 fn what_is_known_is_added() {
     for (ahead, sum) in [(5e-3, 0.025), (-5e-3, 0.015), (0.1, 0.05)] {
@@ -216,7 +215,7 @@ fn what_is_known_is_added() {
     }
 }
 
-/// Behind a ceiling below the end of the range the integral waits too.
+/// With a ceiling below the end of the range the integral is held too.
 #[test]
 fn anti_windup_behind_a_ceiling() {
     let settings = ForceSettings { kp: 0.0, ki: 0.1, range: [0.0, 0.05], rate: 1.0 };
@@ -242,7 +241,7 @@ fn missing_samples_are_waited_for_and_then_stopped() {
     let stopped = controller.step(&target(), &dead);
     assert_eq!(stopped.status, Status::Stopped(Fault::Position));
     assert_eq!(stopped.torque, [0.0, 0.0, 9.81, 0.0, 0.0, 0.0]);
-    // Samples come again: it stays stopped, and comes to rest.
+    // When samples return, it stays stopped and comes to rest.
     world.v[1] = 0.5;
     for _ in 0..2000 {
         let command = controller.step(&target(), &world.sample());
@@ -291,7 +290,7 @@ fn a_late_sample_stops_it() {
     assert_eq!(controller.step(&target(), &world.sample()).status, Status::Stopped(Fault::Clock));
 }
 
-/// By a period and a half more than the patience of five.
+/// Limit of the delay: a period and a half more than the patience of five.
 #[test]
 fn a_sample_may_be_late_by_the_patience() {
     for (late, expected) in [(5.4, None), (5.6, Some(Fault::Clock))] {
@@ -409,7 +408,7 @@ fn the_estimate_is_the_wrench() {
         let found = last.unwrap();
         assert!(found.iter().zip([0.0, 5.0, 0.0, 0.0, 0.0, 0.0]).all(|(a, b)| (a - b).abs() < 1e-3), "{found:?}");
         assert_eq!(estimator.step(&[f64::NAN; 6], &[0.0; 6]), None);
-        // Torques that do not change by a bit on 5 cm of motion are none; they come again.
+        // Torques that stay bit-identical on 5 cm of motion are rejected until they change.
         let tau = [1.0, 5.0, 9.81, 0.0, 0.0, 0.0];
         for k in 0..110 {
             let found = estimator.step(&[2.0 + T * f64::from(k), 0.0, 0.0, 0.0, 0.0, 0.0], &tau);
@@ -419,8 +418,8 @@ fn the_estimate_is_the_wrench() {
     }
 }
 
-/// A single wrong position costs two samples, one that no joint has costs one, and an encoder that
-/// wraps round one; the next estimate is nearly as good as before.
+/// A single wrong position costs two samples, an implausible one costs one, and an encoder that
+/// wraps around one. The next estimate is nearly as good as before.
 #[test]
 fn positions_that_jump_are_no_speeds() {
     let settings = EstimatorSettings {
@@ -447,13 +446,13 @@ fn positions_that_jump_are_no_speeds() {
         let lost = matches!(k, 0..3 | 1000 | 1001 | 1200 | 1500);
         assert_eq!(found.is_none(), lost, "{k}");
         let of = [0.0, 5.0, 0.0, 0.0, 0.0, 0.0];
-        // Two replaced samples of a motion that accelerates leave 0.13 N, two that lack 2.8 N.
+        // Two replaced samples of an accelerating motion leave 0.13 N, two missing ones 2.8 N.
         let near = |found: [f64; 6]| found.iter().zip(of).all(|(a, b)| (a - b).abs() < 0.2);
         assert!(k < 500 || found.is_none_or(near), "{k}: {found:?}");
     }
 }
 
-/// The arm stops while samples are lost: what came before says nothing of it.
+/// The arm stops while samples are lost: the motion before the loss does not predict it.
 #[test]
 fn a_long_loss_is_not_bridged() {
     let settings = EstimatorSettings {
@@ -478,7 +477,7 @@ fn a_long_loss_is_not_bridged() {
     }
 }
 
-/// A gantry whose second joint may have friction of 0.4 N less than the model says.
+/// A gantry whose second joint may have 0.4 N less friction than the model.
 struct Doubtful(f64);
 
 impl Body<6> for Doubtful {
@@ -517,31 +516,31 @@ fn what_may_be_friction_is_no_force() {
         }
         last.map(|w| w[1])
     };
-    // As long as a joint takes to turn round; the low-pass takes half of it.
+    // As long as a friction reversal takes; the low-pass takes half of it.
     let told = |doubt: f64, most: f64, to: f64| after(100, doubt, most, to);
     let near = |found: Option<f64>, wanted: f64, to: f64| {
         let off = (found.unwrap() - wanted) / (to - wanted);
         assert!((0.0..0.25).contains(&off), "{found:?} {wanted} {to}");
     };
     let is = |found: Option<f64>, wanted: f64| assert!((found.unwrap() - wanted).abs() < 1e-3, "{found:?} {wanted}");
-    // Friction that is 0.4 N less than the model's is a force that is up to 0.4 N more than
-    // reported, and no less.
+    // Friction that is 0.4 N below the model's is a force up to 0.4 N above the reported one, and
+    // not below it.
     near(told(-0.4, 1.0, 4.7), 5.0, 4.7);
     near(told(-0.4, 1.0, 4.0), 4.4, 4.0);
     is(told(-0.4, 1.0, 5.3), 5.3);
     near(told(0.4, 1.0, 5.3), 5.0, 5.3);
     is(told(0.4, 1.0, 4.7), 4.7);
-    // No more than is allowed, and nothing without doubt.
+    // Limited by the setting, and zero without uncertainty.
     near(told(-0.4, 0.1, 4.7), 4.8, 4.7);
     is(told(-0.4, 0.0, 4.7), 4.7);
     is(told(0.0, f64::INFINITY, 4.7), 4.7);
     assert_eq!(told(f64::NAN, 1.0, 4.7), None);
-    // A contact that is lost while a joint stands in doubt, though friction could be all of it.
+    // A contact is lost while a joint's friction is uncertain and could explain all of the force.
     let lost = after(3000, -8.0, f64::INFINITY, 0.0).unwrap();
     assert!(lost.abs() < 0.05, "{lost}");
 }
 
-/// Seven sliding joints, two of them along x.
+/// Seven prismatic joints, two of them along x.
 struct Twice;
 
 impl Body<7> for Twice {
@@ -557,7 +556,7 @@ impl Body<7> for Twice {
     }
 }
 
-/// Directions that no joint moves are left to the damping, a share of the mean of the diagonal.
+/// Directions that no joint moves depend on the damping alone, a share of the mean of the diagonal.
 #[test]
 fn what_no_joint_moves_is_damped() {
     let mut jacobian = [[0.0; 6]; 6];
@@ -574,7 +573,7 @@ fn what_no_joint_moves_is_damped() {
     assert!(damped(&jacobian, &weights, &right, 0.0).is_none());
 }
 
-/// Where joints disagree the estimate is their mean, each by its weight.
+/// If joints disagree, the estimate is their weighted mean.
 #[test]
 fn joints_count_by_their_weights() {
     let mut weights = [1.0; 7];
@@ -596,7 +595,7 @@ fn joints_count_by_their_weights() {
     assert!((last.unwrap()[0] - 8.0).abs() < 1e-3, "{last:?}");
 }
 
-/// A moment is as large as its prior lets it be: half of it where both count alike.
+/// A moment is limited by its prior: half of it where both have equal weight.
 #[test]
 fn a_moment_is_weighed_against_its_prior() {
     let told = |moment: f64| {
@@ -648,8 +647,8 @@ fn at_rest_friction_is_no_force() {
         turning: [0.0; 6],
         rest: [rest; 6],
     };
-    // The wrench at the end of each stretch of 2 s: static friction, a push of 5 N, what friction
-    // keeps of it, and a push aside, where nothing sticks.
+    // Wrench at the end of each period of 2 s: static friction, a push of 5 N, the part that
+    // friction retains, and a push in a direction without stiction.
     let told = |rest: f64| {
         let mut estimator = Estimator::new(Sticky, settings(rest));
         let mut noise = 1.0;
@@ -676,12 +675,12 @@ fn at_rest_friction_is_no_force() {
     near(told(0.0)[2], [-0.6, 0.0], false);
 }
 
-/// Output of the loop's estimator along a log: times and wrenches (N, N m), and whether friction
+/// Output of the law's estimator along a log: times (s), wrenches (N, N m), and whether friction
 /// alone explains the torques. `held`: each row is a pose that is held for a second.
 type Along<const N: usize> = Vec<(f64, [f64; 6], bool)>;
 
-/// A robot file of the repository, and a recording where it is at hand (`shared/data`); `scale`
-/// turns the columns `torque` into N m.
+/// Runs the estimator with a robot file of the repository on a recording, if it is available
+/// (`shared/data`); `scale` converts the columns `torque` to N m.
 fn along<const N: usize>(robot: &str, log: &str, torque: &str, scale: [f64; N], held: usize) -> Option<Along<N>> {
     use denavit::control::robot::{RobotModel, STANDING};
     use denavit::model::interpreted::Interpreted;
@@ -734,9 +733,9 @@ fn along<const N: usize>(robot: &str, log: &str, torque: &str, scale: [f64; N], 
     Some(found)
 }
 
-/// A UR10e that stands and is pushed by hand four times. There is nothing before, each push is
-/// reported, and nothing half a minute after it either, though friction keeps a part of the
-/// currents.
+/// A UR10e at rest is pushed by hand four times. No force is reported before the first push, each
+/// push is reported, and half a minute after it there is none, though friction retains a part of
+/// the currents.
 #[test]
 fn pushes_on_a_standing_arm() {
     let gains = [10.0, 10.6956, 8.4566, 9.0029, 9.48, 10.1232];
@@ -780,7 +779,7 @@ fn recordings_without_contact() {
     }
 }
 
-/// Anything at all, and often something sensible.
+/// Arbitrary values, often plausible ones.
 fn number(size: f64) -> impl Strategy<Value = f64> {
     prop_oneof![
         6 => -size..size,
@@ -825,7 +824,7 @@ proptest! {
     }
 }
 
-/// The files of the law, compiled as a crate of their own.
+/// The files of the law, compiled as a separate crate.
 #[test]
 fn it_needs_nothing_but_core() {
     let root = concat!(env!("CARGO_MANIFEST_DIR"), "/src/control");

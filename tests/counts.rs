@@ -1,4 +1,4 @@
-//! Cost of the closed form and number of base parameters: figures that must not get worse
+//! Cost of the closed form and number of base parameters: figures that must not deteriorate
 //! unnoticed.
 
 use denavit::model::rigid_body::base::{Torques, rank, rank_of};
@@ -6,7 +6,7 @@ use dh_codegen::arm::param::{DriveTerm, Parameter};
 use dh_codegen::arm::{BaseParameters, Function, Model};
 use dh_codegen::robot::{Drive, Robot, no_files};
 
-/// A robot of the repository without drives, as the literature counts.
+/// A robot of the repository without drives, as counted in the literature.
 fn bare(name: &str) -> Robot {
     let mut robot = with_drives(name);
     robot.joints.iter_mut().for_each(|joint| joint.drive = Drive::default());
@@ -19,15 +19,15 @@ fn with_drives(name: &str) -> Robot {
     Robot::from_yaml(&text, &no_files).unwrap().robot
 }
 
-/// Multiplications and additions of a function, sines and cosines apart.
+/// Multiplications and additions of a function, without sines and cosines.
 fn count(model: &Model, function: Function) -> [usize; 2] {
     let operations = model.kernel(function).tape.operations();
     [operations.mul, operations.add]
 }
 
-/// Counts of inverse dynamics (from base parameters), base regressor, regressor, mass matrix; with
-/// the peers' figures for the first two. Ours take fewer multiplications, fewer additions, and at
-/// least a tenth fewer operations in all.
+/// Counts of inverse dynamics (from base parameters), base regressor, regressor and mass matrix,
+/// with the peers' figures for the first two. Ours take fewer multiplications, fewer additions, and
+/// at least a tenth fewer operations in all.
 fn costs(name: &str, expected: [[usize; 2]; 4], peers: [[usize; 2]; 2]) {
     use Function::{BaseRegressor, InverseDynamicsBase, MassMatrix, Regressor};
     let model = Model::new(&bare(name));
@@ -68,8 +68,8 @@ fn franka_panda_costs() {
     costs("franka-panda", [[300, 278], [625, 466], [813, 634], [223, 190]], [[361, 288], [788, 496]]);
 }
 
-/// Base parameters of the bare robot; with a rotor on every joint; that act at rest; on a tilted
-/// base.
+/// Numbers of base parameters: of the bare robot; with a rotor on every joint; with an influence at
+/// rest; on a tilted base.
 fn base_counts(name: &str) -> [usize; 4] {
     let robot = bare(name);
     let mut rotors = robot.clone();
@@ -105,8 +105,7 @@ fn small_arms() {
     assert_eq!(BaseParameters::new(&bare("scara")).len(), 8);
 }
 
-/// With the drives that its file has, every robot has as many base parameters as its regressor has
-/// rank.
+/// With the drives of its file, every robot has as many base parameters as its regressor has rank.
 #[test]
 fn every_robot_has_as_many_as_the_rank() {
     for entry in std::fs::read_dir(format!("{}/robots", env!("CARGO_MANIFEST_DIR"))).unwrap() {

@@ -1,4 +1,4 @@
-//! A generated crate stands alone: no `std`, no allocation, and no way into a panic.
+//! Tests that a generated crate is self-contained: no `std`, no allocation, and no reachable panic.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -11,7 +11,7 @@ thread_local! {
     static ALLOCATIONS: Cell<usize> = const { Cell::new(0) };
 }
 
-// SAFETY: hands everything on to the system's allocator.
+// SAFETY: forwards every call to the system's allocator.
 #[allow(unsafe_code)]
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
@@ -64,8 +64,8 @@ fn nothing_is_allocated() {
     assert!(ALLOCATIONS.with(Cell::get) > after, "the counter counts");
 }
 
-/// The kernels go into a static library without `std` whose panic handler calls a function that
-/// does not exist. If any path led there, the program could not be linked.
+/// Links the kernels into a static library without `std` whose panic handler calls a function that
+/// does not exist. If a panic were reachable, the program could not be linked.
 #[test]
 fn no_panic_can_be_reached() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -81,7 +81,7 @@ fn no_panic_can_be_reached() {
     assert!(!links(&folder, &source("q[i] + phi[0] + beta[0]")), "the check must notice an index out of bounds");
 }
 
-/// Six turning joints in general position.
+/// Six revolute joints in general position.
 const GENERAL: &str = "name: general\nconvention: modified\njoints:
   - { type: revolute, r: 0.3 }
   - { type: revolute, alpha: 1.2, d: 0.1, r: 0.11 }
@@ -91,8 +91,8 @@ const GENERAL: &str = "name: general\nconvention: modified\njoints:
   - { type: revolute, alpha: 0.9, d: 0.08, r: 0.12 }
 ";
 
-/// The elimination, too: crates of their own, since no robot of the repository has it. Of the second
-/// arm's seven joints one is locked, and two of the others slide.
+/// The same for elimination: separate crates, since no robot of the repository uses it. Of the
+/// second arm's seven joints one is locked, and two of the others are prismatic.
 #[test]
 fn no_panic_can_be_reached_by_elimination() {
     let more = "  - { type: prismatic, alpha: -1.0, d: 0.07, r: 0.1 }\n";
@@ -101,7 +101,7 @@ fn no_panic_can_be_reached_by_elimination() {
     let ranges = "IK.locked_ranges(&pose).map_or(0.0, |r| r.map_or(0.0, |r| r.best.map_or(0.0, |b| b.0)))";
     for (name, text, also) in [("general", GENERAL, "0.0"), ("sliding", &sliding, ranges)] {
         let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("no_panic_{name}"));
-        // Beside it: a generated crate is a workspace of its own.
+        // Beside it, as a generated crate is a workspace of its own.
         let arm = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}_crate"));
         let robot = dh_codegen::robot::Robot::from_yaml(text, &dh_codegen::robot::no_files).unwrap().robot;
         for (path, text) in dh_codegen::krate(&robot, text) {

@@ -1,5 +1,5 @@
-//! Effects of a robot file in its inverse dynamics: against formulas written out by hand, against
-//! the simulator's physics, and against the code that is generated.
+//! Effects of a robot file in its inverse dynamics: compared with formulas written out by hand,
+//! with the simulator's physics, and with the generated code.
 
 use std::path::Path;
 use std::process::Command;
@@ -37,7 +37,7 @@ fn read(text: &str) -> Robot {
     Robot::from_yaml(text, &no_files).unwrap_or_else(|e| panic!("{e}\n{text}")).robot
 }
 
-/// Torques of two rods in a vertical plane, by the textbook's formulas.
+/// Torques of two rods in a vertical plane by the textbook's formulas, N m.
 fn rods(q: [f64; 2], v: [f64; 2], a: [f64; 2]) -> [f64; 2] {
     let (l, m2, s1, s2, z1, z2, g) = (0.5, 0.4, 0.125, 0.08, 0.0416667, 0.0213333, 9.81);
     let (c, s) = (q[1].cos(), q[1].sin());
@@ -56,7 +56,7 @@ const STATES: [[[f64; 2]; 3]; 5] = [
     [[-0.4, 0.9], [0.01, -2.0], [-1.0, 0.3]],
 ];
 
-/// Rigid torque with rotor and plain friction; `load` in it.
+/// Rigid torque `load` plus rotor and plain friction, N m.
 fn plain(load: [f64; 2], v: [f64; 2], a: [f64; 2]) -> [f64; 2] {
     [load[0] + 0.05 * a[0] + 0.1 * v[0] + 0.2 * sign(v[0]) + 0.03, load[1] + 0.05 * v[1] + 0.1 * sign(v[1])]
 }
@@ -65,7 +65,7 @@ fn sign(x: f64) -> f64 {
     if x == 0.0 { 0.0 } else { x.signum() }
 }
 
-/// Output of the interpreter.
+/// Torques of the interpreted file, N m.
 fn predicted(robot: &Robot, state: &[[f64; 2]; 3]) -> [f64; 2] {
     let states = States { len: 1, q: state[0].to_vec(), dq: state[1].to_vec(), ddq: state[2].to_vec() };
     let mut out = [0.0; 2];
@@ -88,7 +88,8 @@ fn check(robot: &Robot, what: &str, law: impl Fn([f64; 2], [f64; 2], [f64; 2]) -
     }
 }
 
-/// One law of the elbow, by its formula in the table of effects: `extra(q, v, load)` is added.
+/// Checks one law of the elbow by its formula in the table of effects: `extra(q, v, load)` is
+/// added.
 fn one(elbow: &str, extra: impl Fn(f64, f64, f64) -> f64) {
     check(&planar("", &format!(", {elbow}"), ""), elbow, |q, v, a| {
         let load = rods(q, v, a);
@@ -157,7 +158,8 @@ fn laws_of_transmission_and_sensor() {
     });
 }
 
-/// A point of 2 kg that slides on a link of 0.3 kg m^2 in a vertical plane, by Lagrange's equations.
+/// A point of 2 kg that slides on a link of 0.3 kg m^2 in a vertical plane, by Lagrange's
+/// equations.
 fn polar(q: [f64; 2], v: [f64; 2], a: [f64; 2]) -> [f64; 2] {
     let (m, g) = (2.0, 9.81);
     let turning = (0.3 + m * q[1] * q[1]) * a[0] + 2.0 * m * q[1] * v[1] * v[0] + m * g * q[1] * q[0].sin();
@@ -199,8 +201,8 @@ fn geometry_and_bodies() {
         tau[1] += 0.2 * (5.0 * (q[1] + 0.1)).sin();
         tau
     });
-    // About z of a base in whose plane gravity lies, pitch and roll foreshorten it and turn it out
-    // of the plane.
+    // About z of a base whose plane contains gravity, pitch and roll shorten gravity's component in
+    // the plane.
     check(&planar("", "", "effects: { base_tilt: { roll: 0.2 } }"), "base_tilt", |q, v, a| {
         let (up, still) = (rods(q, v, a), rods(q, v, a));
         let weight = |j: usize| rods(q, [0.0; 2], [0.0; 2])[j];
@@ -247,8 +249,8 @@ const MANY: [&str; 3] = [
     "effects: { base_tilt: { roll: 0.05, pitch: 0.02 }, payload: { M: 0.2, MSX: 0.05 } }",
 ];
 
-/// The crate of a robot with many effects, compiled by itself: its own tests, and the interpreter's
-/// numbers to the last bit.
+/// The crate of a robot with many effects, compiled by itself: passes its own tests, and has the
+/// interpreter's results to the last bit.
 #[test]
 fn the_generated_crate_says_the_same_bits() {
     let text = planar_text(MANY[0], MANY[1], MANY[2]);
@@ -346,14 +348,14 @@ fn a_drive_steps_like_the_evaluator() {{
     assert!(!said.contains("warning"), "{said}");
 }
 
-/// The simulator writes the torques of its own physics: without a loop, on smooth motion, they are
-/// the predicted ones.
+/// The simulator computes torques by its own physics: without a loop, on smooth motion, they agree
+/// with the predicted ones.
 #[test]
 fn a_simulated_log_is_what_was_predicted() {
     let without = |text: &str, law: &str| text.replace(law, "");
     let stiff = without(MANY[0], "joint_elasticity: 800, ");
     let cases = [
-        // Its bristles have damping besides (LuGre, not Dahl), so hysteresis is another case.
+        // Its bristles also have damping (LuGre, not Dahl), so hysteresis is another case.
         (
             without(&stiff, ", presliding_hysteresis: { HC: 0.3, HX: 0.02 }"),
             without(MANY[1], "backlash: 0.002, "),
@@ -404,14 +406,14 @@ fn a_simulated_log_is_what_was_predicted() {
             let scale = tau[j].iter().fold(0.0_f64, |m, t| m.max(t.abs()));
             let mut errors: Vec<f64> = (0..n).map(|k| (predicted[j * n + k] - tau[j][k]).abs() / scale).collect();
             errors.sort_by(f64::total_cmp);
-            // At a reversal the simulator's bristles need some microradians to turn about.
+            // At a reversal the simulator's bristles need some microradians to reverse.
             assert!(errors[n * 95 / 100] < tolerance, "joint {}: {}", j + 1, errors[n * 95 / 100]);
         }
     }
 }
 
-/// Links that swing on the springs of both joints: the simulator integrates two inertias to a
-/// joint, the file's law follows the motors' recorded motion.
+/// Links oscillate on the springs of both joints: the simulator integrates two inertias per joint,
+/// and the file's law follows the motors' recorded motion.
 #[test]
 fn links_swing_on_their_springs() {
     let text = planar_text(", joint_elasticity: { KE: 40, DE: 0.5 }", ", joint_elasticity: { KE: 12, DE: 0.06 }", "")
@@ -436,7 +438,7 @@ fn links_swing_on_their_springs() {
     predictor.torques(&states, &mut still);
     predictor.torques_along(&truth.t, &states, &[], &mut swings);
     for j in 0..2 {
-        // Its initial swing is gone after half of the motion.
+        // Its initial oscillation has decayed after half of the motion.
         let rms = |x: &[f64]| {
             let span = j * n + n / 2..(j + 1) * n - 5;
             (span.clone().map(|k| (x[k] - truth.motor_torque[k]).powi(2)).sum::<f64>() / span.len() as f64).sqrt()
@@ -446,7 +448,7 @@ fn links_swing_on_their_springs() {
     }
 }
 
-/// Without effects nothing changes.
+/// A file without effects is the rigid arm.
 #[test]
 fn a_file_without_effects_is_the_rigid_arm() {
     let robot = planar("", "", "");

@@ -1,5 +1,5 @@
-//! `generated/` is what the generator would write today. With `DENAVIT_REGENERATE=1` in the
-//! environment stale files are rewritten.
+//! Checks that `generated/` is up to date. With `DENAVIT_REGENERATE=1` in the environment stale
+//! files are rewritten.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -7,11 +7,11 @@ use std::path::Path;
 use dh_codegen::Runtime;
 use dh_codegen::robot::{Robot, no_files};
 
-/// Set to rewrite what is stale.
+/// Environment variable that makes the test rewrite stale files.
 const SWITCH: &str = "DENAVIT_REGENERATE";
-/// Crates that depend on nothing.
+/// Crates without dependencies.
 const CRATES: [&str; 6] = ["planar2r", "kuka-lwr4", "franka-panda", "ur10e", "kinova-gen3", "stanford"];
-/// Crates on `denavit-runtime`, and its line in their `Cargo.toml`.
+/// Crates with `denavit-runtime`; `RUNTIME` is its entry in their `Cargo.toml`.
 const ON_RUNTIME: [&str; 2] = ["puma560", "scara"];
 const RUNTIME: &str = "{ path = \"../../dh-macro/runtime\" }";
 

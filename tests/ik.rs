@@ -1,8 +1,8 @@
 //! Inverse kinematics against the numeric recursion: every solution reaches its pose, and the
-//! posture that made the pose is found.
+//! original posture is found.
 //!
-//! `DENAVIT_IK_POSTURES` sets how many random postures each arm gets (1,000 here, a million before
-//! a release), `DENAVIT_IK_ROBOT` takes one arm alone.
+//! `DENAVIT_IK_POSTURES` sets the number of random postures for each arm (1,000 here, a million
+//! before a release), `DENAVIT_IK_ROBOT` selects a single arm.
 
 use core::f64::consts::{PI, TAU};
 
@@ -26,7 +26,7 @@ fn robot(name: &str) -> Robot {
     Robot::from_yaml(&std::fs::read_to_string(path).unwrap(), &no_files).unwrap().robot
 }
 
-/// An arm, its inverse, and the recursion that shares no code with it.
+/// An arm, its inverse kinematics, and the recursion that shares no code with it.
 struct Bench {
     robot: Robot,
     oracle: Numeric,
@@ -59,7 +59,7 @@ impl Bench {
         })
     }
 
-    /// Largest error of the solutions' poses, and how far the nearest solution is from the posture.
+    /// Largest pose error of the solutions, and distance of the nearest solution from the posture.
     fn check(&self, q: &[f64], near: bool) -> (f64, f64, Postures) {
         let goal = self.pose(q);
         let found = self.solve(q, near);
@@ -76,8 +76,8 @@ impl Bench {
         (error, nearest, found)
     }
 
-    /// Is no direction hard to reach, by differences of poses? Of a swivel arm, whose swivel angle
-    /// is kept: is no sine small?
+    /// Whether no direction is hard to reach, by differences of poses. For a swivel arm, whose
+    /// swivel angle is kept: whether no sine is small.
     fn away_from_singularities(&self, q: &[f64]) -> bool {
         if self.ik.inverse().class == "srs" {
             return [1, 3, 5].into_iter().all(|j| q[j].sin().abs() > 0.1);
@@ -178,8 +178,8 @@ fn random_postures() {
         eprintln!(
             "{name}: {count} postures, missed {missed}, singular {loose}, uncertain {uncertain}, worst pose {worst:.1e}, farthest {far:.1e}, outside {outside}"
         );
-        // Away from singularities an arm that is nearly of its family has the branches of the
-        // nominal one, and reports where that is.
+        // Away from singularities, an arm that is nearly of its family has the branches of the
+        // nominal one, and reports if it is near one.
         assert_eq!(unflagged, 0, "{name}");
         if bench.ik.inverse().exact {
             assert_eq!(uncertain, 0, "{name}");
@@ -188,12 +188,12 @@ fn random_postures() {
         }
         assert!(worst < 1e-12, "{name}: {worst}");
         assert_eq!(outside, 0, "{name}");
-        // Of an arm that is only nearly of its family a branch may be lost, but not without a word.
+        // An arm that is only nearly of its family may lose a branch, but it must report this.
         assert_eq!(if bench.ik.inverse().exact { missed } else { silent }, 0, "{name}: missed {missed}");
     }
 }
 
-/// Treatment of special postures.
+/// Results for special postures.
 #[derive(Default)]
 struct Special {
     count: usize,
@@ -204,8 +204,8 @@ struct Special {
 }
 
 impl Special {
-    /// A posture, once named as near, where it is found though its pose leaves joints free, and
-    /// once not.
+    /// Checks a posture, once with itself as the near posture, where it must be found though its
+    /// pose leaves joints free, and once without.
     fn look(&mut self, bench: &Bench, name: &str, q: &[f64]) {
         self.count += 1;
         let (error, nearest, _) = bench.check(q, true);
@@ -234,7 +234,7 @@ impl Special {
         );
         assert!(worst < 1e-12, "{name}: {worst}");
         assert_eq!((missed, empty), (0, 0), "{name}");
-        // Singular twice over or not: undetermined joints are reported.
+        // Singular or not, undetermined joints are reported.
         assert_eq!(unmarked, 0, "{name}");
     }
 }
@@ -268,11 +268,11 @@ fn nice_angles_limits_and_singularities() {
     }
 }
 
-/// How far beside a singularity, rad.
+/// Distances from a singularity, rad.
 const BESIDE: [f64; 6] = [0.0, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 
-/// Postures singular once, twice or three times: zeros of the Jacobian's determinant along random
-/// lines, by bisection; of half of them the wrist is straight, too.
+/// Postures with one, two or three singularities: zeros of the Jacobian's determinant along random
+/// lines, by bisection. For half of them the wrist is straight, too.
 #[test]
 fn zeros_of_the_determinant() {
     for name in ["puma560", "staubli-tx40", "ur10e", "stanford"].into_iter().filter(|name| asked_for(name)) {
@@ -285,7 +285,7 @@ fn zeros_of_the_determinant() {
         while special.count < (postures() / 4).min(10_000) {
             let (from, to) = (bench.random(&mut random), bench.random(&mut random));
             let at = |t: f64| -> Vec<f64> {
-                // The wrist stands still, away from its zero.
+                // The wrist is fixed, away from its zero.
                 (0..6).map(|j| if j == 4 { 1.0 } else { from[j] + t * (to[j] - from[j]) }).collect()
             };
             let (mut low, mut high) = (0.0, 1.0);
@@ -308,14 +308,14 @@ fn zeros_of_the_determinant() {
     }
 }
 
-/// Limits of the interpreted arm as the runtime's own type.
+/// The interpreted arm with its limits as the runtime's own type.
 fn seven(name: &str) -> (Arm<7>, Bench) {
     let bench = Bench::new(robot(name));
     let limits: Vec<_> = bench.robot.moving().iter().map(|&i| bench.robot.joints[i].limits.position).collect();
     (bench.ik.inverse().arm(&limits).unwrap(), bench)
 }
 
-/// The intervals of the swivel angle are where a dense scan finds the branch within its limits.
+/// The intervals of the swivel angle agree with a dense scan of the branch within its limits.
 #[test]
 fn swivel_intervals_agree_with_a_scan() {
     const SCAN: usize = 180;
@@ -349,7 +349,7 @@ fn swivel_intervals_agree_with_a_scan() {
     }
 }
 
-/// The swivel's velocity against the angle one step later.
+/// The swivel's velocity agrees with the angle one step later.
 #[test]
 fn swivel_velocity_is_the_derivative() {
     let (arm, bench) = seven("kuka-iiwa14");
@@ -366,8 +366,8 @@ fn swivel_velocity_is_the_derivative() {
     }
 }
 
-/// A path whose wrist goes straight through is followed without a jump, and back to the posture it
-/// was made from.
+/// A path that crosses the wrist singularity is followed without a jump, and back to its original
+/// posture.
 #[test]
 fn a_path_through_the_wrist_singularity_is_followed() {
     for name in ["puma560", "staubli-tx40"] {
@@ -381,7 +381,7 @@ fn a_path_through_the_wrist_singularity_is_followed() {
             let next = arm.follow(&arm.forward(&q), &last, &Query::default(), 0.05).unwrap();
             let next = next.unwrap_or_else(|| panic!("{name}: lost at step {k}"));
             assert!(bench.distance(&next.q, &last) < 0.02, "{name} step {k}: {:?} {last:?}", next.q);
-            // In the singularity itself joints 4 and 6 share a turn, and stay where they were.
+            // In the singularity itself joints 4 and 6 share a rotation, and keep their positions.
             let singular = q[4].abs() < 1e-9;
             assert!(singular || bench.distance(&next.q, &q) < 1e-6, "{name} step {k}: {:?} {q:?}", next.q);
             last = next.q;
@@ -423,7 +423,7 @@ fn a_calibrated_arm_keeps_its_branches() {
     assert!(worst < 1e-12 && own + told == 500, "{own} {told} {worst}");
 }
 
-/// Answers for poses that no posture reaches, and for matrices that are no poses.
+/// A rotated and shifted base moves the poses with it.
 #[test]
 fn a_turned_and_shifted_base_moves_the_poses_with_it() {
     let text = "base: { xyz: [0.3, -0.2, 0.7], rpy: [pi, 0.4, -pi/3] }\n";
@@ -446,9 +446,10 @@ fn a_turned_and_shifted_base_moves_the_poses_with_it() {
     }
 }
 
+/// Results for poses that no posture reaches, and for matrices that are not poses.
 #[test]
 fn poses_out_of_reach_and_poses_that_are_none() {
-    // The Stanford arm's file does not limit its slide.
+    // The Stanford arm's file does not limit its prismatic joint.
     for (name, _) in ROBOTS.into_iter().filter(|(name, _)| *name != "stanford") {
         let bench = Bench::new(robot(name));
         let mut pose = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0]];
@@ -472,9 +473,9 @@ fn poses_out_of_reach_and_poses_that_are_none() {
     }
 }
 
-/// Any finite input gives postures of the pose or none, no NaN; any other input gives an error. A
-/// near posture far away, of which no digit is left of a turn, is no reason for a posture that does
-/// not reach the pose.
+/// Any finite input gives postures of the pose or none, without NaN; any other input gives an
+/// error. A near posture so far away that its turns have no valid digit must not cause a posture
+/// that does not reach the pose.
 #[test]
 fn absurd_input_gives_no_wrong_answer() {
     const ODD: [f64; 14] =
@@ -508,7 +509,7 @@ fn absurd_input_gives_no_wrong_answer() {
                 let again = bench.pose(&s.q);
                 let size = pose.as_flattened().iter().fold(1.0f64, |m, x| m.max(x.abs()));
                 for (a, b) in again.as_flattened().iter().zip(pose.as_flattened()) {
-                    // A rotation that is none by up to 1e-6 is mended.
+                    // A rotation with an error up to 1e-6 is corrected.
                     let allowed = if k % 3 == 0 { 1e-12 } else { 1e-6 };
                     assert!((a - b).abs() < allowed * size, "{name}: {s:?} of {pose:?} {ask:?}");
                 }
@@ -526,7 +527,7 @@ fn absurd_input_gives_no_wrong_answer() {
 }
 
 /// Along a path each posture keeps its label: of the next pose's postures, the one that clearly
-/// follows has the same.
+/// continues it has the same.
 #[test]
 fn labels_stay_with_their_branch() {
     for name in ["kuka-lwr4", "puma560", "staubli-tx40", "ur10e", "stanford"] {
@@ -555,8 +556,7 @@ fn labels_stay_with_their_branch() {
     }
 }
 
-/// The swivel angle is the paper's: the elbow stands at `c + R (cos phi u + sin phi v)` (equation
-/// 1).
+/// The swivel angle is the paper's: the elbow is at `c + R (cos phi u + sin phi v)` (equation 1).
 #[test]
 fn the_swivel_angle_is_the_papers() {
     let bench = Bench::new(robot("kuka-lwr4"));

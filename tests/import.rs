@@ -1,4 +1,5 @@
-//! URDF and MJCF to robot files: against the trees themselves, and on files of many makers.
+//! URDF and MJCF to robot files: compared with the trees themselves, and on files from many
+//! sources.
 
 use std::path::{Path, PathBuf};
 
@@ -19,7 +20,7 @@ fn gripping(tip: &str) -> ImportOptions {
     ImportOptions { tip: Some(tip.into()), at: vec![("grip".into(), 0.03)], ..ImportOptions::default() }
 }
 
-/// Kinetic and potential energy of a tree's bodies, by differences of their poses.
+/// Kinetic and potential energy of a tree's bodies by differences of their poses, J.
 fn energies(tree: &Tree, base: usize, gravity: &Vector3<f64>, at: &dyn Fn(f64) -> Vec<f64>) -> [f64; 2] {
     let h = 1e-5;
     let [before, now, after] = [-h, 0.0, h].map(|t| tree.poses(base, &at(t)));
@@ -40,18 +41,18 @@ fn energies(tree: &Tree, base: usize, gravity: &Vector3<f64>, at: &dyn Fn(f64) -
     sum
 }
 
-/// The table's energies are those of the tree's bodies, its tip is the tree's.
+/// Checks that the table has the energies of the tree's bodies, and its tip.
 fn check_energies(text: &str, options: &ImportOptions) -> Imported {
     let made = import(text, options).unwrap_or_else(|e| panic!("{e}"));
     assert!(made.error.position < 1e-11 && made.error.rotation < 1e-11, "{:?}", made.error);
     let tree = urdf::tree(text, &mut Snap::new(1e-9)).unwrap();
     let base = tree.body(&made.base).unwrap();
-    // Gravity in the axes of the base, all joints above it at zero.
+    // Gravity in the axes of the base, with all joints above it at zero.
     let at_zero = tree.poses(tree.body("base").unwrap(), &vec![0.0; tree.joints.len()]);
     let gravity = at_zero[base].unwrap().rotation.tr_mul(&Vector3::from(tree.gravity));
     let numeric = Numeric::new(&made.robot);
     let phi = standard_values(&made.robot).unwrap();
-    // Links that do not move count in the tree's sum alone: only what the joints change is
+    // Fixed links count in the tree's sum alone: only changes by the joints are
     // compared.
     let held: Vec<(usize, f64)> =
         made.held.iter().map(|(name, q)| (tree.joints.iter().position(|j| j.name == *name).unwrap(), *q)).collect();
@@ -86,7 +87,7 @@ fn the_table_moves_as_the_tree_does() {
     let made = check_energies(ARM, &gripping("flange"));
     let cases: Vec<Neighbours> = made.neighbours.iter().map(|(case, _)| *case).collect();
     use Neighbours::*;
-    // The line of a joint that slides may lie anywhere: it goes through the frame before.
+    // The line of a prismatic joint may be shifted: it passes through the previous frame.
     assert_eq!(cases, [Crossing, Parallel, AntiParallel, Skew, Crossing, Parallel]);
     let robot = &made.robot;
     assert_eq!(robot.name, "sample-arm");
@@ -117,7 +118,7 @@ fn any_link_can_be_the_base() {
     for base in ["base", "l1", "cover", "l5"] {
         check_energies(ARM, &ImportOptions { base: Some(base.into()), ..gripping("flange") });
     }
-    // A turned and shifted first joint needs a base pose.
+    // A rotated and shifted first joint needs a base pose.
     let turned = ARM.replacen("xyz=\"0 0 0.3\" rpy=\"0 0 0\"", "xyz=\"0.1 0.2 0.3\" rpy=\"0.3 -0.5 0.2\"", 1);
     assert!(check_energies(&turned, &gripping("flange")).robot.base.is_some());
 }
@@ -129,7 +130,7 @@ fn axes_off_parallel_by_rounding_stay_near_the_arm() {
     assert!(made.neighbours.iter().any(|(case, _)| *case == Neighbours::NearlyParallel));
     assert_eq!(made.robot.joints.len(), 8, "one row that does not move");
     assert!(made.robot.joints.iter().all(|j| j.d.value.abs() < 1.0 && j.r.value.abs() < 1.0));
-    // Taken for pi where the user says so, and the difference shows.
+    // Rounded to pi at the user's request, which shows in the error.
     let made = import(&rounded, &ImportOptions { snap: 1e-5, ..gripping("flange") }).unwrap();
     assert_eq!(made.robot.joints.len(), 7);
     assert_eq!(made.snap.count, 1);
@@ -218,7 +219,7 @@ fn the_fingers_of_a_gripper_end_no_arm() {
             "<link name=\"thumb\"/><joint name=\"oppose\" type=\"prismatic\"><parent link=\"l7\"/><child link=\"thumb\"/>\
              <axis xyz=\"0 1 0\"/><limit lower=\"0.01\" upper=\"0.04\"/>{more}</joint></robot>"
         );
-        // Without the flange, nothing but fingers stands behind the last link.
+        // Without the flange there are only fingers behind the last link.
         let arm = ARM.replacen("<link name=\"flange\"/>", "", 1);
         let from = arm.find("<joint name=\"flange joint\"").unwrap_or_else(|| panic!("{arm}"));
         let to = from + arm[from..].find("</joint>").unwrap() + "</joint>".len();
@@ -286,7 +287,7 @@ fn files_that_no_arm_needs_are_refused_at_once() {
     assert!(said.contains("there is no default class `steel`"), "{said}");
 }
 
-/// Files of many makers, beside a checkout.
+/// Folder with files from many sources, beside a checkout.
 fn corpus() -> Option<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/data/urdf");
     folder.is_dir().then_some(folder)
@@ -303,16 +304,16 @@ fn urdf_files(folder: &Path, into: &mut Vec<PathBuf>) {
     }
 }
 
-/// One line: what became of a file. If several links end the longest chain the first is taken, and
-/// joints beside it stand at zero.
+/// Result of importing a file in one line. If several links end the longest chain the first is
+/// taken, and joints beside it are at zero.
 fn outcome(text: &str) -> String {
     let mut options = ImportOptions { at_zero: true, ..ImportOptions::default() };
     let mut chosen = "";
     for _ in 0..3 {
         match import(text, &options) {
             Ok(made) => {
-                // More only where angles of the file were taken for exact ones, which the report
-                // says.
+                // More only if angles of the file were rounded to exact ones, which the report
+                // states.
                 let allowed = if made.snap.largest > 1e-10 { 10.0 * REQUIRED } else { REQUIRED };
                 assert!(made.error.position <= allowed && made.error.rotation <= allowed, "{:?}", made.error);
                 let rows = made.robot.joints.len() - made.robot.dof();
@@ -362,8 +363,8 @@ fn files_of_many_makers_are_converted_or_refused_for_a_reason() {
     assert_eq!(table.lines().count(), expected.lines().count());
 }
 
-/// Torques and places that MuJoCo 4.0 has for `arm.xml` (`mj_inverse` without constraints, with
-/// Coulomb friction and without the spring): classes, degrees, shapes, two joints in one body.
+/// Torques and positions computed by MuJoCo 4.0 for `arm.xml` (`mj_inverse` without constraints,
+/// with Coulomb friction and without the spring): classes, degrees, shapes, two joints in one body.
 #[test]
 fn mjcf_means_what_mujoco_means() {
     let text = include_str!("import/arm.xml");
@@ -438,7 +439,7 @@ fn what_mjcf_has_and_an_arm_has_not_is_refused_by_name() {
     assert!(made.robot.links[3].is_none() && made.unknown.iter().any(|s| s.contains("`slide`")), "{:?}", made.unknown);
 }
 
-/// Torques of both robots, joint by joint in the same order, at random states.
+/// Largest torque difference of both robots, joint by joint in the same order, at random states.
 fn same_torques(one: &Robot, other: &Robot) -> f64 {
     let [a, b] = [one, other].map(|robot| (Numeric::new(robot), standard_values(robot).unwrap()));
     let (n, mut random, mut worst) = (one.dof(), Random::new(9), 0f64);
@@ -450,7 +451,7 @@ fn same_torques(one: &Robot, other: &Robot) -> f64 {
     worst
 }
 
-/// Entries that no model has: constant torques and, in URDF, rotors.
+/// The robot without entries that models cannot express: constant torques and, in URDF, rotors.
 fn sayable(mut robot: Robot, rotors: bool) -> Robot {
     for joint in &mut robot.joints {
         joint.drive.offset = None;
@@ -495,12 +496,12 @@ fn a_model_keeps_its_words_and_gets_the_numbers() {
     let back = import(&written.text, &gripping("flange")).unwrap();
     let worst = same_torques(&robot, &back.robot);
     assert!(worst < 1e-11, "{worst}\n{:?}", written.left_out);
-    // The same numbers change no word, whatever the rounding on the way there and back.
+    // Equal numbers leave the text unchanged, whatever the rounding on the way there and back.
     let same = onto(&made.robot, ARM, &held).unwrap().text;
     assert!(same.contains("ixx=\"0.01\" iyy=\"0.06\" izz=\"0.06\""), "{same}");
     let worst = same_torques(&made.robot, &import(&same, &gripping("flange")).unwrap().robot);
     assert!(worst < 1e-11, "{worst}");
-    // Through MJCF: the model is MuJoCo's then.
+    // Through MJCF: the model is then MuJoCo's.
     let model = export(&made.robot, ModelFormat::Mjcf).text.replacen("<worldbody>", "<worldbody><!-- ours -->", 1);
     let written = onto(&robot, &model, &[]).unwrap();
     assert!(written.text.contains("<!-- ours -->"));
@@ -533,16 +534,16 @@ fn delays_come_along_in_mjcf() {
     let options = ImportOptions { tip, ..ImportOptions::default() };
     let back = import(&made.text, &options).unwrap();
     assert_eq!(delays(&back.robot), delays(&robot));
-    // URDF has no words for it.
+    // URDF cannot express it.
     let urdf = export(&robot, ModelFormat::Urdf);
     assert!(urdf.left_out.iter().any(|s| s.contains("time_delay")) && urdf.notes.is_empty());
-    // Into a model that has delays already, and into one that has none.
+    // Into a model with delays, and into one without.
     for model in [made.text.clone(), without_delays(&made.text)] {
         robot.effects = vec![TimeDelay { delay: Some(-0.001) }.into()];
         let written = onto(&robot, &model, &[]).unwrap();
         assert_eq!(delays(&import(&written.text, &options).unwrap().robot), delays(&robot), "{}", written.text);
     }
-    // What no motor moves has no torque to be late.
+    // A joint without a motor has no torque that could be delayed.
     robot.joints[2].actuated = false;
     let missing = format!("time_delay of `{}`", robot.joints[2].name);
     assert!(export(&robot, ModelFormat::Mjcf).left_out.iter().any(|s| s.starts_with(&missing)));

@@ -1,4 +1,4 @@
-//! Generated and interpreted agree bit for bit, on every function.
+//! Generated and interpreted code agree bit for bit, for every function.
 
 use dh_codegen::arm::{Function, Model};
 use dh_codegen::interpret::{Interpreter, State};
@@ -46,8 +46,8 @@ macro_rules! agrees {
                     let interpreted = run.one(f, &state);
                     assert_eq!(interpreted.len(), generated.len());
                     for (i, (a, b)) in interpreted.iter().zip(generated).enumerate() {
-                        // A structural zero of the dense form is +0 whatever the sign a product
-                        // would give it.
+                        // A structural zero of the dense form is +0 whatever sign a product would
+                        // give it.
                         assert!(
                             a.to_bits() == b.to_bits() || (*a == 0.0 && *b == 0.0),
                             "{} entry {i}: {a} {b}",
@@ -85,7 +85,7 @@ agrees!(ur10e_agrees, ur10e, "ur10e");
 agrees!(kinova_gen3_agrees, kinova_gen3, "kinova-gen3");
 agrees!(stanford_agrees, stanford, "stanford");
 
-/// Packs of eight states and packed outputs are the same numbers as one state at a time.
+/// Packs of eight states and packed outputs give the same numbers as one state at a time.
 #[test]
 fn packs_and_packed_outputs_are_the_same_numbers() {
     use kuka_lwr4 as arm;
@@ -107,8 +107,8 @@ fn packs_and_packed_outputs_are_the_same_numbers() {
     }
 }
 
-/// Every instruction set of this processor has the bits of the plain functions, for one state and
-/// for eight; so do angles beyond the range of the short reduction.
+/// Every instruction set of this processor gives the bits of the plain functions, for one state and
+/// for eight. So do angles beyond the range of the short reduction.
 #[test]
 fn instruction_sets_agree() {
     macro_rules! agree {
@@ -162,7 +162,7 @@ fn instruction_sets_agree() {
     assert_eq!((shipped as u8, shipped as u8), (other as u8, on_runtime as u8));
 }
 
-/// f32 runs the same text.
+/// f32 uses the same source text.
 #[test]
 fn single_precision_is_close() {
     use ur10e as arm;

@@ -1,14 +1,14 @@
-//! The controller's state machine, walked whole: all states under all guards.
+//! Exhaustive test of the controller's state machine: all states under all guards.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::OnceLock;
 
 use denavit::control::law::{Arrival, Bounds, Fault, Machine, Reaction, Seen, Status, Touch, Wanted};
 
-/// Stays for the tests of single transitions, and for the walk through all states.
+/// Bounds for the tests of single transitions; `SHORT` is for the exploration of all states.
 const BOUNDS: Bounds = Bounds { patience: 2, leave: 3, stop: 4 };
 const SHORT: Bounds = Bounds { patience: 1, leave: 2, stop: 2 };
-/// The shortest that settings can ask for.
+/// The shortest bounds that settings can give.
 const NONE: Bounds = Bounds { patience: 0, leave: 1, stop: 1 };
 
 const WELL: Seen = Seen {
@@ -23,7 +23,7 @@ const WELL: Seen = Seen {
     rest: false,
 };
 
-/// What the controller can report as a limit.
+/// Faults that the controller can report as a limit.
 const LIMITS: [Fault; 10] = [
     Fault::Frozen,
     Fault::Model,
@@ -37,7 +37,7 @@ const LIMITS: [Fault; 10] = [
     Fault::Force,
 ];
 
-/// Every guard value.
+/// All guard values.
 fn guards() -> Vec<Seen> {
     let both = [false, true];
     let limits: Vec<Option<Fault>> = [None].into_iter().chain(LIMITS.map(Some)).collect();
@@ -60,20 +60,20 @@ fn guards() -> Vec<Seen> {
     all
 }
 
-/// What can follow a state.
+/// Successors of a state.
 #[derive(Default)]
 struct Next {
     all: HashSet<Machine>,
-    /// Those in whose step torques are held: no sample or no model, and no fault that is answered
-    /// without it.
+    /// Successors by steps in which torques are held: no sample or no model, and no fault whose
+    /// reaction does not need them.
     held: HashSet<Machine>,
 }
 
-/// States, and what follows each.
+/// States with their successors.
 type Graph = HashMap<Machine, Next>;
 
-/// Every state that can be reached with short stays, and what follows it. The stays are the only
-/// numbers that the machine knows.
+/// Every state that is reachable with short bounds, with its successors. The bounds are the only
+/// numbers in the machine.
 fn explored() -> &'static [(Bounds, Graph); 2] {
     static GRAPHS: OnceLock<[(Bounds, Graph); 2]> = OnceLock::new();
     GRAPHS.get_or_init(|| [SHORT, NONE].map(|bounds| (bounds, explore(&bounds))))
@@ -102,21 +102,21 @@ fn explore(bounds: &Bounds) -> Graph {
     found
 }
 
-/// Without a sample, or without a model.
+/// Whether torques are held for lack of a sample or of a model.
 fn holds(seen: &Seen) -> bool {
     matches!(seen.arrival, Arrival::Bad | Arrival::Gone) || !seen.model
 }
 
-/// Holds of each step.
+/// Invariant of every step.
 fn invariant(state: Machine, seen: &Seen, next: Machine) {
     let (before, after) = (state.status(), next.status());
-    // From a fault there is no way back, and none to a milder answer.
+    // A fault is never left, nor replaced by one with a milder reaction.
     if let Some(fault) = before.fault() {
         assert!(after.fault().is_some_and(|then| then.reaction() >= fault.reaction()), "{state:?} {seen:?}");
         assert!(!before.brakes() || after.brakes(), "{state:?} {seen:?}");
         assert!(!matches!((before, after), (Status::Stopping(_), Status::Leaving(_))), "{state:?} {seen:?}");
     }
-    // A fault has its cause, and no cause that is one at once is passed over.
+    // A fault has its cause, and no immediate cause is ignored.
     match (before.fault(), after.fault()) {
         (None, Some(fault)) => assert!(is_cause(seen, fault), "{state:?} {seen:?} {after:?}"),
         (_, None) => {
@@ -125,14 +125,14 @@ fn invariant(state: Machine, seen: &Seen, next: Machine) {
         }
         _ => {}
     }
-    // It presses and follows only with all that it needs for it.
+    // It presses and follows only with all required inputs.
     if matches!(after, Status::Free | Status::Approaching | Status::Pressing | Status::Lost) {
         assert!(seen.arrival == Arrival::Good && seen.model && seen.limit.is_none(), "{state:?} {seen:?}");
         assert!(after == Status::Free || (seen.wanted == Wanted::Press && seen.force), "{state:?} {seen:?}");
     }
 }
 
-/// Whether what is seen is a cause of a fault, perhaps after some more such steps.
+/// Whether the observations cause a fault, perhaps after more such steps.
 fn is_cause(seen: &Seen, fault: Fault) -> bool {
     let presses = seen.wanted == Wanted::Press;
     let missing = match fault {
@@ -147,8 +147,8 @@ fn is_cause(seen: &Seen, fault: Fault) -> bool {
     missing || seen.limit == Some(fault)
 }
 
-/// The most steps on all ways from a state along these arrows, until there is none or the brakes
-/// are requested; a circle fails.
+/// Largest number of steps on all paths from a state along these edges, until there is none or the
+/// brakes are requested; a cycle fails.
 fn longest(
     graph: &Graph,
     state: Machine,
@@ -182,8 +182,7 @@ fn every_fault_ends_in_brakes_and_only_a_reset_ends_a_fault() {
     }
 }
 
-/// Whatever comes in between; one step more shows that the patience is over.
-/// So many states and guards were walked, says docs/control.md.
+/// docs/control.md has the number of states and guards explored.
 #[test]
 fn the_document_says_what_is_walked() {
     let text = include_str!("../docs/control.md").replace('\n', " ");
@@ -197,6 +196,7 @@ fn the_document_says_what_is_walked() {
     assert!(text.contains(&said), "docs/control.md doesn't say: {said}");
 }
 
+/// For any sequence of steps; one more step would show that the patience is exceeded.
 #[test]
 fn no_torque_is_held_for_longer_than_the_patience() {
     for (bounds, graph) in explored() {
@@ -206,7 +206,7 @@ fn no_torque_is_held_for_longer_than_the_patience() {
     }
 }
 
-/// After some steps that show the same.
+/// State after a number of steps with the same observations.
 fn after(state: Machine, seen: Seen, steps: u32) -> Machine {
     (0..steps).fold(state, |at, _| at.next(&seen, &BOUNDS))
 }
@@ -231,7 +231,7 @@ fn transitions_without_a_fault() {
         (Seen { model: false, ..WELL }, Status::Holding),
         (Seen { model: false, ..free }, Status::Holding),
         (Seen { force: false, ..WELL }, Status::Holding),
-        // Without a force that is asked for, none is needed; one target that is not followed waits.
+        // If no force is desired, none is needed; a single target that is not followed is held.
         (Seen { force: false, ..free }, Status::Free),
         (Seen { plan: false, ..WELL }, Status::Pressing),
         (Seen { plan: false, ..free }, Status::Free),
@@ -245,7 +245,7 @@ fn transitions_without_a_fault() {
     assert_eq!(Machine::default().status(), Status::Waiting);
 }
 
-/// What brings each fault about, and after how many steps.
+/// Causes of each fault, with the number of steps until it occurs.
 fn causes(base: Seen) -> Vec<(Fault, Seen, u32)> {
     let many = BOUNDS.patience + 1;
     let mut all = vec![
@@ -263,8 +263,8 @@ fn causes(base: Seen) -> Vec<(Fault, Seen, u32)> {
     all
 }
 
-/// Each fault from each working state: not a step earlier than its guard says, and to the state
-/// that its reaction says.
+/// Each fault from each working state: not earlier than its guard, and with the state of its
+/// reaction.
 #[test]
 fn transitions_to_each_fault() {
     let mut met = HashSet::new();
@@ -283,7 +283,7 @@ fn transitions_to_each_fault() {
                 };
                 assert_eq!(status, expected, "{seen:?}");
                 met.insert(fault);
-                // One good step in between begins the count again.
+                // One good step in between restarts the count.
                 if steps > 1 {
                     let again = after(before.next(&base, &BOUNDS), seen, steps - 1);
                     assert_eq!(again.status().fault(), None, "{fault:?}");
@@ -292,14 +292,14 @@ fn transitions_to_each_fault() {
         }
     }
     assert_eq!(met.len(), Fault::ALL.len());
-    // Without a plan there is nothing to miss of it.
+    // Without a plan none can be missing.
     let nothing = Seen { wanted: Wanted::Nothing, plan: false, ..WELL };
     assert_eq!(after(Machine::default(), nothing, 10).status(), Status::Waiting);
     let blind = Seen { wanted: Wanted::Free, force: false, ..WELL };
     assert_eq!(after(Machine::default(), blind, 10).status(), Status::Free);
 }
 
-/// From each fault to its end: by the guard, by the time, and by a graver fault.
+/// From each fault to its end: by the guard, by the time, and by a more severe fault.
 #[test]
 fn transitions_from_each_fault() {
     for (fault, seen, steps) in causes(WELL) {
@@ -310,7 +310,7 @@ fn transitions_from_each_fault() {
                 assert_eq!(failed.next(&clear, &BOUNDS).status(), Status::Stopping(fault));
                 assert_eq!(after(failed, WELL, BOUNDS.leave - 1).status(), Status::Leaving(fault));
                 assert_eq!(after(failed, WELL, BOUNDS.leave).status(), Status::Stopping(fault));
-                // Rest on the wall is no end.
+                // Rest on the wall does not end it.
                 assert_eq!(failed.next(&Seen { rest: true, ..WELL }, &BOUNDS).status(), Status::Leaving(fault));
             }
             Status::Stopping(_) => {
@@ -327,14 +327,14 @@ fn transitions_from_each_fault() {
             assert_eq!(then.status().fault(), Some(if graver { other } else { fault }), "{fault:?} {other:?}");
         }
     }
-    // The time to come to rest is not begun again by a graver fault.
+    // The time to come to rest is not restarted by a more severe fault.
     let stopping = after(working(WELL), Seen { wanted: Wanted::Free, limit: Some(Fault::Reach), ..WELL }, 1);
     let graver = after(stopping, WELL, 2).next(&Seen { limit: Some(Fault::Speed), ..WELL }, &BOUNDS);
     assert_eq!(graver.status(), Status::Stopping(Fault::Speed));
     assert_eq!(after(graver, WELL, BOUNDS.stop - 2).status(), Status::Stopped(Fault::Speed));
 }
 
-/// Of several at once the gravest counts.
+/// Of several faults at once the most severe counts.
 #[test]
 fn the_gravest_fault_counts() {
     let all_at_once = Seen { arrival: Arrival::Gone, limit: Some(Fault::Stuck), touch: Touch::GivenUp, ..WELL };

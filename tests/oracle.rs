@@ -32,7 +32,8 @@ fn compare(what: &str, got: &[f64], expected: &[f64]) {
     }
 }
 
-/// Jacobian of the tool frame's origin: that of the last frame, and what its turning moves there.
+/// Jacobian of the tool frame's origin: that of the last frame, plus the effect of its rotation on
+/// the offset.
 fn tool_jacobian(oracle: &Numeric, q: &[f64]) -> DMatrix<f64> {
     let mut jacobian = oracle.jacobian(q);
     let origin = |m: &Matrix4<f64>| m.fixed_view::<3, 1>(0, 3).into_owned();
@@ -44,7 +45,7 @@ fn tool_jacobian(oracle: &Numeric, q: &[f64]) -> DMatrix<f64> {
     DMatrix::from_fn(6, jacobian.ncols(), |i, j| jacobian[(i, j)])
 }
 
-/// Chains that are drawn: fewer where nothing is optimised.
+/// Number of random chains: fewer without optimisation.
 const CHAINS: u64 = if cfg!(debug_assertions) { 80 } else { 240 };
 
 #[test]
@@ -80,8 +81,8 @@ fn every_function_agrees_on_random_chains() {
             check(Function::InverseDynamicsBase, &beta, tau.as_slice());
             check(Function::MassMatrix, &beta, &row_major(&oracle.mass_matrix(&q, &phi)));
             check(Function::Coriolis, &beta, oracle.coriolis(&q, &dq, &phi).as_slice());
-            // An offset that can't be separated from a prismatic joint's weight is in the gravity
-            // torque (see `BaseParameters`).
+            // An offset that can't be separated from a prismatic joint's weight is part of the
+            // gravity torque (see `BaseParameters`).
             let mut gravity = oracle.gravity(&q, &phi);
             for (k, offset) in model.offsets_in_gravity(&phi) {
                 gravity[k] += offset;
@@ -95,7 +96,7 @@ fn every_function_agrees_on_random_chains() {
             let sum = |f: Function| at(f, &[]).iter().zip(&phi).map(|(h, p)| h * p).sum::<f64>();
             let kinetic = oracle.kinetic_energy(&q, &dq, &phi);
             close(&name(Function::KineticEnergyRegressor), sum(Function::KineticEnergyRegressor), kinetic, kinetic);
-            // Offsets act as a potential of their own: take them out of the sum.
+            // Offsets act as a potential of their own: removed from the sum.
             let of_links: f64 = at(Function::PotentialEnergyRegressor, &[])
                 .iter()
                 .zip(&phi)
@@ -135,7 +136,7 @@ fn difference(pose: impl Fn(f64) -> Vec<f64>) -> Vec<f64> {
     vec![rate(0, 3), rate(1, 3), rate(2, 3), skew(2, 1), skew(0, 2), skew(1, 0)]
 }
 
-/// Poses and Jacobians are in the same axes, those of the world, where the base is tilted, too.
+/// Poses and Jacobians are in the same axes, those of the world, even if the base is tilted.
 #[test]
 fn jacobians_are_the_differences_of_poses_over_a_tilted_base() {
     for seed in 0..60 {
@@ -166,7 +167,8 @@ fn jacobians_are_the_differences_of_poses_over_a_tilted_base() {
     }
 }
 
-/// The closed-form grouping has as many columns as the regressor has rank, and spans the same.
+/// The closed-form grouping has as many columns as the regressor has rank, and spans the same
+/// space.
 #[test]
 fn base_parameters_are_as_many_as_the_rank() {
     for seed in 0..400 {

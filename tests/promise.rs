@@ -1,5 +1,5 @@
-//! The extended file keeps the promise of a diagnosis: its inverse dynamics leaves the reported
-//! errors on the validating log.
+//! Tests that the extended file keeps the promise of a diagnosis: its inverse dynamics has the
+//! reported errors on the validating log.
 
 use denavit::data::log::open;
 use denavit::data::signal::{Filter, Prepare, each_motion};
@@ -24,7 +24,7 @@ fn robot_file(name: &str) -> Robot {
     Robot::from_yaml(&std::fs::read_to_string(path).unwrap(), &no_files).unwrap().robot
 }
 
-/// Times, and sums of sines on all joints, joint-major.
+/// Times, s, and sums of sines on all joints, joint-major.
 fn waves(dof: usize, seconds: f64, seed: f64) -> (Vec<f64>, Vec<f64>) {
     let t: Vec<f64> = (0..(100.0 * seconds) as usize).map(|k| 0.01 * k as f64).collect();
     let q = (0..dof).flat_map(|j| {
@@ -45,7 +45,7 @@ fn trajectory(dof: usize, seconds: f64, seed: f64) -> Trajectory {
     Trajectory::new(dof, t, q, None, None).unwrap()
 }
 
-/// Rests on all joints but one.
+/// A motion of one joint, with all others at rest.
 fn alone(dof: usize, seconds: f64, seed: f64, moving: usize) -> Trajectory {
     let (t, mut q) = waves(dof, seconds, seed);
     for j in (0..dof).filter(|j| *j != moving) {
@@ -98,8 +98,8 @@ fn effect(name: &str, parameters: &[(&str, f64)]) -> Effect {
     Effect::from_keys(name, parameters).unwrap()
 }
 
-/// Root mean square errors of the file's inverse dynamics on a recording, ends cut off as the
-/// diagnosis does.
+/// Root mean square errors of the file's inverse dynamics on a recording, N m; ends are cut off as
+/// in the diagnosis.
 fn errors(robot: &Robot, recording: &Recording) -> Vec<f64> {
     let predictor = FileTorqueModel::new(robot).unwrap();
     let n = predictor.dof();
@@ -118,7 +118,7 @@ fn errors(robot: &Robot, recording: &Recording) -> Vec<f64> {
     sums.iter().map(|s| (s / count).sqrt()).collect()
 }
 
-/// Hides effects, diagnoses, and compares what the file leaves with what was promised.
+/// Hides effects, diagnoses, and compares the file's errors with the reported ones.
 fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
     let robot = robot();
     let simulator = Simulator::new(&robot, hidden).unwrap();
@@ -137,7 +137,7 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
         found.causes.iter().map(|c| (c.cause, &c.joints[..], &c.evidence[..])).collect();
     println!("{causes:?}\n {:?}\n before {before:.4?}\n promised {promised:.4?}\n kept {is:.4?}", found.offer.why);
     // The file's own laws give the promised errors. Elastic joints and gear couplings are
-    // differenced again along the log's own samples there.
+    // differenced there along the log's own samples.
     for j in 0..is.len() {
         let holds = (is[j] - promised[j]).abs() < 0.12 * promised[j] + 0.03 * before[j].min(0.1);
         assert!(
@@ -153,8 +153,8 @@ fn kept(hidden: &Effects) -> (Diagnosis, Robot) {
     (found, back)
 }
 
-/// The extended file contains the hidden effects: on other motion of the same robot nothing is
-/// wrong with it.
+/// Checks that the extended file contains the hidden effects: on another motion of the same robot
+/// no error is found in it.
 fn nothing_more(hidden: &Effects, extended: &Robot) {
     let simulator = Simulator::new(&robot(), hidden).unwrap();
     let (fit, validate) = (record(&simulator, "fit", 10.0, 5), record(&simulator, "validate", 6.0, 6));
@@ -164,7 +164,8 @@ fn nothing_more(hidden: &Effects, extended: &Robot) {
     assert_eq!(found.verdict, Verdict::NothingWrong, "{said:?}");
 }
 
-/// Sensors whose noise is forgotten in 27 ms: nothing is wrong, and the floor has its size.
+/// Sensor noise with a correlation time of 27 ms: no error is found, and the floor has the right
+/// size.
 #[test]
 fn noise_with_a_memory_is_nothing_wrong() {
     let robot = robot();
@@ -182,14 +183,14 @@ fn noise_with_a_memory_is_nothing_wrong() {
     assert!(found.noise_floor.iter().all(|n| (n / truth - 1.0).abs() < 0.2), "{:?}", found.noise_floor);
 }
 
-/// A robot file of which only the table is known.
+/// A robot file with the table only.
 fn bare(mut robot: Robot) -> Robot {
     robot.links.clear();
     robot.joints.iter_mut().for_each(|joint| joint.drive = Drive::default());
     robot
 }
 
-/// Bodies, rotor inertias and friction levels that can exist.
+/// Checks that bodies, rotor inertias and friction levels are physically possible.
 fn assert_possible(robot: &Robot) {
     let parameters: Vec<StandardParameter> = param::standard(robot).into_iter().map(Into::into).collect();
     let values = param::standard_values(robot).unwrap();
@@ -199,8 +200,8 @@ fn assert_possible(robot: &Robot) {
     }
 }
 
-/// If the file has neither links nor friction all of it is fitted. The written model can exist, and
-/// it is the one that was measured and compared.
+/// If the file has neither links nor friction, all of it is fitted. The written model is physically
+/// possible, and it is the one that was measured and compared.
 #[test]
 fn what_is_fitted_from_a_bare_file_is_possible_and_is_what_was_measured() {
     let rms = |x: &[f64]| (x.iter().map(|x| x * x).sum::<f64>() / x.len() as f64).sqrt();
@@ -222,13 +223,13 @@ fn what_is_fitted_from_a_bare_file_is_possible_and_is_what_was_measured() {
         let is = written_errors(&FileTorqueModel::new(&back).unwrap(), &validate, true);
         let promised = rms(&found.extended.validate);
         assert!((rms(&is) - promised).abs() < 0.01 * promised, "{is:?} {:?}", found.extended.validate);
-        // The same samples as by the route of this file.
+        // The same samples by this file's own method.
         assert!(is.iter().zip(errors(&back, &validate[0])).all(|(a, b)| (a - b).abs() < 1e-6 + 0.01 * b));
     }
 }
 
-/// A log in which one joint moves has little information on the arm. Undetermined directions stay
-/// at the file, and the resulting model is no worse than the file on motion of all joints.
+/// A log in which one joint moves has little information on the arm. Undetermined directions keep
+/// the file's values, and the resulting model is no worse than the file on motion of all joints.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "minutes without optimisation: cargo test --release --test promise")]
 fn a_poor_log_ruins_nothing() {
@@ -279,7 +280,7 @@ macro_rules! promises {
             let hidden = $effects;
             let (found, extended) = kept(&hidden);
             assert!(!found.causes.is_empty());
-            // A spring whose arm swings is more than its law in the file; what that lacks is found.
+            // The file's law does not cover all of an oscillating spring; the rest is found.
             if hidden.joints.iter().all(|(_, e)| e.name() != "joint_elasticity") {
                 nothing_more(&hidden, &extended);
             }
@@ -344,8 +345,8 @@ promises! {
     rotor: on(4, &[effect("rotor_inertia", &[("IA", 0.5)])]);
 }
 
-/// A link that swings behind its motor in a position loop, and a gap: both by name, on their joint,
-/// of their size.
+/// A link that oscillates behind its motor in a position loop, and a gap: both are named, on their
+/// joint, with their size.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "minutes without optimisation: cargo test --release --test promise")]
 fn springs_and_gaps_have_names() {
@@ -373,7 +374,7 @@ fn springs_and_gaps_have_names() {
     }
 }
 
-/// Joint 4 alone, on one sine: its acceleration is in proportion to its angle.
+/// Joint 4 alone, on one sine: its acceleration is proportional to its angle.
 fn one_sine(phase: f64, seconds: f64) -> Trajectory {
     let t: Vec<f64> = (0..(100.0 * seconds) as usize).map(|k| 0.01 * k as f64).collect();
     let w = 3.0;
@@ -388,7 +389,7 @@ fn one_sine(phase: f64, seconds: f64) -> Trajectory {
     Trajectory::new(7, t.clone(), q, Some(dq), Some(ddq)).unwrap()
 }
 
-/// On one sine a rotor is a spring pulled the wrong way round; the designed motion separates them.
+/// On one sine a rotor is equivalent to a negative spring; the designed motion separates them.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "minutes without optimisation: cargo test --release --test promise")]
 fn the_next_experiment_resolves_what_was_open() {

@@ -1,7 +1,6 @@
-//! Laws that hold for every arm, on random chains. They need no oracle: mechanics itself says what
-//! must come out.
+//! Laws of mechanics that hold for every arm, tested on random chains without an oracle.
 //!
-//! Few cases each: a chain of eight rows takes a good part of a second to make ready at this
+//! There are few cases each: a chain of eight rows takes a good part of a second to prepare at this
 //! profile's optimisation, and `tests/oracle.rs` runs over hundreds of chains anyway.
 
 use denavit::model::rigid_body::random::Family;
@@ -13,7 +12,7 @@ use dh_codegen::robot::{Angle, Convention, Inertia, JointKind, Length, Robot};
 use nalgebra::{DMatrix, DVector, Matrix3, Rotation3, Vector3};
 use proptest::prelude::*;
 
-/// An arm that runs, with its own parameters.
+/// An interpreted arm with its own parameters.
 struct Arm {
     model: Model,
     run: Interpreter,
@@ -47,12 +46,12 @@ impl Arm {
     }
 }
 
-/// `q + h dq`.
+/// Positions `q + h dq`.
 fn moved(q: &[f64], h: f64, dq: &[f64]) -> Vec<f64> {
     q.iter().zip(dq).map(|(q, dq)| q + h * dq).collect()
 }
 
-/// Derivative at zero, by central differences of fourth order: with arms that turn at tens of rad/s
+/// Derivative at zero by central differences of fourth order: for arms that turn at tens of rad/s
 /// the error is near 1e-8.
 fn slope(f: impl Fn(f64) -> Vec<f64>) -> DVector<f64> {
     let h = 3e-4;
@@ -60,7 +59,7 @@ fn slope(f: impl Fn(f64) -> Vec<f64>) -> DVector<f64> {
     (difference(h) * 8.0 - difference(2.0 * h)) / (12.0 * h)
 }
 
-/// How far two vectors are apart, relative to their size where that is more than one.
+/// Difference of two vectors, relative to their size if that is above one.
 fn apart(a: &DVector<f64>, b: &DVector<f64>) -> f64 {
     (a - b).amax() / (1.0 + b.amax())
 }
@@ -69,7 +68,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
-/// Some chain that moves, and numbers for its states.
+/// A random chain with at least one moving joint, and random numbers for its states.
 fn chain() -> impl Strategy<Value = (Robot, Random)> {
     (any::<u64>(), 1usize..=8)
         .prop_map(|(seed, rows)| {
@@ -79,7 +78,7 @@ fn chain() -> impl Strategy<Value = (Robot, Random)> {
         .prop_filter("nothing moves", |(robot, _)| robot.dof() > 0)
 }
 
-/// Seeds do not shrink to anything simpler, and a failing chain is named by its message.
+/// Seeds do not shrink to anything simpler, and a failing chain is identified by its message.
 fn few(cases: u32) -> ProptestConfig {
     ProptestConfig { cases, max_shrink_iters: 0, failure_persistence: None, ..ProptestConfig::default() }
 }
@@ -98,8 +97,8 @@ proptest! {
         prop_assert!(apart(&torque(&mixed), &(torque(&one) * a + torque(&two) * b)) < 1e-11);
     }
 
-    /// `d(T + U)/dt = tau' dq - friction power`. An offset acts as a potential of its own, so it is
-    /// in `U`.
+    /// Energy balance: `d(T + U)/dt = tau' dq - friction power`. An offset acts as a potential of
+    /// its own, so it is in `U`.
     #[test]
     fn power_in_is_energy_gained_and_friction((robot, mut random) in chain()) {
         use Function::{InverseDynamics, KineticEnergyRegressor, PotentialEnergyRegressor};
@@ -126,8 +125,8 @@ proptest! {
         prop_assert!((gained - given).abs() < 1e-6 * (1.0 + given.abs() + power.abs()), "{gained} {given}");
     }
 
-    /// Every link of these chains is a real body, so nothing moves for free. And `T = dq' M dq /
-    /// 2`.
+    /// Every link of these chains is a real body, so no motion is free of inertia; and
+    /// `T = dq' M dq / 2`.
     #[test]
     fn mass_matrix_is_symmetric_positive_definite((robot, mut random) in chain()) {
         let arm = Arm::new(&robot, &[Function::MassMatrix, Function::KineticEnergyRegressor]);
@@ -141,7 +140,7 @@ proptest! {
         prop_assert!((0.5 * v.dot(&(&mass * &v)) - kinetic).abs() < 1e-11 * (1.0 + kinetic));
     }
 
-    /// `C dq` is what Christoffel's symbols make of the mass matrix, so `dM/dt - 2 C` is skew.
+    /// `C dq` follows from the mass matrix by Christoffel's symbols, so `dM/dt - 2 C` is skew.
     #[test]
     fn coriolis_torques_come_from_the_mass_matrix((robot, mut random) in chain()) {
         let arm = Arm::new(&robot, &[Function::MassMatrix, Function::Coriolis]);
@@ -162,8 +161,8 @@ proptest! {
         prop_assert!((v.dot(&rate) - 2.0 * v.dot(&coriolis)).abs() < 1e-6 * (1.0 + v.dot(&rate).abs()));
     }
 
-    /// The Jacobian is the velocity of the last frame, and its rate the acceleration that is left
-    /// at constant `dq`.
+    /// The Jacobian gives the velocity of the last frame, and its rate the acceleration at constant
+    /// `dq`.
     #[test]
     fn jacobian_is_the_derivative_of_the_frame((robot, mut random) in chain()) {
         use Function::{ForwardKinematics, Jacobian, JacobianDotVelocity};
@@ -187,7 +186,7 @@ proptest! {
 proptest! {
     #![proptest_config(few(12))] // two arms of up to eight joints in each
 
-    /// The same arm in both conventions: the same motion, the same torques, as many base
+    /// The same arm in both conventions has the same motion, the same torques, and as many base
     /// parameters.
     #[test]
     fn both_conventions_describe_one_arm((mut robot, mut random) in chain()) {
@@ -207,7 +206,7 @@ proptest! {
 }
 
 /// A standard row is `RotZ TransZ` and then `TransX RotX`; in the modified convention the second
-/// half opens the next row. What the last row leaves over is a fixed row without a body of its own.
+/// half starts the next row. The remainder of the last row is a fixed row without a body.
 fn to_modified(robot: &Robot) -> Robot {
     let mut modified = Robot { convention: Convention::Modified, ..robot.clone() };
     let mut last = robot.joints[0].clone();
@@ -219,7 +218,7 @@ fn to_modified(robot: &Robot) -> Robot {
         (joint.alpha, joint.d) = (alpha, d);
         if let Some(own) = robot.joints.get(row) {
             (alpha, d) = (own.alpha.clone(), own.d.clone());
-            // The body hangs on the frame before the second half.
+            // The body is attached to the frame before the second half.
             let (sin, cos) = alpha.sin_cos();
             let turn = [[1.0, 0.0, 0.0], [0.0, cos, -sin], [0.0, sin, cos]];
             modified.links[row] = robot.links[row].map(|body| body.moved(&turn, &[d.value, 0.0, 0.0]));

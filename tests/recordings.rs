@@ -1,5 +1,5 @@
-//! Recordings of `tests/recordings/`, written by other programs (`write.py` there), hold one motion
-//! of two joints; every format gives it back.
+//! Recordings of `tests/recordings/`, written by other programs (`write.py` there), contain one
+//! motion of two joints; every format gives it back.
 
 use std::fs::File;
 use std::io::BufReader;
@@ -26,7 +26,7 @@ fn read(name: &str, reading: &Reading) -> Result<Log, LogError> {
     Log::read(&mut *source, Quantity::Tau, keep)
 }
 
-/// The motion, as `write.py` says it.
+/// The motion defined in `write.py`.
 fn truth(t: f64) -> ([f64; 2], [f64; 2]) {
     let q = [0.8 * (2.0 * t).sin(), 0.5 * (3.0 * t).cos()];
     (q, [10.0 * q[0], 10.0 * q[1] + 1.0])
@@ -74,7 +74,7 @@ fn torques_of_another_clock_are_aligned_by_their_stamps() {
     let columns = [("q*", "/joint_states/position/{joint}"), ("tau*", "/torques/data[{index}]")];
     let channel = |name: &str| Channel { name: name.into(), unit: None, gain: Vec::new(), offset: Vec::new() };
     let columns = columns.map(|(column, name)| (column.to_string(), channel(name))).to_vec();
-    // These messages carry no stamp: the recorder's clock stands for both.
+    // These messages carry no stamp: the recorder's clock is used for both.
     let mapping = Some(Mapping { columns, arrival: true });
     let log = read("two_clocks.mcap", &Reading { mapping, ..by_name() }).unwrap();
     // Linear between samples that are 4 ms apart: 10 * 0.8 * 2^2 * 0.004^2 / 8 = 6e-5.
@@ -170,7 +170,7 @@ fn channels_have_rates_and_a_mapping_is_proposed() {
     assert_eq!(column("t").as_deref(), Some("timestamp"));
 }
 
-/// Damaged files end in an error or in fewer rows, never in a panic or without end.
+/// Damaged files end in an error or in fewer rows, never in a panic or an endless loop.
 #[test]
 fn damaged_recordings_are_errors() {
     let mut state = 1_u64;
@@ -270,7 +270,7 @@ fn stamps_of_parquet_are_seconds_and_packings_are_unpacked_or_named() {
 #[test]
 fn a_damaged_chunk_is_refused_by_its_checksum() {
     let mut bytes = std::fs::read(path("joint_state_big_endian.mcap")).unwrap();
-    // A digit of a position, so that the message is as long as before.
+    // A digit of a position, so that the message keeps its length.
     let middle = bytes.len() / 2;
     bytes[middle] ^= 0x10;
     let read = open_with("damaged.mcap", &bytes[..], &by_name())

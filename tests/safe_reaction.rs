@@ -1,11 +1,11 @@
-//! The safe reaction of the controller: what once defeated it, and what keeps it.
+//! Tests of the controller's safe reaction, including cases that once defeated it.
 
 mod gantry;
 
 use denavit::control::law::{Bounds, Command, Controller, Fault, Sample, Settings, Status, Target};
 use gantry::{Gantry, T, World, pressing, settings, target};
 
-/// Speed aside with which an arm without damping coasts, m/s.
+/// Tangential speed at which an undamped arm coasts, m/s.
 const COASTS: f64 = 0.49;
 
 fn fastest(world: &World) -> f64 {
@@ -16,7 +16,7 @@ fn is_fault(status: Status) -> bool {
     !matches!(status, Status::Free | Status::Approaching | Status::Pressing | Status::Lost | Status::Holding)
 }
 
-/// Runs on with samples that something was done to; the largest torque, and the last status.
+/// Continues with modified samples; returns the largest torque and the last status.
 fn go_on(
     controller: &mut Controller<Gantry, 6>,
     world: &mut World,
@@ -44,7 +44,7 @@ fn a_sample_stamped_ahead_leaves_the_arm_damped() {
     assert!(fastest(&world) < 0.01, "{:?}", world.v);
 }
 
-/// Damping is all that the joint loop has: 40 N s/m.
+/// The joint loop only provides damping: 40 N s/m.
 #[test]
 fn a_stop_damps_with_the_gain_of_the_joint_loop() {
     let (mut controller, mut world) = pressing();
@@ -128,7 +128,7 @@ fn one_target_with_an_impossible_acceleration_is_not_followed() {
     assert!((command.torque[1] - before.torque[1]).abs() < 1.0, "{:?}", command.torque);
 }
 
-/// What an arm that is stopped must do: come to rest, request the brakes, and not press again.
+/// Checks that a stopped arm comes to rest, requests the brakes, and does not press again.
 fn assert_stopped(controller: &mut Controller<Gantry, 6>, world: &mut World, fault: Fault) {
     let Bounds { leave, stop, .. } = *controller.bounds();
     let (_, status) = go_on(controller, world, leave + stop + 2, |_, _| {});
@@ -139,7 +139,7 @@ fn assert_stopped(controller: &mut Controller<Gantry, 6>, world: &mut World, fau
     assert_eq!(status, Status::Pressing, "{fault:?}");
 }
 
-/// Runs until there is a fault, and says after how many steps.
+/// Runs until there is a fault; returns the number of steps and the status.
 fn until_fault(
     controller: &mut Controller<Gantry, 6>,
     world: &mut World,
@@ -172,7 +172,7 @@ fn clocks_that_run_apart_are_found() {
 
 #[test]
 fn too_many_bad_samples_are_no_connection() {
-    // A third of the samples may be bad for good, half of them may not.
+    // A third of the samples may be bad permanently, but not half of them.
     for (each, expected) in [(4, None), (2, Some(Fault::Position))] {
         let (mut controller, mut world) = pressing();
         let found = until_fault(&mut controller, &mut world, 3000, |k, _, sample| {
@@ -194,7 +194,7 @@ fn a_source_that_repeats_its_last_sample_is_not_heard_in_a_stop() {
     assert_eq!(torque, 0.0, "gravity alone");
 }
 
-/// Settings whose limits hurt.
+/// A controller with changed limits.
 fn limited(change: impl FnOnce(&mut Settings<6>)) -> (Controller<Gantry, 6>, World) {
     let mut settings = settings();
     change(&mut settings);
@@ -208,12 +208,12 @@ fn limited(change: impl FnOnce(&mut Settings<6>)) -> (Controller<Gantry, 6>, Wor
 #[test]
 fn a_joint_beyond_its_range_is_stopped() {
     let (mut controller, mut world) = limited(|s| s.limits.position[1] = [-0.1, 0.1]);
-    // By a fiftieth of the range it may be outside: 4 mm.
+    // It may be outside by a fiftieth of the range: 4 mm.
     let found = until_fault(&mut controller, &mut world, 400, |k, _, sample| {
         sample.q[1] = 1e-3 * f64::from(k.min(200));
     });
     assert_eq!(found, (106, Status::Stopping(Fault::Joint)));
-    // The arm was driven away while its sensor said otherwise: faster than can be true, and damped.
+    // The arm was driven away while its sensor read otherwise: faster than plausible, and damped.
     let (_, status) = go_on(&mut controller, &mut world, 2000, |_, _| {});
     assert!(status == Status::Stopped(Fault::Joint) && fastest(&world) < 0.01, "{status:?} {:?}", world.v);
     // Targets outside are not followed, to either side.
@@ -229,7 +229,7 @@ fn a_joint_beyond_its_range_is_stopped() {
 
 #[test]
 fn postures_beyond_the_range_are_not_gone_to() {
-    // 30 N bend the spring of the joint loop by 75 mm: the target is inside, its displacement not.
+    // 30 N deflect the joint loop's spring by 75 mm: the target is inside, displaced it is not.
     let mut settings = settings();
     settings.limits.position[0] = [-1.0, 0.05];
     let mut controller = Controller::new(Gantry::default(), settings).unwrap();
@@ -254,14 +254,14 @@ fn a_joint_that_is_too_fast_is_stopped() {
 
 #[test]
 fn torques_at_their_limits_for_long_are_a_fault() {
-    // 80 mm away the spring asks for 32 N.
+    // At 80 mm the spring requires 32 N.
     let (mut controller, mut world) = limited(|s| s.torque[1] = 20.0);
     let found = until_fault(&mut controller, &mut world, 400, |_, target, _| target.q[1] = 0.0);
     assert_eq!(found.1.fault(), None);
     let held = world.q;
     let found = until_fault(&mut controller, &mut world, 400, |k, target, sample| {
         target.q[1] = (1e-3 * f64::from(k + 1)).min(0.08);
-        // Blocked, but alive.
+        // Blocked, but not frozen.
         sample.q = held;
         sample.q[1] += if k % 2 == 0 { 1e-5 } else { -1e-5 };
     });
@@ -300,13 +300,13 @@ fn a_plan_beyond_its_limits_is_not_followed() {
         // Within the limit of acceleration, beyond that of jerk.
         |k, target| target.ddq[1] = if k % 2 == 0 { 8.0 } else { -8.0 },
         |_, target| target.q[1] = f64::NAN,
-        // The tool: 1 m/s along two axes each is within 2 m/s, a leap of it is no acceleration.
+        // The tool: 1 m/s along two axes each is within 2 m/s; a jump exceeds the acceleration.
         |_, target| (target.dq[0], target.dq[1]) = (1.0, 1.0),
         |k, target| target.ahead = 0.02 * f64::from(k + 1),
     ];
     for (which, change) in wrong.into_iter().enumerate() {
         let (mut controller, mut world) = pressing();
-        // Each target for once is not followed, and no fault.
+        // Each target is rejected once, without a fault.
         let found = until_fault(&mut controller, &mut world, 300, |k, target, _| {
             if k % 3 == 0 {
                 change(0, target);
@@ -320,12 +320,12 @@ fn a_plan_beyond_its_limits_is_not_followed() {
     }
 }
 
-/// Jerk is the change of the acceleration: an acceleration that was come to smoothly may stay.
+/// Jerk is the change of the acceleration: a smoothly reached acceleration may persist.
 #[test]
 fn a_steady_acceleration_has_no_jerk() {
     let (mut controller, mut world) = pressing();
     let found = until_fault(&mut controller, &mut world, 300, |k, target, _| {
-        // 900 m/s^3 for 10 ms, 9 m/s^2 for 50 ms, and so back.
+        // 900 m/s^3 for 10 ms, 9 m/s^2 for 50 ms, and back in the same way.
         let after = |begin: f64| (T * f64::from(k) - begin).max(0.0);
         let rises = [(0.0, 900.0), (0.01, -900.0), (0.06, -900.0), (0.07, 900.0)];
         let sum = |f: fn(f64) -> f64| rises.iter().map(|(begin, jerk)| jerk * f(after(*begin))).sum::<f64>();
@@ -340,7 +340,7 @@ fn a_steady_acceleration_has_no_jerk() {
 #[test]
 fn the_tool_has_limits_of_its_own() {
     let (mut controller, mut world) = limited(|s| s.limits.tool = [0.5, 20.0, 2e3]);
-    // Each joint within 1 m/s, the tool within 0.5 m/s, come to smoothly.
+    // Each joint within 1 m/s, the tool within 0.5 m/s, reached smoothly.
     let mut reached = 0.0;
     let found = until_fault(&mut controller, &mut world, 2000, |k, target, _| {
         let speed = 0.5 * T * f64::from(k);
@@ -349,7 +349,7 @@ fn the_tool_has_limits_of_its_own() {
     });
     assert_eq!(found.1, Status::Leaving(Fault::Plan));
     assert!((reached - 0.5).abs() < 0.01, "{reached}");
-    // A leap of the speed by 1 cm/s in a period is within the acceleration, and beyond the jerk.
+    // A speed jump of 1 cm/s in a period is within the acceleration, but beyond the jerk.
     for (jerk, expected) in [(2e4, None), (2e2, Some(Fault::Plan))] {
         let (mut controller, mut world) = limited(|s| s.limits.tool = [0.5, 20.0, jerk]);
         let found = until_fault(&mut controller, &mut world, 40, |k, target, _| {
@@ -383,7 +383,7 @@ fn a_push_aside_that_is_too_large_makes_it_leave() {
 
 #[test]
 fn too_little_force_at_the_end_of_the_range_is_given_up() {
-    // A force of contact that changes with each sample and never comes up.
+    // A contact force that changes with each sample but never rises.
     let (mut controller, mut world) = pressing();
     let found = until_fault(&mut controller, &mut world, 10_000, |k, _, sample| {
         sample.force = 10.0 + 1e-3 * f64::from(k % 2);
@@ -394,11 +394,11 @@ fn too_little_force_at_the_end_of_the_range_is_given_up() {
 
 #[test]
 fn a_stop_goes_along_the_path() {
-    // A circle of 0.2 m in the y-z plane at 0.6 rad/s of its angle; the force sensor dies on it.
+    // A circle of 0.2 m in the y-z plane at 0.6 rad/s, on which the force sensor fails.
     let mut controller = Controller::new(Gantry::default(), Settings { feed: 1.0, ..settings() }).unwrap();
     let mut world = World { wall: false, ..World::new() };
     let circle = |t: f64| {
-        // Comes to speed within a second.
+        // Accelerates within a second.
         let (angle, speed, change) = if t < 1.0 {
             (0.6 * (t * t * t - 0.5 * t * t * t * t), 0.6 * t * t * (3.0 - 2.0 * t), 3.6 * t * (1.0 - t))
         } else {
@@ -433,7 +433,7 @@ fn a_stop_goes_along_the_path() {
     assert!(fastest(&world) < 1e-3 && fastest_turn < 2.0, "{:?} {fastest_turn}", world.v);
 }
 
-/// Each is harmless for once, and no more than the patience in a row of it.
+/// Each failure is harmless once, and none occurs more often in a row than the patience.
 #[test]
 fn what_fails_most_of_the_time_is_a_fault() {
     type Fail = fn(&mut Controller<Gantry, 6>, &mut Target<6>, &mut Sample<6>, bool);
@@ -447,7 +447,7 @@ fn what_fails_most_of_the_time_is_a_fault() {
         }),
     ];
     for (fault, fail) in fails {
-        // A quarter of the steps may fail for good, five of six may not.
+        // A quarter of the steps may fail permanently, but not five of six.
         for (good, expected) in [(3, None), (0, Some(fault))] {
             let (mut controller, mut world) = pressing();
             let mut found = None;
@@ -464,7 +464,7 @@ fn what_fails_most_of_the_time_is_a_fault() {
     }
 }
 
-/// A broken track of an encoder: every other step is off by what a joint could just have gone.
+/// A broken track of an encoder: every other step is off by just a plausible distance.
 #[test]
 fn a_position_that_leaps_to_and_fro_is_a_fault() {
     let (mut controller, mut world) = pressing();
@@ -474,7 +474,7 @@ fn a_position_that_leaps_to_and_fro_is_a_fault() {
     assert!(found.1.fault() == Some(Fault::Speed) && found.0 < 100, "{found:?}");
 }
 
-/// Largest step of the torques, over what is done to one target; then the state.
+/// Largest step of the torques after a change to one target, and the final status.
 fn after_one_target(settings: Settings<6>, change: fn(&mut Target<6>)) -> (f64, Status) {
     let mut controller = Controller::new(Gantry::default(), settings).unwrap();
     let mut world = World::new();
@@ -514,7 +514,8 @@ fn one_target_that_leaps_is_not_followed() {
     }
 }
 
-/// Largest speed, acceleration and jerk of a displacement, by differences over steps without contact.
+/// Largest speed, acceleration and jerk of a displacement, by differences over steps without
+/// contact.
 fn fastest_of(ways: &[(f64, Status)]) -> [f64; 3] {
     let mut most = [0.0_f64; 3];
     for of in ways.windows(4).filter(|of| of.iter().all(|(_, status)| *status != Status::Pressing)) {
@@ -525,8 +526,8 @@ fn fastest_of(ways: &[(f64, Status)]) -> [f64; 3] {
     most
 }
 
-/// The way to the wall, a wall that gives way and is there again, one that is gone, and the way off
-/// it: all that the force loop adds to the plan without contact.
+/// Approach to the wall, a wall that recedes and returns, one that is gone, and the retreat: all
+/// displacements that the force loop adds to the plan without contact.
 #[test]
 fn the_displacement_has_limits_of_acceleration_and_jerk() {
     for [acceleration, jerk] in [[20.0, 2e3], [20.0, f64::INFINITY], [f64::INFINITY, 2e2], [5.0, 3e3]] {
@@ -549,7 +550,7 @@ fn the_displacement_has_limits_of_acceleration_and_jerk() {
         let [speed, most, turn] = fastest_of(&ways);
         assert!(speed > 0.099 && speed < 0.1 + 1e-9, "{speed}");
         assert!(most < acceleration + 1e-3 && turn < jerk + 2.0, "{acceleration} {jerk}: {most} {turn}");
-        // They are made use of; half of the jerk is for turning round.
+        // The limits are used; half of the jerk is for the reversal.
         assert!(most > 0.9 * acceleration || turn > 0.45 * jerk, "{acceleration} {jerk}: {most} {turn}");
         assert_eq!(ways[10_000].1, Status::Stopped(Fault::Contact));
         for state in [Status::Approaching, Status::Pressing, Status::Lost, Status::Leaving(Fault::Contact)] {
@@ -558,8 +559,8 @@ fn the_displacement_has_limits_of_acceleration_and_jerk() {
     }
 }
 
-/// A tool that is to leave the wall goes no deeper, whatever it takes to come to speed, and has the
-/// time for it.
+/// A tool that is to leave the wall goes no deeper, whatever time the acceleration takes, and has
+/// the time for it.
 #[test]
 fn a_tool_that_leaves_goes_no_deeper() {
     let mut settings = settings();
@@ -585,7 +586,7 @@ fn a_tool_that_leaves_goes_no_deeper() {
     assert!(deepest > 0.03 && end < -0.0199, "{deepest} {end}");
 }
 
-/// They do not hold in contact: the force comes up to 30 N, and stays there.
+/// The limits do not apply in contact: the force reaches 30 N and stays there.
 #[test]
 fn limits_of_the_displacement_do_not_make_the_loop_swing() {
     for tool in [[2.0, 20.0, 2e3], [2.0, 1.0, 1e3], [f64::INFINITY; 3]] {
@@ -602,14 +603,14 @@ fn limits_of_the_displacement_do_not_make_the_loop_swing() {
     }
 }
 
-/// An integral that has waited for the displacement does not send it on once the force is there.
+/// An integral that has waited for the displacement does not push it on once the force is reached.
 #[test]
 fn what_the_displacement_lags_is_not_made_up_for() {
     let (mut controller, mut world) = pressing();
     let mut go_on = |force: f64, count: u32| {
         let mut at = 0.0;
         for k in 0..count {
-            // Alive, and no contact that is lost for long.
+            // Not frozen, and without a long loss of contact.
             let force = force + 1e-3 * f64::from(k % 2);
             at = controller.step(&target(), &Sample { force, ..world.sample() }).displacement;
             world.t += T;
@@ -619,12 +620,12 @@ fn what_the_displacement_lags_is_not_made_up_for() {
     let before = go_on(30.0, 1);
     let sent = go_on(3.0, 50);
     let after = go_on(30.0, 200);
-    // Asked for: 0.27 m/s, 13 mm in all; allowed: 0.1 m/s, 0.25 mm to brake from it, and the mean of
-    // 20 steps.
+    // Desired: 0.27 m/s, 13 mm in all; permitted: 0.1 m/s, 0.25 mm to brake from it, and the mean
+    // of 20 steps.
     assert!(sent - before > 3e-3 && after - sent < 1.5e-3, "{before} {sent} {after}");
 }
 
-/// 30 N more at once, at 100 N/s: a millimetre of the proportional part in 0.1 s.
+/// A step of 30 N at 100 N/s: a millimetre of the proportional part in 0.1 s.
 #[test]
 fn a_force_that_leaps_is_come_to_by_its_rate() {
     let mut settings = settings();
@@ -640,10 +641,10 @@ fn a_force_that_leaps_is_come_to_by_its_rate() {
     assert!(way[399].abs() < 1e-6 && (way[499] - 1e-3).abs() < 1e-4, "{} {}", way[399], way[499]);
 }
 
-/// Speeds that come and go without an acceleration, at a place that stays.
+/// Speeds that jump without an acceleration, at a constant position.
 #[test]
 fn speeds_that_leap_are_not_followed() {
-    // The tool has limits of its own, which would see it as well.
+    // The tool has limits of its own, which would detect it as well.
     let (mut controller, mut world) = limited(|s| s.limits.tool = [f64::INFINITY; 3]);
     let found = until_fault(&mut controller, &mut world, 300, |k, target, _| {
         target.dq[1] = if k % 2 == 0 { 0.5 } else { 0.0 };
@@ -651,7 +652,7 @@ fn speeds_that_leap_are_not_followed() {
     assert_eq!(found.1, Status::Leaving(Fault::Plan));
 }
 
-/// Three times the speed limit can't be true; less may.
+/// Three times the speed limit is implausible; less is accepted.
 #[test]
 fn a_leap_is_no_sample() {
     for (leap, status) in [(2.9e-3, Status::Pressing), (3.1e-3, Status::Holding)] {
@@ -666,7 +667,7 @@ fn a_leap_is_no_sample() {
     }
 }
 
-/// However long it is asked for: it is as far away as before.
+/// Another branch stays as far away as before, however long it is requested.
 #[test]
 fn another_branch_does_not_come_nearer_in_time() {
     let (mut controller, mut world) = limited(|s| s.give_up = 3.0);
@@ -689,7 +690,7 @@ fn another_branch_of_the_inverse_is_not_gone_to() {
     let found = until_fault(&mut controller, &mut world, 2000, |_, _, _| {});
     assert_eq!(found.1, Status::Leaving(Fault::Reach));
     assert!(world.q[3].abs() < 1e-9, "{:?}", world.q);
-    // For once it does no harm.
+    // A single occurrence is harmless.
     let (mut controller, mut world) = pressing();
     controller.model().flipped = true;
     go_on(&mut controller, &mut world, 1, |_, _| {});
@@ -698,7 +699,7 @@ fn another_branch_of_the_inverse_is_not_gone_to() {
     assert_eq!(status, Status::Pressing);
 }
 
-/// Gravity that no drive could hold is no number either: the stop takes the last that was one.
+/// Gravity that no drive could hold is rejected; the stop uses the last valid one.
 #[test]
 fn a_model_that_gives_wild_numbers_stops_the_arm() {
     let (mut controller, mut world) = pressing();
@@ -714,7 +715,7 @@ fn a_model_that_gives_wild_numbers_stops_the_arm() {
     assert!(most < 10.0 && fastest(&world) < 0.01, "{most} {:?}", world.v);
 }
 
-/// Small random numbers: a xorshift.
+/// A xorshift generator of random numbers.
 struct Random(u64);
 
 impl Random {
@@ -725,17 +726,17 @@ impl Random {
         self.0
     }
 
-    /// One of so many.
+    /// A random integer below `of`.
     fn one(&mut self, of: u64) -> u64 {
         (self.next() >> 11) % of
     }
 
-    /// From -1 to 1.
+    /// A random number from -1 to 1.
     fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / 2f64.powi(52) - 1.0
     }
 
-    /// Any bits, and what breaks programs.
+    /// Any bits, often critical values.
     fn any(&mut self) -> f64 {
         match self.one(6) {
             0 => f64::NAN,
@@ -747,7 +748,7 @@ impl Random {
     }
 }
 
-/// Something goes wrong for a while, now and then; each kind that the controller must survive.
+/// Applies one kind of temporary failure that the controller must survive.
 fn hurt(random: &mut Random, kind: u64, target: &mut Target<6>, sample: &mut Sample<6>, frozen: &Sample<6>) {
     let j = random.one(6) as usize;
     match kind {
@@ -774,9 +775,9 @@ fn hurt(random: &mut Random, kind: u64, target: &mut Target<6>, sample: &mut Sam
     }
 }
 
-/// A million steps in which something is wrong half of the time, on the simulated gantry. Torques
-/// are finite and within their limits of size and rate; a fault is left by a reset alone, and the
-/// brakes are requested in time; no torque is held for longer than the patience while samples come.
+/// A million steps with a failure half of the time, on the simulated gantry. Torques are finite and
+/// within their limits of size and rate. A fault ends only with a reset, and the brakes are
+/// requested in time. No torque is held for longer than the patience while samples arrive.
 #[test]
 fn a_million_hostile_steps() {
     const STEPS: u32 = 1_000_000;

@@ -1,5 +1,5 @@
-//! Code over the traits of `denavit-runtime` runs on every robot: crates that were generated on it,
-//! and drop-in crates through their own copy.
+//! Code over the traits of `denavit-runtime` runs on every robot: on crates generated with it, and
+//! on drop-in crates through their own copy.
 
 #[path = "../examples/any_robot.rs"]
 mod any_robot;
@@ -11,7 +11,7 @@ fn one_controller_serves_two_robots() {
     any_robot::main();
 }
 
-/// Sizes and functions of a robot through its traits.
+/// Checks sizes and functions of a robot through its traits.
 fn described<R: Dynamics<N>, const N: usize>(robot: &R, q: &[f64; N]) -> (Pose, Vec<f64>) {
     assert_eq!((N, R::JOINT_NAMES.len(), R::POSITION_LIMITS.len()), (R::DOF, R::DOF, R::DOF));
     let phi = R::Standard::from_fn(|k| 0.1 * (k as f64).sin());
@@ -36,7 +36,7 @@ fn traits_call_the_functions_of_their_crate() {
     assert_eq!((<scara::Robot as Description>::NAME, puma560::Robot::NAME), ("scara", "puma560"));
 }
 
-/// Both crates were generated on `denavit-runtime`: their postures are one type.
+/// Both crates were generated with `denavit-runtime`: their postures have one type.
 #[test]
 fn robots_on_one_runtime_share_their_types() {
     let six: fn(&[f64; 6]) -> Pose = |q| puma560::Robot.forward_kinematics(q);
@@ -45,7 +45,7 @@ fn robots_on_one_runtime_share_their_types() {
     assert!(!found.as_slice().is_empty());
 }
 
-/// A drop-in crate has the same traits behind its own copy, for packs of states too.
+/// A drop-in crate has the same traits in its own copy, also for packs of states.
 #[test]
 fn a_drop_in_crate_has_the_traits() {
     use kuka_lwr4::robot::{Dynamics, Kinematics};

@@ -1,5 +1,4 @@
-//! Steps in which something is wrong half of the time: how long they take, and whether the torques
-//! keep to their limits.
+//! Steps with a failure half of the time: their times, and a check of the torque limits.
 
 use std::time::Instant;
 
@@ -7,15 +6,15 @@ use denavit::control::law::{Command, Controller, Estimator, Fault, Limits, Model
 
 use super::{ESTIMATOR, Lwr, N, STIFFNESS, nanoseconds};
 
-/// What is wrong with a model.
+/// Failure of a model.
 #[derive(Clone, Copy, PartialEq)]
 enum Failure {
     None,
-    /// Gravity and torques are no numbers, or such as no drive could hold.
+    /// Gravity and torques have this value: NaN, or more than a drive could hold.
     Dumb(f64),
     /// Neither a posture nor a point of contact.
     Lost,
-    /// Another branch of the inverse.
+    /// Another branch of the inverse kinematics.
     Flipped,
 }
 
@@ -58,7 +57,7 @@ impl Model<N> for Failing {
     }
 }
 
-/// A xorshift.
+/// A xorshift generator of random numbers.
 struct Random(u64);
 
 impl Random {
@@ -73,12 +72,12 @@ impl Random {
         (self.next() >> 11) % of
     }
 
-    /// From -1 to 1.
+    /// A random number from -1 to 1.
     fn unit(&mut self) -> f64 {
         (self.next() >> 11) as f64 / 2f64.powi(52) - 1.0
     }
 
-    /// Any bits, and what breaks programs.
+    /// Any bits, often critical values.
     fn any(&mut self) -> f64 {
         match self.one(6) {
             0 => f64::NAN,
@@ -90,8 +89,8 @@ impl Random {
     }
 }
 
-/// Above this (ns) a step is taken again from the same state so many times; the fastest counts as
-/// the law's own.
+/// Time above which a step is repeated from the same state, ns, [`ROUNDS`] times; the fastest
+/// counts as the law's own time.
 const AGAIN: u32 = 20_000;
 const ROUNDS: u32 = 7;
 
@@ -164,19 +163,19 @@ fn hurt(random: &mut Random, kind: u64, target: &mut Target<N>, sample: &mut Sam
         16 => target.force = None,
         17 => target.q.iter_mut().for_each(|q| *q += random.unit()),
         18 => sample.t -= 6.0,
-        // Out of reach, stretched out, a wrist in line.
+        // Out of reach, an outstretched arm, an aligned wrist.
         19 => sample.force = 25.0 + random.unit(),
         20 => target.q[3] = 1e-3 * random.unit(),
         21 => target.q[5] = 1e-3 * random.unit(),
         // The wall is gone.
         22 => (sample.force, sample.push) = (0.1 * random.unit(), [0.0; 3]),
-        // The model fails, and nothing else.
+        // Only the model fails.
         23..=26 => {}
         _ => sample.t += 10.0,
     }
 }
 
-/// What a model does under each kind.
+/// Failure of the model for each kind.
 fn failure(kind: u64) -> Failure {
     match kind {
         23 => Failure::Dumb(f64::NAN),
@@ -187,7 +186,7 @@ fn failure(kind: u64) -> Failure {
     }
 }
 
-/// A step along a stroke on the wall, before anything goes wrong.
+/// A step along a stroke on the wall, before any failure.
 fn stroke(k: u64, displacement: f64, random: &mut Random) -> (Target<N>, Sample<N>, [f64; N]) {
     let t = 1e-3 * k as f64;
     let wave = |j: usize, d: u32| {
@@ -202,9 +201,9 @@ fn stroke(k: u64, displacement: f64, random: &mut Random) -> (Target<N>, Sample<
     (target, sample, std::array::from_fn(|j| 25.0 * wave(j + 3, 0)))
 }
 
-/// What has been seen so far.
+/// Statistics so far.
 struct Record {
-    /// By the wall clock, and of the law itself, with the worst of each.
+    /// Times by the wall clock, and of the law itself, with the maximum of each.
     times: [(Histogram, u32); 2],
     faults: [u64; Fault::ALL.len()],
     resets: u64,
@@ -222,7 +221,7 @@ impl Record {
     }
 }
 
-/// Prints the times at each power of ten of steps, and panics where torques leave their limits.
+/// Prints the times at each power of ten of steps, and panics if torques exceed their limits.
 pub fn run(lwr: Lwr, settings: Settings<N>, steps: u64) {
     let limits =
         Limits { torque_rate: [1e5; N], saturated: 0.1, frozen: [0.05; N], stuck: [2e-3, 0.2], ..settings.limits };

@@ -1,4 +1,4 @@
-//! Arms, poses and the clock that the benchmarks of inverse kinematics share.
+//! Arms, poses and the clock shared by the benchmarks of inverse kinematics.
 
 use std::hint::black_box;
 use std::time::Instant;
@@ -7,18 +7,18 @@ use dh_codegen::arm::{Inverse, Model};
 use dh_codegen::ik::{Arm, Branch, Query, Reference};
 use dh_codegen::robot::{Robot, no_files};
 
-/// Poses taken in turn: more than a branch predictor can learn.
+/// Number of poses used in turn: more than a branch predictor can learn.
 pub const POSES: usize = 2000;
 const ROUNDS: usize = 31;
 
 /// A pose: the top three rows of its homogeneous matrix.
 pub type Pose = [[f64; 4]; 3];
 
-/// The branch whose swivel intervals are asked for.
+/// The branch whose swivel intervals are computed.
 const FIRST: Branch = Branch { shoulder: 1, elbow: 1, wrist: 1, root: 0, numerical: false };
 
-/// Nanoseconds of a clock cycle: of a chain of operations that wait for each other, two cycles a
-/// link. Measured beside the calls, it makes figures of different clocks comparable.
+/// Nanoseconds of a clock cycle, from a chain of dependent operations with two cycles each.
+/// Measured beside the calls, it makes figures at different clock rates comparable.
 pub fn cycle() -> f64 {
     const LINKS: u32 = 200_000;
     (0..ROUNDS)
@@ -34,8 +34,8 @@ pub fn cycle() -> f64 {
         .fold(f64::INFINITY, f64::min)
 }
 
-/// Clock cycles per call: the best of rounds over all poses, so that what else runs on the machine
-/// does not count.
+/// Clock cycles per call: the best of several rounds over all poses, so that other load on the
+/// machine does not count.
 pub fn cycles<T>(poses: &[T], mut call: impl FnMut(&T)) -> f64 {
     let mut best = f64::INFINITY;
     let mut clock = cycle();
@@ -48,7 +48,7 @@ pub fn cycles<T>(poses: &[T], mut call: impl FnMut(&T)) -> f64 {
     best / clock
 }
 
-/// Nanoseconds per call: the median of rounds over all poses.
+/// Nanoseconds per call: the median of several rounds over all poses.
 #[allow(dead_code, reason = "benches/peers compares times")]
 pub fn median<T>(poses: &[T], mut call: impl FnMut(&T)) -> f64 {
     let mut times: Vec<f64> = (0..ROUNDS)
@@ -62,7 +62,7 @@ pub fn median<T>(poses: &[T], mut call: impl FnMut(&T)) -> f64 {
     times[ROUNDS / 2]
 }
 
-/// A robot of the repository, solved by the text that its generated crate carries.
+/// A robot of the repository, solved with the arm description of its generated crate.
 pub struct Bench<const N: usize> {
     pub arm: Arm<N>,
     pub class: &'static str,
@@ -76,7 +76,7 @@ impl<const N: usize> Bench<N> {
         Self::of(&std::fs::read_to_string(path).expect("a robot file of the repository"))
     }
 
-    /// Of the text of a robot file.
+    /// Creates a benchmark from the text of a robot file.
     pub fn of(text: &str) -> Self {
         let robot = Robot::from_yaml(text, &no_files).expect("a robot file without problems").robot;
         let inverse = Inverse::new(Model::new(&robot).chain());
@@ -110,7 +110,7 @@ impl<const N: usize> Bench<N> {
         (all, intervals)
     }
 
-    /// ns for all branches of a pose, and how many there are on average.
+    /// Nanoseconds for all branches of a pose, and their average number.
     pub fn solve(&self) -> (f64, f64) {
         let query = |redundancy| Query { redundancy, ..Query::default() };
         let ns = median(&self.poses, |(pose, redundancy)| {
@@ -121,7 +121,7 @@ impl<const N: usize> Bench<N> {
         (ns, found as f64 / POSES as f64)
     }
 
-    /// ns for the swivel intervals of one branch.
+    /// Nanoseconds for the swivel intervals of one branch.
     pub fn intervals(&self) -> f64 {
         median(&self.poses, |(pose, _)| {
             black_box(&self.arm.swivel_intervals(pose, FIRST, &Reference::UP));

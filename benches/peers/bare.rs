@@ -1,6 +1,6 @@
-//! Time of the full regressor of the arm that the peers have: without the drives of its robot file.
-//! Prints the median, ns per call, of 400 times 512 calls over 64 states, sines and cosines
-//! included, into the caller's array.
+//! Time of the full regressor of the peers' arm: without the drives of its robot file. Prints the
+//! median, ns per call, of 400 times 512 calls over 64 states, sines and cosines included, into the
+//! caller's array.
 
 use std::{hint::black_box, time::Instant};
 

@@ -1,17 +1,17 @@
-//! Painting a wall with a roller (the paper, sections IV to VI): planning of the motion, and
-//! its run against a simulated wall.
+//! Painting a wall with a roller (the paper, sections IV to VI): motion planning, and simulated
+//! runs against a wall.
 //!
-//! `Task -> plan -> Plan`: equation (12) with the closed-form inverse, quintics between way points,
-//! and every limit.
+//! `Task -> plan -> Plan`: equation (12) with the closed-form inverse kinematics, quintics between
+//! way points, and all limits.
 //!
-//! - `surface`: the wall, its axes, how a roller stands on it. `strokes`: the lanes (Fig. 7) and
-//!   the legs they are made of.
-//! - `track`: postures along a leg; their derivatives are those of Chebyshev polynomials.
-//!   `leg_timing`: shortest time, cost of the jerk and broken limits of a leg.
-//! - `clearance`: distances. `cost`: a candidate's cost. `search`: the search over candidates, by
-//!   `numerics::pattern_search`. `motion`: the joints' spline.
-//! - `joint_torques`: what the motion and the wall ask of the joints. `plan`: the result.
-//!   `coverage`: the painted area.
+//! - `surface`: the wall, its axes, and the roller's pose on it. `strokes`: the lanes (Fig. 7) and
+//!   the legs between their way points.
+//! - `track`: postures along a leg; derivatives are those of Chebyshev polynomials. `leg_timing`:
+//!   shortest time, jerk cost and violated limits of a leg.
+//! - `clearance`: distances. `cost`: cost of a candidate. `search`: search over candidates with
+//!   `numerics::pattern_search`. `motion`: spline of the joint motion.
+//! - `joint_torques`: joint torques due to motion and wall. `plan`: the result. `coverage`: the
+//!   painted area.
 //! - [`run`]: a plan under control against the simulated wall ([`wall`]), with the gains of
 //!   [`tune`].
 

@@ -1,9 +1,9 @@
-//! The paper's experiments, rerun (Katsumata et al., *Optimal exciting motion for fast robot
-//! identification*): each function gives rows with ours, the paper's value, and a verdict.
+//! Reruns of the paper's experiments (Katsumata et al., *Optimal exciting motion for fast robot
+//! identification*). Each function returns rows with our value, the paper's value and a verdict.
 //!
-//! `robot file + effects -> simulate -> signal -> identify`, and each table or figure of the paper
-//! in a file of its own. The "real" robot is the simulated one; what is known of it stands in
-//! [`lwr`]. Prints nothing; touches no file: the robot is built in.
+//! `robot file + effects -> simulate -> signal -> identify`; each table or figure of the paper has
+//! a file of its own. The "real" robot is simulated; its known properties are in [`lwr`]. The
+//! module prints nothing and touches no file: the robot is built in.
 
 pub mod chain;
 pub mod diagnosis;
@@ -36,6 +36,5 @@ pub use painting::{Painting, PaintingSettings, painting};
 pub use share::Share;
 pub use verdict::Verdict;
 
-/// Called now and then, from any thread, with the present step and the share that is done of all, 0
-/// to 1.
+/// Progress callback, called from any thread with the present step and the share done, 0 to 1.
 pub type Watch<'a> = &'a (dyn Fn(&str, f64) + Sync);

@@ -1,8 +1,9 @@
-//! `denavit bundle` and `denavit replay`: a run in one file, and the same run again.
+//! `denavit bundle` packs a run into one file; `denavit replay` repeats it.
 //!
-//! A run happens in a folder of its own that holds its inputs, with the paths that it has there. So
-//! its results name no place of the machine, and have the same bits wherever they are made again.
-//! The container is a zip: anybody can open it, and it holds the files as they are.
+//! A run takes place in its own folder with copies of its inputs, under the paths that it has
+//! there. Its results therefore contain no path of the machine, and have the same bits wherever
+//! they are made again. The container is a zip, which holds the files unchanged and can be opened
+//! with any tool.
 
 mod archive;
 mod inputs;
@@ -62,7 +63,7 @@ pub(super) struct Replay {
     out: Option<PathBuf>,
 }
 
-/// How a run ended.
+/// Outcome of a run.
 struct Ended {
     status: i32,
     /// Standard output and standard error.
@@ -74,7 +75,7 @@ fn run(folder: &Path, words: &[String]) -> Result<Ended, Failure> {
     let failed = |e: std::io::Error| Failure::other(format!("the command can't be run: {e}"));
     let program = std::env::current_exe().map_err(failed)?;
     let child = Command::new(program).args(words).current_dir(folder).stdin(Stdio::null()).output().map_err(failed)?;
-    // A run that a signal ended has no status.
+    // A run ended by a signal has no status.
     Ok(Ended { status: child.status.code().unwrap_or(-1), said: [child.stdout, child.stderr] })
 }
 
@@ -171,7 +172,8 @@ impl Replay {
     }
 }
 
-/// What two runs of the same command must share: JSON without its time of computation.
+/// Digest of a result that two runs of the same command must share: JSON without its computing
+/// time.
 fn comparable(name: &str, bytes: &[u8]) -> String {
     if let Ok(mut value) = serde_json::from_slice::<Value>(bytes) {
         if let Some(fields) = value.as_object_mut() {
@@ -179,6 +181,6 @@ fn comparable(name: &str, bytes: &[u8]) -> String {
         }
         return sha256(value.to_string().as_bytes());
     }
-    // Text for a reader may say how long it took.
+    // Text for readers may contain the computing time.
     if name == "stdout.txt" { String::new() } else { sha256(bytes) }
 }

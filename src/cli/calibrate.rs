@@ -1,4 +1,4 @@
-//! `denavit calibrate`: identification, then the diagnosis of what it leaves.
+//! `denavit calibrate`: identification, then diagnosis of its residual.
 
 use std::path::PathBuf;
 

@@ -1,4 +1,4 @@
-//! `denavit check`: reads, validates, and says what the file describes.
+//! `denavit check`: reads and validates a robot file, and describes its content.
 
 use std::path::PathBuf;
 

@@ -1,5 +1,4 @@
-//! Whether the torque columns of a log are what their names say, before anything is concluded from
-//! them.
+//! Check of whether the torque columns of a log match their names, before they are used.
 
 use dh_codegen::robot::Robot;
 
@@ -11,22 +10,22 @@ use crate::identify::recording::moving;
 use crate::identify::{KnownEffects, Reference, TorqueColumns};
 use crate::model::Arm;
 
-/// Samples per second that suffice to distinguish columns.
+/// Sampling rate that suffices to distinguish columns, Hz.
 const RATE: f64 = 50.0;
 
-/// References for the torques of logs.
+/// Reference torques for the columns of logs.
 pub(super) struct ColumnCheck<'a> {
     arm: &'a dyn Arm,
-    /// Base parameters of the robot file, where it has links.
+    /// Base parameters of the robot file, if it has links.
     model: Option<Vec<f64>>,
-    /// Effects of the robot file, whose torque is no matter of columns.
+    /// Effects of the robot file, whose torque must not be mistaken for that of other columns.
     known: Option<KnownEffects<'a>>,
     gears: Vec<Option<f64>>,
     allowed: bool,
 }
 
 impl<'a> ColumnCheck<'a> {
-    /// `standard`: parameters of the robot file, in the arm's order.
+    /// Creates a check; `standard` are the parameters of the robot file, in the arm's order.
     pub(super) fn new(
         robot: &Robot,
         arm: &'a dyn Arm,
@@ -42,23 +41,22 @@ impl<'a> ColumnCheck<'a> {
         Self { arm, model, known, gears, allowed: keep.misread }
     }
 
-    /// For one log.
+    /// Creates the accumulator for one log.
     pub(super) fn columns(&self) -> TorqueColumns<'a> {
         TorqueColumns::new(self.arm)
     }
 
-    /// Takes in a stretch of motion, thinned.
+    /// Adds a segment of motion, thinned.
     pub(super) fn absorb(&self, columns: &mut TorqueColumns<'_>, motion: &Motion) {
         let mut thin = without(self.known.as_ref(), motion).into_owned();
         thin.stride = ((motion.period * RATE).recip().round() as usize).max(1);
         columns.absorb(&thin);
     }
 
-    /// Adds another reading of the columns that explains the log far better to what was found in
-    /// it.
+    /// Adds a finding to the log if another interpretation of its columns explains it far better.
     ///
     /// # Errors
-    /// Where there is one, and that is not allowed.
+    /// Returns an error if there is one and it is not accepted.
     pub(super) fn finish(&self, columns: &TorqueColumns<'_>, log: &mut Prepared) -> Result<(), Failure> {
         let model = self.model.as_ref().map(|beta| Reference::Model(beta));
         if !columns.is_suspicious(model.unwrap_or(Reference::Fit)) {

@@ -1,4 +1,4 @@
-//! Outputs of a result: files, page, JSON and text, in one way for all verbs.
+//! Delivery of a result: files, page, JSON and text, in the same way for all verbs.
 
 use std::path::PathBuf;
 
@@ -8,21 +8,20 @@ use super::Failure;
 use super::files;
 use super::provenance::Provenance;
 
-/// Outputs that are being delivered. The text is printed unless another output goes to standard
-/// output.
+/// Outputs being delivered. The text is printed unless another output goes to standard output.
 pub(super) struct Delivery<'a> {
     provenance: &'a Provenance,
     on_stdout: bool,
     written: Vec<PathBuf>,
 }
 
-/// Begins the outputs of a result with this provenance.
+/// Starts the delivery of a result with this provenance.
 pub(super) fn deliver(provenance: &Provenance) -> Delivery<'_> {
     Delivery { provenance, on_stdout: false, written: Vec::new() }
 }
 
 impl Delivery<'_> {
-    /// Writes a file, if it was named.
+    /// Writes a file, if a path is given.
     pub(super) fn file<B: AsRef<[u8]>>(
         self,
         path: Option<&PathBuf>,
@@ -31,7 +30,7 @@ impl Delivery<'_> {
         self.try_file(path, || Ok(content()))
     }
 
-    /// Writes a file whose content can fail.
+    /// Writes a file whose content can fail, if a path is given.
     pub(super) fn try_file<B: AsRef<[u8]>>(
         mut self,
         path: Option<&PathBuf>,
@@ -44,13 +43,13 @@ impl Delivery<'_> {
         Ok(self)
     }
 
-    /// Notes a file that was written already.
+    /// Records a file that has already been written.
     pub(super) fn wrote(&mut self, path: &PathBuf) {
         self.on_stdout |= files::is_stdout([path]);
         self.written.push(path.clone());
     }
 
-    /// Writes the JSON, if it was asked for.
+    /// Writes the JSON, if a path is given.
     pub(super) fn json(mut self, path: Option<&PathBuf>, value: impl FnOnce() -> Value) -> Result<Self, Failure> {
         if let Some(path) = path {
             files::json(path, value(), self.provenance)?;
@@ -59,7 +58,7 @@ impl Delivery<'_> {
         Ok(self)
     }
 
-    /// Prints the text, then the names of the files.
+    /// Prints the text, then the names of the files written.
     pub(super) fn text(self, text: impl FnOnce() -> String) -> Result<(), Failure> {
         let written = self.written.iter().map(|path| format!("wrote {}\n", path.display()));
         let written: String = written.collect();

@@ -1,4 +1,4 @@
-//! `denavit diagnose`.
+//! `denavit diagnose`: finds the causes of model errors in logs.
 
 use std::path::{Path, PathBuf};
 
@@ -88,7 +88,7 @@ pub(super) struct Diagnose {
     read: ReadOptions,
 }
 
-/// Options of a diagnosis that is part of another verb.
+/// Outputs and reading options of a diagnosis within another verb.
 pub(super) struct Outputs {
     pub(super) out: Option<PathBuf>,
     pub(super) json: Option<PathBuf>,
@@ -96,37 +96,38 @@ pub(super) struct Outputs {
     pub(super) read: ReadOptions,
 }
 
-/// A diagnosis, and what is to be written.
+/// A diagnosis with its outputs.
 pub(super) struct Diagnosed {
     found: Diagnosis,
     written: Option<Result<Extended, Failure>>,
-    /// The next motion, and where it goes.
+    /// The next motion, and its path.
     next: Option<(Separation, PathBuf)>,
     prepared: Vec<Prepared>,
-    /// A sentence, where the logs were too long to be used whole.
+    /// A sentence about the omitted part, if the logs were too long to be used whole.
     left_out: Option<String>,
     provenance: Provenance,
 }
 
-/// A robot file to be written, and what it misses.
+/// A robot file to write, and its remaining errors.
 struct Extended {
     text: String,
     check: WrittenCheck,
-    /// Why it is not the offered model, where it is not.
+    /// Reason why it differs from the proposed model, if it does.
     differs: Option<String>,
 }
 
-/// Links (from 1) that no body can have, with what the effects of the file add to them.
+/// Links (from 1) with physically impossible parameters, including those that the file's effects
+/// add.
 fn impossible(robot: &Robot) -> Vec<usize> {
     let bare = Robot { tool: None, ..robot.effective() };
     let parameters: Vec<StandardParameter> = param::standard(&bare).into_iter().map(Into::into).collect();
     param::standard_values(&bare).map_or(Vec::new(), |values| implausible_links(&parameters, &values))
 }
 
-/// Rows per second of the motion that is written.
+/// Sampling rate of the written motion, Hz.
 const NEXT_RATE: f64 = 100.0;
 
-/// A log of which one piece is too much.
+/// Failure for a log of which even a single piece is too large.
 fn too_fast(path: &Path) -> Failure {
     let path = path.display();
     Failure::input(format!(
@@ -134,7 +135,7 @@ fn too_fast(path: &Path) -> Failure {
     ))
 }
 
-/// What of long logs was used.
+/// Describes which part of long logs was used.
 fn thinned(thinning: &Thinning) -> String {
     let Thinning { piece, seconds: [used, all], without } = *thinning;
     let more = if without > 0 {
@@ -148,14 +149,14 @@ fn thinned(thinning: &Thinning) -> String {
     )
 }
 
-/// Facts about the logs after reading them.
+/// State of reading the logs.
 struct LogsRead {
     prepared: Vec<Prepared>,
     logbook: Logbook,
     provenance: Provenance,
-    /// How the columns are read.
+    /// Interpretation of the columns.
     columns: crate::data::log::Reading,
-    /// What is held of their samples.
+    /// Samples kept in memory.
     held: Holding,
 }
 
@@ -172,7 +173,7 @@ impl Diagnose {
         self.deliver(&made, None)
     }
 
-    /// With the defaults of all options that are not given here.
+    /// A diagnosis with defaults for all options not given here.
     pub(super) fn plainly(robot: PathBuf, logs: Vec<PathBuf>, validate: Vec<PathBuf>, given: Outputs) -> Self {
         let Outputs { out, json, report, read } = given;
         Self {
@@ -190,7 +191,7 @@ impl Diagnose {
         }
     }
 
-    /// The diagnosis of a robot file, and the robot file that comes of it.
+    /// Diagnosis of a robot file, and the robot file that results from it.
     pub(super) fn made(&self, file: &files::RobotFile, provenance: Provenance) -> Result<Diagnosed, Failure> {
         let keep = self.read.keep.acceptance()?;
         let plant: &dyn PerturbableArm = match self.transmission {
@@ -199,7 +200,7 @@ impl Diagnose {
         };
         let effects = FileEffects::of(&file.robot, &[]);
         let known = effects.as_ref().and_then(|effects| effects.known(plant, plant.given(), None));
-        // What a gear takes is like no reading of a torque column.
+        // The torque of a gear alone matches no interpretation of a torque column.
         let check = (!self.transmission).then(|| ColumnCheck::new(&file.robot, plant, plant.given(), known, keep));
         let settings = Settings { rate: self.rate, ..Settings::default() };
         let mut reading = LogsRead {
@@ -219,7 +220,7 @@ impl Diagnose {
         let ([fit, validate], thinning) = held.recordings();
         let left_out = thinning.as_ref().map(thinned);
         let provenance = provenance.logs(&logbook);
-        // By what the logs are recognised takes 34 MB, and memory is short.
+        // The fingerprints of the logs take 34 MB, and memory is short.
         drop(logbook);
         let bar = ProgressBar::new_spinner();
         bar.enable_steady_tick(std::time::Duration::from_millis(120));
@@ -235,7 +236,7 @@ impl Diagnose {
         Ok(Diagnosed { found, written, next, prepared, left_out, provenance })
     }
 
-    /// The torque column that is read.
+    /// Torque column to read.
     fn torque(&self) -> Quantity {
         match (self.read.torque.quantity(), self.transmission) {
             (Quantity::Tau, true) => Quantity::Taum,
@@ -253,8 +254,7 @@ impl Diagnose {
         Ok(())
     }
 
-    /// The robot file with what was found in it, read back and measured by its own inverse
-    /// dynamics.
+    /// The robot file with the causes found, read back and evaluated with its own inverse dynamics.
     fn extended_file(
         &self,
         path: &Path,
@@ -303,8 +303,8 @@ impl Diagnose {
         self.next.clone().or_else(|| self.out.as_ref().map(|out| out.with_extension("next.csv")))
     }
 
-    /// Files and text; `identified`: the identification that the robot file comes from, where it
-    /// was made on the way.
+    /// Writes files and text. `identified` is the identification from which the robot file was
+    /// made, if it is part of this run.
     pub(super) fn deliver(&self, made: &Diagnosed, identified: Option<&Identified<'_>>) -> Result<(), Failure> {
         let Diagnosed { found, written, next, prepared, left_out, provenance } = made;
         let mut warnings = report::diagnose_warnings(found, prepared);
@@ -359,7 +359,7 @@ impl Diagnose {
         }
     }
 
-    /// The verdict, the next experiment, and the files.
+    /// Text of the verdict, the next experiment, and the files written.
     fn text(&self, verdict: String, next: Option<&(&Separation, String)>, extended: Option<&Extended>) -> String {
         let mut text = verdict;
         if let Some((next, path)) = next {
@@ -374,8 +374,8 @@ impl Diagnose {
         text
     }
 
-    /// A log, whole; where the log decides about the band, slow ones with as much of it as they
-    /// have.
+    /// Reads a log completely. If the cutoff depends on the log, slow logs use as high a cutoff as
+    /// they allow.
     fn record(
         &self,
         purpose: Purpose,

@@ -1,4 +1,4 @@
-//! `denavit eval`: a quantity at each state of a CSV file.
+//! `denavit eval`: evaluates a quantity at each state of a CSV file.
 
 use std::path::PathBuf;
 
@@ -145,7 +145,7 @@ impl Eval {
     }
 }
 
-/// Torques at the sensors along the motion of a log: drives have memory and torques are late.
+/// Sensor torques along the motion of a log, with drives with memory and delayed torques.
 fn along(robot: &Robot, table: &Table, states: &States) -> Result<Vec<Vec<f64>>, Failure> {
     let predictor = FileTorqueModel::new(robot).map_err(Failure::input)?;
     let (n, len) = (predictor.dof(), states.len);

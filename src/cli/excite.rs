@@ -1,5 +1,5 @@
-//! `denavit excite`: a motion that is most informative for the parameters, inside every limit; or a
-//! check of one.
+//! `denavit excite`: designs the motion that is most informative about the parameters within all
+//! limits, or checks one.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -274,7 +274,7 @@ impl Excite {
         }
     }
 
-    /// Refuses options that change nothing beside the others.
+    /// Refuses options that have no effect with the others.
     fn refuse_idle(&self, provenance: &Provenance) -> Result<(), Failure> {
         const DESIGN: [&str; 24] = [
             "--duration",
@@ -370,7 +370,7 @@ impl Excite {
         })
     }
 
-    /// Noise and what is known before. Plain equation (9) where nothing is said about either.
+    /// Sets noise and prior knowledge. If neither is given, the criterion is plain equation (9).
     fn know(&self, task: &mut Task<'_>) -> Result<(), Failure> {
         let dof = task.dof();
         let share = |name: &str, value: Option<f64>| match value {
@@ -401,9 +401,9 @@ impl Excite {
         Ok(())
     }
 
-    /// Noise of independent samples with the same information. Noise of successive samples is alike
-    /// after a low-pass: as if it were larger and independent. Of white noise, more samples per
-    /// second leave less.
+    /// Noise of independent samples with the same information. After a low-pass, noise of
+    /// successive samples is correlated, which is equivalent to larger independent noise. With
+    /// white noise, a higher sampling rate reduces its effect.
     fn per_sample(&self, noise: Vec<f64>) -> Vec<f64> {
         let independent = self.log_rate.unwrap_or((2.0 * self.cutoff).min(CRITERION_RATE));
         noise.into_iter().map(|s| s * (CRITERION_RATE / independent).sqrt()).collect()
@@ -476,10 +476,10 @@ impl Excite {
     }
 }
 
-/// A design, what to expect of it, and durations that were tried.
+/// A design, its expected precision, and the durations tried.
 type Found = (Design, Vec<Expected>, Vec<(f64, Option<f64>)>);
 
-/// A share of what?
+/// Failure for a relative target without nominal values.
 fn no_nominal(option: &str, tool: bool) -> Failure {
     Failure::input(if tool {
         format!("{option}: the robot file has no body in the hand; write its nominal `M`, `MS` and `I` under `tool`")
@@ -488,15 +488,15 @@ fn no_nominal(option: &str, tool: bool) -> Failure {
     })
 }
 
-/// Samples per second that the criterion counts, as in the paper.
+/// Sampling rate of the criterion, Hz, as in the paper.
 const CRITERION_RATE: f64 = 100.0;
 
-/// Default noise: half a percent of the torque limit, 0.1 N m where there is none.
+/// Default noise, N m: half a percent of the torque limit, or 0.1 N m without a limit.
 fn assumed_noise(task: &Task<'_>) -> Vec<f64> {
     task.limits.iter().map(|l| l.torque.map_or(0.1, |t| 0.005 * t)).collect()
 }
 
-/// A motion that was played, at the criterion's rate.
+/// States of a motion already played, at the criterion's rate.
 fn states_of(path: &Path, dof: usize) -> Result<States, Failure> {
     let motion = super::motion::read(path, dof)?;
     let bad = |what: &str| Failure::input(format!("{}: {what}", path.display()));

@@ -1,4 +1,4 @@
-//! `denavit export`: a robot file as URDF or MJCF.
+//! `denavit export`: writes a robot file as URDF or MJCF.
 
 use std::path::PathBuf;
 
@@ -53,7 +53,7 @@ impl Export {
         let file = files::robot(&self.robot)?;
         let out = Some(self.out.clone());
         files::check_outputs(&[("--out", &out), ("--json", &self.json)], file.read.iter().chain(&self.onto))?;
-        // Effects of geometry and bodies are where the robot is.
+        // Effects of geometry and bodies are part of the exported robot.
         let robot = file.robot.effective();
         let made = match (&self.onto, self.format) {
             (Some(model), _) => {
@@ -71,7 +71,7 @@ impl Export {
             .only_text(|| report::export_text(&file.robot.name, &made))
     }
 
-    /// A model keeps its format.
+    /// Refuses to write a model in another format than its own.
     fn same_format(&self, model: &std::path::Path, text: &str) -> Result<(), Failure> {
         let (own, word) = match ModelFormat::of(text) {
             ModelFormat::Urdf => (Format::Urdf, "urdf"),

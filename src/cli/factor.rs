@@ -1,4 +1,5 @@
-//! `denavit factor`: one row per recording, with the factor from which it can be identified again.
+//! `denavit factor`: writes one row per recording, with the factor from which it can be identified
+//! again.
 
 use std::path::{Path, PathBuf};
 
@@ -50,13 +51,13 @@ pub(super) struct Factor {
     preparation: Preparation,
 }
 
-/// Sums over the rows, and what is kept of them.
+/// Totals over the rows, and their JSON.
 #[derive(Default)]
 struct Totals {
     recordings: usize,
     without: usize,
     seconds: f64,
-    /// For `--json`.
+    /// Rows for `--json`.
     rows: Vec<Value>,
 }
 
@@ -70,7 +71,7 @@ impl Factor {
         let digest: [u8; 32] = Sha256::digest(file.text.as_bytes()).into();
         self.preparation.check_options(None)?;
         motors::on_every_joint(&self.robot, &file.robot, "a factor takes the torque of every joint from the log")?;
-        // As `identify` prepares them.
+        // Prepared as in `identify`.
         let prepare = Prepare { adaptive: self.preparation.by_the_log(), ..self.preparation.prepare(&file.robot)? };
         let provenance = provenance.robot(&self.robot, &file).with("low-pass", Preparation::low_pass(&prepare));
         let totals = RecordingReader::with(&file.robot, digest, prepare, |reader| {
@@ -79,7 +80,7 @@ impl Factor {
         self.deliver(&totals, &provenance)
     }
 
-    /// Writes one row per recording, before the next is read.
+    /// Writes the row of each recording before the next one is read.
     fn write(&self, reader: &RecordingReader<'_>, robot: &str, provenance: &Provenance) -> Result<Totals, Failure> {
         let mut totals = Totals::default();
         let mut output = Output::create(&self.out)?;
@@ -116,7 +117,7 @@ impl Factor {
     }
 }
 
-/// The row of a recording, with a factor or the reason why there is none.
+/// Row of a recording, with a factor or the reason why there is none.
 fn recording(path: &Path, name: &str, reader: &RecordingReader<'_>) -> FactorRow {
     let file = path.display().to_string();
     let read = |source: &mut dyn Source| reader.factor(&file, source).map_err(Failure::input);

@@ -1,4 +1,4 @@
-//! Reading and writing for all verbs.
+//! Reading and writing of files for all verbs.
 
 use std::cell::RefCell;
 use std::fs;
@@ -23,14 +23,14 @@ pub(super) use super::terminal::print;
 pub(super) struct RobotFile {
     pub robot: Robot,
     pub text: String,
-    /// Files that were read for it: its own and those that it names.
+    /// Files read for it: the robot file itself and those that it refers to.
     pub read: Vec<PathBuf>,
     /// Notes on the file.
     pub notes: Vec<String>,
 }
 
 impl RobotFile {
-    /// The text of this file for a robot that was made of it and goes to `path`.
+    /// Text of this file for a robot made from it, to be written to `path`.
     pub(super) fn rewritten(&self, robot: &Robot, path: &Path, run: &Run) -> String {
         let load = |beside: &Path, name: &str| beside_text(&beside.parent().unwrap_or(Path::new("")).join(name));
         let own = self.read.first().map_or(path, PathBuf::as_path);
@@ -38,12 +38,12 @@ impl RobotFile {
     }
 }
 
-/// Text of a file that a robot file names; its error names the path.
+/// Text of a file that a robot file refers to; its error names the path.
 fn beside_text(path: &Path) -> std::io::Result<String> {
     fs::read_to_string(path).map_err(|e| std::io::Error::new(e.kind(), format!("{}: {e}", path.display())))
 }
 
-/// Reads a robot file and says on standard error what was noted in it.
+/// Reads a robot file and prints its notes on standard error.
 pub(super) fn robot(path: &Path) -> Result<RobotFile, Failure> {
     let shown = path.display().to_string();
     let text = text(path)?;
@@ -67,7 +67,7 @@ pub(super) fn robot(path: &Path) -> Result<RobotFile, Failure> {
     }
 }
 
-/// A model in XML is no robot file, and can be made one.
+/// Refuses a model in XML, which has to be imported first.
 fn refuse_xml(shown: &str, text: &str) -> Result<(), Failure> {
     if !text.trim_start_matches('\u{feff}').trim_start().starts_with('<') {
         return Ok(());
@@ -82,7 +82,7 @@ fn refuse_xml(shown: &str, text: &str) -> Result<(), Failure> {
     )))
 }
 
-/// Longest text file, bytes: robot files, models, mappings and motions are held in memory.
+/// Largest text file, bytes: robot files, models, mappings and motions are held in memory.
 const LONGEST_TEXT: u64 = 64 << 20;
 
 /// Reads a text file.
@@ -108,12 +108,12 @@ pub(super) fn text(path: &Path) -> Result<String, Failure> {
     })
 }
 
-/// Whether a path stands for standard input.
+/// Whether a path denotes standard input.
 pub(super) fn is_stdin(path: &Path) -> bool {
     path == Path::new("-")
 }
 
-/// Standard input, once: what was read is gone.
+/// Standard input, which can be read only once.
 fn stdin() -> Result<fs::File, Failure> {
     static TAKEN: AtomicBool = AtomicBool::new(false);
     if TAKEN.swap(true, Ordering::Relaxed) {
@@ -150,13 +150,13 @@ fn unreadable(path: &Path, error: &std::io::Error) -> Failure {
     Failure::input(format!("{} can't be read: {error}{advice}", path.display()))
 }
 
-/// Writes a whole file: it is there when all of it is, or not at all.
+/// Writes a whole file; it appears complete or not at all.
 pub(super) fn write(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     stream(path, |output| output.write_all(bytes))
 }
 
-/// Makes `root`, and the folders in it that the file `inside` needs; what `root` stands in must be
-/// there.
+/// Creates `root`, and the folders in it that the file `inside` needs; the parent of `root` must
+/// exist.
 pub(super) fn create_folder(root: &Path, inside: &Path) -> Result<(), Failure> {
     let folders = inside.parent().into_iter().flat_map(Path::ancestors).filter(|f| !f.as_os_str().is_empty());
     let mut all: Vec<PathBuf> = folders.map(|folder| root.join(folder)).collect();
@@ -177,7 +177,7 @@ pub(super) fn create_folder(root: &Path, inside: &Path) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Writes a file piece by piece, with the same promise.
+/// Writes a file piece by piece; it appears complete or not at all.
 pub(super) fn stream(path: &Path, fill: impl FnOnce(&mut Output) -> io::Result<()>) -> Result<(), Failure> {
     let mut output = Output::create(path)?;
     match fill(&mut output) {
@@ -186,7 +186,7 @@ pub(super) fn stream(path: &Path, fill: impl FnOnce(&mut Output) -> io::Result<(
     }
 }
 
-/// Destination of `--json`, with the provenance.
+/// Writes the output of `--json`, with the provenance.
 pub(super) fn json(target: &Path, mut value: Value, provenance: &Provenance) -> Result<(), Failure> {
     let rows = provenance.rows().into_iter().map(|(what, value)| (what, Value::from(value)));
     value["provenance"] = Value::Object(rows.collect());
@@ -201,8 +201,8 @@ pub(super) fn json(target: &Path, mut value: Value, provenance: &Provenance) -> 
     fill(&mut out).and_then(|()| out.flush()).map_err(|e| unwritable("standard output", &e))
 }
 
-/// JSON without control characters, as it may end on a terminal: JSON itself lets those above
-/// U+007E stand.
+/// JSON without control characters, as it may be shown on a terminal: JSON itself permits those
+/// above U+007E.
 struct Visible;
 
 impl serde_json::ser::Formatter for Visible {
@@ -218,7 +218,7 @@ impl serde_json::ser::Formatter for Visible {
     }
 }
 
-/// Does one of these outputs go to standard output? Then nothing else does.
+/// Whether one of these outputs goes to standard output, so that nothing else may.
 pub(super) fn is_stdout<'a>(outputs: impl IntoIterator<Item = &'a PathBuf>) -> bool {
     outputs.into_iter().any(|path| output::is_stdout(path))
 }

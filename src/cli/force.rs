@@ -1,4 +1,4 @@
-//! `denavit force`: the wrench on the tool from joint torques.
+//! `denavit force`: estimates the wrench on the tool from joint torques.
 
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -106,7 +106,7 @@ enum Estimator {
     Kalman,
 }
 
-/// Used samples over all logs, at most: the estimate keeps the wrench and its band of each, some 170
+/// Largest number of samples over all logs: the estimate keeps wrench and band of each, some 170
 /// bytes.
 const MOST_SAMPLES: usize = 750_000;
 
@@ -207,7 +207,7 @@ impl Force {
         self.deliver(&outcome, &prepared, &provenance)
     }
 
-    /// With the reference that the options say.
+    /// Sets the reference for the comparison according to the options.
     fn compared(&self, mut series: Series) -> Result<Series, Failure> {
         if self.against == Some(Against::Measured) && series.measured.is_empty() {
             return Err(Failure::input(format!(
@@ -221,7 +221,7 @@ impl Force {
         Ok(series)
     }
 
-    /// How to estimate, as the options say.
+    /// Settings of the estimation according to the options.
     fn settings(&self, prepare: &Prepare) -> EstimationSettings {
         let mut settings = EstimationSettings { filter: prepare.filter, ..EstimationSettings::default() };
         settings.gain = self.gain.unwrap_or(settings.gain);
@@ -239,7 +239,7 @@ impl Force {
         settings
     }
 
-    /// Refuses options that are out of range, or would change nothing beside the others.
+    /// Refuses options that are out of range, or have no effect with the others.
     fn check_options(&self) -> Result<(), Failure> {
         if self.out.is_some() && self.logs.len() > 1 {
             return Err(Failure::input("--out writes the wrench of one log; run the command once for each log"));
@@ -277,7 +277,7 @@ impl Force {
         })
     }
 
-    /// Uncertainty of the model, and its source.
+    /// Uncertainty of the model, and a description of its source.
     fn uncertainty(
         &self,
         arm: &Interpreted,
@@ -327,7 +327,7 @@ impl Force {
     }
 }
 
-/// One row per used sample.
+/// Writes one row per used sample.
 fn write_csv(path: &Path, series: &Series) -> Result<(), Failure> {
     let mut header = vec!["t".to_string()];
     header.extend(COMPONENTS.iter().map(|c| (*c).to_string()));

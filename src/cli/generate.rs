@@ -1,4 +1,4 @@
-//! `denavit generate`: writes the drop-in crate, or says whether the one on disk is stale.
+//! `denavit generate`: writes the drop-in crate, or checks whether the one on disk is stale.
 
 mod folder;
 
@@ -65,8 +65,8 @@ enum RuntimeSource {
     Crate,
 }
 
-/// Whether cargo takes this for a requirement on a version: comparators of up to three numbers,
-/// with commas between them.
+/// Whether cargo accepts this as a version requirement: comparators of up to three numbers,
+/// separated by commas.
 fn is_requirement(text: &str) -> bool {
     let number = |part: &str| {
         matches!(part, "*" | "x" | "X")
@@ -81,7 +81,7 @@ fn is_requirement(text: &str) -> bool {
 }
 
 impl Generate {
-    /// Runtime of the crate, as the generator takes it.
+    /// Runtime of the crate, as the generator expects it.
     fn runtime(&self) -> Result<Runtime, Failure> {
         let quoted = |text: &str| toml_string(text);
         let named = self.runtime_path.is_some() || self.runtime_version.is_some();
@@ -103,7 +103,7 @@ impl Generate {
         }
     }
 
-    /// Options that the command takes again to write the same crate.
+    /// Options that reproduce the same crate.
     fn options(&self) -> String {
         let mut t = String::new();
         if self.adjoints {
@@ -128,7 +128,7 @@ impl Generate {
         let further: &[Function] = if self.adjoints { &Function::ADJOINTS } else { &[] };
         let crate_files = dh_codegen::krate_on(&file.robot, &file.text, further, &self.runtime()?);
         if let Some(path) = self.runtime_path.as_ref().filter(|path| !self.out.join(path).join("Cargo.toml").exists()) {
-            // The folder may come later.
+            // The folder may be created later.
             let seen = self.out.join(path);
             say(&format!(
                 "note: --runtime-path: there is no crate in {} yet; the generated crate needs it",
@@ -163,7 +163,7 @@ impl Generate {
         })
     }
 
-    /// Refusal of a check: what would change, and the command for it.
+    /// Failure of a check: the files that would change, and the command to write them.
     fn outdated(&self, stale: &Stale) -> Failure {
         let out = self.out.display();
         let removed = stale.removed.iter().map(|path| format!("{path} (no longer written)"));
@@ -173,7 +173,7 @@ impl Generate {
     }
 }
 
-/// A string of a TOML file.
+/// A quoted string for a TOML file.
 fn toml_string(text: &str) -> String {
     let escaped = |c: char| match c {
         '"' | '\\' => format!("\\{c}"),

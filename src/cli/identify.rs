@@ -1,4 +1,5 @@
-//! `denavit identify`: from logs to base parameters, and the robot file with the values in place.
+//! `denavit identify`: identifies base parameters from logs, and writes the robot file with the
+//! values.
 
 use std::path::PathBuf;
 
@@ -138,7 +139,7 @@ enum PriorFrom {
 }
 
 impl Identify {
-    /// With the defaults of all options that are not given here.
+    /// An identification with defaults for all options not given here.
     pub(super) fn plainly(
         robot: PathBuf,
         logs: Vec<PathBuf>,
@@ -179,10 +180,10 @@ impl Identify {
         })
     }
 
-    /// The robot with the values in place, for a verb that goes on with it.
+    /// Identifies the robot for a verb that continues with it.
     ///
     /// # Errors
-    /// Where there is no such robot, with the reason.
+    /// Returns an error with the reason if there is no such robot.
     pub(super) fn model(&self, file: &files::RobotFile) -> Result<Model, Failure> {
         self.check_options()?;
         self.with_setup(file, |setup| {
@@ -195,7 +196,7 @@ impl Identify {
         })
     }
 
-    /// Calls `then` with the arm of a robot file and how its logs are prepared.
+    /// Calls `then` with the arm of a robot file and the preparation of its logs.
     pub(super) fn with_setup<T>(
         &self,
         file: &files::RobotFile,
@@ -231,7 +232,7 @@ impl Identify {
         })
     }
 
-    /// The identification, and what of it can be written.
+    /// Identifies, and determines what can be written.
     fn solved(&self, setup: &Setup<'_>, logbook: Logbook) -> Result<Solved, Failure> {
         let Setup { robot, bodies, arm, ref prepare, known, .. } = *setup;
         let prior = setup.prior.as_deref();
@@ -255,7 +256,7 @@ impl Identify {
         if let (Consistency::Require, Some(Err(error))) = (self.consistent, &possible) {
             return Err(Failure::other(format!("no possible bodies: {error}")));
         }
-        // If the plain solution is possible itself, the file gets bodies with exactly its base
+        // If the plain solution is itself possible, the file gets bodies with exactly its base
         // parameters.
         let exact = match (self.consistent, &possible) {
             (Consistency::Auto, Some(Ok(_))) if self.prior_weight == 1.0 && !underdetermined => {
@@ -282,7 +283,7 @@ impl Identify {
         Ok(Solved { found, prepared, logbook, carry, possible, exact, left_out, written, unbuildable, writable })
     }
 
-    /// Files and text.
+    /// Writes files and text.
     fn deliver(
         &self,
         setup: &Setup<'_>,
@@ -331,8 +332,8 @@ impl Identify {
         self.outcome(underdetermined, out, solved.refused(), &solved.unbuildable)
     }
 
-    /// Standard parameters for the robot file, and the links (from 1) that no body can have, where
-    /// there are no others with the plain values.
+    /// Standard parameters for the robot file. Also returns the links (from 1) that no body can
+    /// have, if there are no others with the plain values.
     #[allow(clippy::too_many_arguments)]
     fn to_write(
         &self,
@@ -361,7 +362,7 @@ impl Identify {
         Ok((written, Vec::new()))
     }
 
-    /// Exit status: whether what was asked for was written, and if not, why.
+    /// Determines the exit status: whether the requested file was written, and if not, why.
     fn outcome(
         &self,
         underdetermined: bool,
@@ -402,7 +403,8 @@ impl Identify {
         }
     }
 
-    /// The fit with possible bodies; bad options are a failure, data without such bodies a result.
+    /// Fit with physically consistent bodies. Invalid options are a failure; data without such
+    /// bodies are a result.
     fn bodies(
         &self,
         robot: &Robot,
@@ -419,8 +421,8 @@ impl Identify {
         }
     }
 
-    /// If the validating logs prefer the plain solution: verdict of the fitted logs, a part of them
-    /// left out at a time.
+    /// Cross-validation on the fitted logs, leaving out one part at a time, if the validating logs
+    /// prefer the plain solution.
     #[allow(clippy::too_many_arguments)]
     fn left_out(
         &self,
@@ -457,7 +459,7 @@ impl Identify {
         }
     }
 
-    /// `--bounds` and `--mass-total`.
+    /// Bounds from `--bounds` and `--mass-total`.
     fn bounds(&self, robot: &Robot) -> Result<Bounds, Failure> {
         let mut bounds = Bounds { total_mass: self.mass_total, ..Bounds::default() };
         let Some(path) = &self.bounds else { return Ok(bounds) };
@@ -492,7 +494,7 @@ impl Identify {
         Ok(Prepare { derivatives, adaptive: self.preparation.by_the_log(), ..self.preparation.prepare(robot)? })
     }
 
-    /// Refuses options that are out of range, or would change nothing beside the others.
+    /// Refuses options that are out of range, or have no effect with the others.
     fn check_options(&self) -> Result<(), Failure> {
         let plain = self.consistent == Consistency::Never;
         let defaults = [
@@ -517,7 +519,7 @@ impl Identify {
         self.preparation.check_options(rest.then_some("--derivatives rest takes every joint as standing"))
     }
 
-    /// The first pass over all logs. Known effects are taken out of the torques.
+    /// First pass over all logs. Torques of known effects are subtracted.
     fn read(
         &self,
         arm: &Coupled<'_>,
@@ -545,7 +547,7 @@ impl Identify {
         Ok(read)
     }
 
-    /// Looks for other orders and units of the torque columns where the torques may be misread.
+    /// Tries other orders and units of the torque columns if the torques may be misinterpreted.
     fn explain(
         &self,
         found: &mut Identification,
@@ -569,7 +571,7 @@ impl Identify {
         Ok(())
     }
 
-    /// The torques over time, for drawing: a second pass, now that the parameters are known.
+    /// Torques over time for plots: a second pass with the identified parameters.
     fn traces(
         &self,
         arm: &dyn Arm,
@@ -588,10 +590,10 @@ impl Identify {
     }
 }
 
-/// A robot file, ready to be identified.
+/// A robot file prepared for identification.
 pub(super) struct Setup<'a> {
     pub(super) robot: &'a Robot,
-    /// Without the couplings of the gears.
+    /// The arm without the gears' couplings.
     bodies: &'a Interpreted,
     pub(super) arm: &'a Coupled<'a>,
     /// Standard parameters of the file.
@@ -607,19 +609,19 @@ pub(super) struct Model {
     pub(super) found: Identification,
     pub(super) warnings: report::Warnings,
     pub(super) logbook: Logbook,
-    /// In words.
+    /// Description of the low-pass.
     pub(super) low_pass: String,
 }
 
-/// What the logs say of a robot file, and what of it can be written.
+/// Result of an identification, and what of it can be written.
 struct Solved {
     found: Identification,
     prepared: Vec<Prepared>,
     logbook: Logbook,
     carry: Extrapolation,
-    /// Bodies that can exist; `None`: not asked for.
+    /// Physically consistent bodies; `None` if not requested.
     possible: Option<Result<Consistent, ConsistentError>>,
-    /// Whether the bodies of the file have exactly the base parameters that were found.
+    /// Whether the bodies of the file have exactly the identified base parameters.
     exact: bool,
     left_out: Option<Result<Preference, LeftOutError>>,
     written: Written,
@@ -638,13 +640,13 @@ impl Solved {
         matches!(self.possible, Some(Err(_)))
     }
 
-    /// The robot with the values in place.
+    /// The robot with the identified values.
     fn robot(&self, setup: &Setup<'_>) -> Robot {
         let (own, coupled) = self.written.standard.split_at(setup.bodies.standard_parameters().len());
         robot_edit::with_couplings(robot_edit::with_values(setup.robot.clone(), own), coupled)
     }
 
-    /// The bodies as reports show them.
+    /// The bodies in the form for reports.
     fn shown(&self, written: bool) -> Option<report::Possible<'_>> {
         self.possible.as_ref().map(|result| report::Possible {
             result: result.as_ref(),
@@ -663,8 +665,8 @@ impl Solved {
     }
 }
 
-/// Batches of each joint that are kept at most, of all logs together: 50 MB for seven joints. Four
-/// logs keep all of theirs.
+/// Largest number of batches kept per joint, over all logs: 50 MB for seven joints. Four logs keep
+/// all of theirs.
 const MOST_BATCHES: usize = 256;
 
 /// Result of the first pass over the logs.
@@ -680,13 +682,13 @@ struct Read {
 /// Standard parameters for the robot file.
 struct Written {
     standard: Vec<f64>,
-    /// Rotor inertias and friction levels that stand at the least value that they can have.
+    /// Rotor inertias and friction levels at their lower bound.
     at_bound: Vec<String>,
     warning: Option<String>,
 }
 
 impl Written {
-    /// Of possible bodies.
+    /// Parameters of physically consistent bodies.
     fn bodies(standard: &[f64], arm: &dyn Arm, found: &Identification, floors: &[(usize, f64)]) -> Self {
         let least = |leader: StandardParameter| {
             let own = floors.iter().find(|(i, _)| arm.standard_parameters().get(*i) == Some(&leader));
@@ -696,7 +698,7 @@ impl Written {
         Self { standard: standard.to_vec(), at_bound: below.map(|p| p.name.clone()).collect(), warning: None }
     }
 
-    /// The plain values, without impossible drives.
+    /// Plain values, without impossible drives.
     fn plain(
         arm: &dyn Arm,
         fit: &[Factors],
@@ -718,8 +720,8 @@ impl Written {
     }
 }
 
-/// Least values of friction levels that differ with direction, by standard parameter: in the weaker
-/// direction friction still brakes.
+/// Lower bounds of friction levels that differ with direction, by standard parameter: friction must
+/// brake in the weaker direction too.
 fn floors(robot: &Robot, arm: &dyn Arm) -> Vec<(usize, f64)> {
     let rows = robot.moving().into_iter();
     let of = |(row, laws): (usize, Laws)| {
@@ -754,7 +756,7 @@ fn links(robot: &Robot, standard: Option<&[f64]>) -> Vec<Option<Body>> {
     (0..robot.joints.len()).map(body).collect()
 }
 
-/// The file's values of the drives, among the standard parameters; zero for the links.
+/// The file's values of the drives, as standard parameters; zero for the links.
 fn drives(robot: &Robot) -> Vec<f64> {
     let value = |p: &Parameter| match *p {
         Parameter::Drive(row, term) => param::drive_value(robot, row, term).unwrap_or(0.0),

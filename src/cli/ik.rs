@@ -1,4 +1,4 @@
-//! `denavit ik`: every posture that brings the arm to given poses.
+//! `denavit ik`: computes all postures for given poses.
 
 use std::path::PathBuf;
 
@@ -89,8 +89,8 @@ impl Ik {
     pub(super) fn run(self, provenance: Provenance) -> Result<(), Failure> {
         let file = files::robot(&self.robot)?;
         files::check_outputs(&[("--json", &self.json)], file.read.iter().chain([&self.poses]))?;
-        // Effects of geometry (zeros, lengths) are where the arm is; its generated code has them
-        // too.
+        // Effects of geometry (zeros, lengths) are part of the arm, as in its generated
+        // code.
         let robot = &file.robot.effective();
         let reference = Reference {
             b: vector("--reference", &self.reference)?,
@@ -125,7 +125,7 @@ impl Ik {
             .text(|| report::ik_text(&robot.name, kinematics.inverse(), &poses))
     }
 
-    /// From the tool frame of the poses to the last frame, where `--tool` is given.
+    /// Displacement from the poses' tool frame to the last frame, if `--tool` is given.
     fn tool_frame(&self, robot: &Robot) -> Result<Option<Displacement>, Failure> {
         Ok(match (self.tool, &robot.tool) {
             (false, _) => None,
@@ -198,7 +198,7 @@ impl Ik {
     }
 }
 
-/// What is wrong with a pose, and how to mend it.
+/// Describes what is wrong with a pose, and how to correct it.
 fn refused(file: &str, row: usize, e: PoseError) -> Failure {
     let mend = match e {
         PoseError::NotARotation(_) => {
@@ -210,10 +210,10 @@ fn refused(file: &str, row: usize, e: PoseError) -> Failure {
     Failure::input(format!("{file}, pose {} (line {}): {e}{mend}", row + 1, row + 2))
 }
 
-/// Poses that a thread takes at once.
+/// Number of poses that a thread processes at a time.
 const BLOCK: usize = 32;
 
-/// The swivel angle at which some branch stays farthest from its limits.
+/// Swivel angle at which some branch is farthest from its limits.
 fn best(ranges: &[SwivelRange]) -> Option<f64> {
     let most = |a: (f64, f64), b: (f64, f64)| if b.1 > a.1 { b } else { a };
     ranges.iter().filter_map(|r| r.best).reduce(most).map(|(at, _)| at)

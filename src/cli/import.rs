@@ -1,4 +1,4 @@
-//! `denavit import`: a robot file from a URDF or MJCF model.
+//! `denavit import`: makes a robot file from a URDF or MJCF model.
 
 use std::path::PathBuf;
 
@@ -87,7 +87,7 @@ impl Import {
     }
 }
 
-/// `joint=value` of all `--at`, and whether one is `zero`.
+/// Parses `joint=value` of all `--at`; also whether one is `zero`.
 pub(super) fn held(all: &[String]) -> Result<(Vec<(String, f64)>, bool), Failure> {
     let one = |at: &String| {
         let wrong = || {

@@ -1,5 +1,5 @@
-//! Ctrl-C: one handler for the process. It stops a search that can stop early, or ends the program
-//! and leaves no temporary file.
+//! Ctrl-C: one handler for the process. It stops a search that can be stopped early, or ends the
+//! program without leaving a temporary file.
 
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -9,14 +9,14 @@ static INSTALLED: Once = Once::new();
 static TEMPORARIES: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 static STOP: Mutex<Option<Arc<AtomicBool>>> = Mutex::new(None);
 
-/// Raises `stop` at the first Ctrl-C; the second ends the program.
+/// Sets `stop` at the first Ctrl-C; the second ends the program.
 pub(super) fn stop_on_interrupt(stop: &Arc<AtomicBool>) {
     *STOP.lock().unwrap_or_else(PoisonError::into_inner) = Some(Arc::clone(stop));
     install();
 }
 
-/// Removes this file when Ctrl-C ends the program. Where it has been renamed by then, there is
-/// nothing to remove.
+/// Removes this file when Ctrl-C ends the program. If it has been renamed by then, there is nothing
+/// to remove.
 pub(super) fn remove_on_interrupt(path: &Path) {
     TEMPORARIES.lock().unwrap_or_else(PoisonError::into_inner).push(path.to_path_buf());
     install();

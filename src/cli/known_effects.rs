@@ -1,4 +1,4 @@
-//! Effects of a robot file, as what identifications take as known.
+//! Effects of a robot file that an identification takes as known.
 
 use dh_codegen::robot::{EffectKind, Robot};
 
@@ -7,20 +7,21 @@ use crate::identify::KnownEffects;
 use crate::model::Arm;
 use crate::model::file_torque_model::FileTorqueModel;
 
-/// The sensor's gain, by which torque errors before and behind it differ.
+/// Gain error of a torque sensor, by which torque errors before and behind it differ.
 const GAIN: EffectKind = EffectKind::TorqueGainError;
 
 /// Effects of a robot file that are not fitted.
 pub(super) struct FileEffects {
     names: Vec<String>,
-    /// Whether a torque sensor among them has a wrong gain.
+    /// Whether there is a gain error of a torque sensor among them.
     scaled: bool,
-    /// `None` if the file has no links: effects can't be separated from the rest then.
+    /// Model of the effects; `None` if the file has no links, as effects are then inseparable from
+    /// the rest.
     model: Option<FileTorqueModel>,
 }
 
 impl FileEffects {
-    /// Those of `robot` but for the `fitted` ones; `None` where there are none.
+    /// Effects of `robot` other than the `fitted` ones; `None` if there are none.
     pub(super) fn of(robot: &Robot, fitted: &[EffectKind]) -> Option<Self> {
         let joints = (1..).zip(&robot.joints);
         let own = joints.flat_map(|(row, joint)| joint.drive.effects.iter().map(move |e| (Some(row), e)));
@@ -37,15 +38,15 @@ impl FileEffects {
         (!names.is_empty()).then(|| Self { names, scaled, model: model() })
     }
 
-    /// Lets motions carry what the effects need: margins for the low-pass, and temperatures.
+    /// Extends motions by what the effects need: margins for the low-pass, and temperatures.
     pub(super) fn prepare(&self, prepare: &mut Prepare) {
         if self.model.is_some() {
             (prepare.margins, prepare.temperature) = (true, true);
         }
     }
 
-    /// Removes them from a log's torque, which went through `filter`, given the file's parameters
-    /// in the arm's order.
+    /// Prepares the subtraction of the effects from a log's torque, which was filtered by `filter`,
+    /// with the file's parameters in the arm's order.
     pub(super) fn known<'a>(
         &'a self,
         arm: &'a dyn Arm,
@@ -55,7 +56,7 @@ impl FileEffects {
         KnownEffects::new(self.model.as_ref()?, arm, standard?, filter)
     }
 
-    /// Their treatment, in a line.
+    /// Describes their treatment in a line.
     pub(super) fn sentence(&self, known: bool) -> String {
         let names = self.names.join(", ");
         match known {
@@ -75,7 +76,7 @@ impl FileEffects {
     }
 }
 
-/// The motion without the effects that are known.
+/// The motion without the known effects.
 pub(super) fn without<'a>(known: Option<&KnownEffects<'_>>, motion: &'a Motion) -> std::borrow::Cow<'a, Motion> {
     match known {
         Some(known) => std::borrow::Cow::Owned(known.taken_out(motion)),

@@ -1,4 +1,5 @@
-//! `denavit log`: what a recording holds, and the way to the columns of the other verbs.
+//! `denavit log`: shows the content of a recording, and converts it to the columns of the other
+//! verbs.
 
 use std::path::PathBuf;
 
@@ -145,13 +146,13 @@ impl Convert {
     }
 }
 
-/// Why rows stop on their way.
+/// Reason why copying of rows stopped.
 enum Stop {
-    /// What was read.
+    /// Reading failed.
     Log(LogError),
-    /// What was written, as Parquet.
+    /// Writing Parquet failed.
     Parquet(LogError),
-    /// What was written.
+    /// Writing failed.
     Io(std::io::Error),
 }
 
@@ -161,7 +162,7 @@ impl From<LogError> for Stop {
     }
 }
 
-/// Every row of a recording, as it comes.
+/// Copies every row of a recording while it is read.
 fn write_rows(
     source: &mut dyn Source,
     torque: Quantity,

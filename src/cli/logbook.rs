@@ -1,5 +1,4 @@
-//! The logs of a command: what each is for, its digest, and by what it is recognised. No sample
-//! counts twice.
+//! The logs of a command: purpose, digest and fingerprint of each. No sample counts twice.
 
 use std::path::{Path, PathBuf};
 
@@ -40,13 +39,13 @@ struct Entry {
     fingerprint: Fingerprint,
 }
 
-/// Rows by which logs are recognised, of all of them: 34 MB.
+/// Largest number of rows in the fingerprints of all logs: 34 MB.
 const MOST_ROWS: usize = 1 << 19;
 
-/// Most logs of a command: each has its own factors, some 0.4 MB.
+/// Largest number of logs of a command: each has its own factors, some 0.4 MB.
 const MOST_LOGS: usize = 200;
 
-/// The logs that were read so far.
+/// The logs read so far.
 #[derive(Default)]
 pub(super) struct Logbook {
     entries: Vec<Entry>,
@@ -55,13 +54,13 @@ pub(super) struct Logbook {
 }
 
 impl Logbook {
-    /// Of a command on the robot file with this text.
+    /// Creates a logbook for a command on the robot file with this text.
     pub(super) fn of(robot_file: &str) -> Self {
         let fitted = files_of_runs(robot_file).into_iter().filter(|[purpose, ..]| *purpose == "fitted log");
         Self { fitted_before: fitted.map(|[_, path, sha256]| [path, sha256]).collect(), ..Self::default() }
     }
 
-    /// The first pass over a log. A log that shares samples with one before is refused.
+    /// First pass over a log. A log that shares samples with an earlier one is refused.
     pub(super) fn pass(
         &mut self,
         purpose: Purpose,
@@ -74,7 +73,7 @@ impl Logbook {
         self.try_pass(purpose, path, dof, prepare, sink)?.map_err(Failure::input)
     }
 
-    /// The same; a refusal of the preparation is returned unchanged.
+    /// The same; an error of the preparation is returned unchanged.
     pub(super) fn try_pass(
         &mut self,
         purpose: Purpose,

@@ -1,4 +1,4 @@
-//! Which channel of a log is which column: `--map`, or `log:` in the robot file.
+//! Mapping of a log's channels to columns: `--map`, or `log:` in the robot file.
 
 use std::path::{Path, PathBuf};
 
@@ -21,7 +21,7 @@ pub(super) struct MapOption {
 }
 
 impl MapOption {
-    /// With the joints of the robot.
+    /// Interpretation of a log's columns, with the joints of the robot.
     pub(super) fn reading(&self, robot: Option<&Robot>) -> Result<Reading, Failure> {
         let of_the_robot = || robot.and_then(|robot| robot.log.clone());
         let mapping = self.map.as_deref().map(mapping).transpose()?.or_else(of_the_robot);

@@ -6,7 +6,7 @@ use super::Failure;
 use super::files;
 use crate::excite::check::Written;
 
-/// Reads `t`, `q1..qn` and, where they are there, `dq..` and `ddq..`; other columns are ignored.
+/// Reads `t`, `q1..qn` and, if present, `dq..` and `ddq..`; other columns are ignored.
 pub(super) fn read(path: &Path, dof: usize) -> Result<Written, Failure> {
     let shown = path.display();
     let text = files::text(path)?;

@@ -1,4 +1,4 @@
-//! Joints that move without a motor: refused where a verb needs one, named where it does not.
+//! Moving joints without a motor: refused by verbs that need one, noted by others.
 
 use std::path::Path;
 
@@ -7,8 +7,8 @@ use dh_codegen::robot::Robot;
 use super::Failure;
 use super::terminal::say;
 
-/// Refuses a robot with joints that move and have no motor (`actuated: false`). `needs` says what
-/// the verb takes from each joint.
+/// Refuses a robot with moving joints without a motor (`actuated: false`). `needs` describes what
+/// the verb requires of each joint.
 pub(super) fn on_every_joint(path: &Path, robot: &Robot, needs: &str) -> Result<(), Failure> {
     match without(robot) {
         None => Ok(()),
@@ -20,7 +20,7 @@ pub(super) fn on_every_joint(path: &Path, robot: &Robot, needs: &str) -> Result<
     }
 }
 
-/// Says what a torque means at joints without a motor.
+/// Prints a note on the meaning of a torque at joints without a motor.
 pub(super) fn note(path: &Path, robot: &Robot) {
     if let Some(joints) = without(robot) {
         say(&format!(
@@ -30,7 +30,7 @@ pub(super) fn note(path: &Path, robot: &Robot) {
     }
 }
 
-/// Refuses torques at joints that have no motor. `tau`: joint-major, `len` states.
+/// Refuses non-zero torques at joints without a motor. `tau`: joint-major, `len` states, N m.
 pub(super) fn no_torque_without_motor(path: &Path, robot: &Robot, tau: &[f64], len: usize) -> Result<(), Failure> {
     let passive = robot.moving().into_iter().enumerate().filter(|&(_, row)| !robot.joints[row].actuated);
     for (k, row) in passive {
@@ -51,7 +51,7 @@ pub(super) fn no_torque_without_motor(path: &Path, robot: &Robot, tau: &[f64], l
     Ok(())
 }
 
-/// Joints that move without a motor, as the beginning of a sentence.
+/// Moving joints without a motor, as the beginning of a sentence.
 fn without(robot: &Robot) -> Option<String> {
     let names: Vec<String> =
         robot.unactuated().map(|row| format!("{} ({})", row + 1, robot.joints[row].name)).collect();

@@ -1,4 +1,4 @@
-//! `denavit new`: a robot file to fill in.
+//! `denavit new`: writes a robot file to fill in.
 
 use std::path::PathBuf;
 
@@ -43,11 +43,11 @@ enum Convention {
     Standard,
 }
 
-/// Whether each joint turns.
+/// For each joint, whether it is revolute.
 #[derive(Clone)]
 struct Kinds(Vec<bool>);
 
-/// The most joints of a robot file that is worth a table.
+/// Largest number of joints of a new robot file.
 const MOST: usize = 30;
 
 fn kinds(text: &str) -> Result<Kinds, String> {

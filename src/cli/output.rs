@@ -1,8 +1,8 @@
-//! Outputs of all verbs: a file is whole or absent, whatever ends the process.
+//! Outputs of all verbs: a file is complete or absent, however the process ends.
 //!
-//! A file is written without a name in the folder where it will stand, synced, then linked to its
-//! name. Where the file system has no files without names, a temporary with a unique name takes
-//! their place.
+//! A file is written without a name in its destination folder, synced, then linked to its name. If
+//! the file system does not support files without names, a temporary file with a unique name is
+//! used.
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, BufWriter, ErrorKind, Write};
@@ -13,20 +13,20 @@ use tempfile::TempPath;
 use super::Failure;
 use super::interrupt;
 
-/// Longest chain of symbolic links, as Linux has it.
+/// Longest chain of symbolic links, as in Linux.
 const MOST_LINKS: usize = 40;
 
 /// Target of a path.
 enum Target {
     /// Standard output, under any of its names.
     Stdout,
-    /// A pipe, a device, an open descriptor: has no name to replace.
+    /// A pipe, a device or an open descriptor, which has no name to replace.
     Stream(PathBuf),
-    /// A plain file, links followed, with its present content.
+    /// A plain file, links followed, with the metadata of the present one.
     File { folder: PathBuf, path: PathBuf, present: Option<Metadata> },
 }
 
-/// An output that is being written; it appears with [`Output::finish`], or not at all.
+/// An output being written; it appears with [`Output::finish`], or not at all.
 pub(super) struct Output {
     shown: String,
     writer: BufWriter<File>,
@@ -39,13 +39,12 @@ enum Place {
     /// A file without a name.
     #[cfg_attr(not(target_os = "linux"), allow(dead_code))]
     Unnamed { folder: PathBuf, path: PathBuf, present: Option<Metadata> },
-    /// A temporary beside the target.
+    /// A temporary file beside the target.
     Named { beside: TempPath, folder: PathBuf, path: PathBuf, present: Option<Metadata> },
 }
 
 impl Output {
-    /// Opens the place that `path` leads to. A plain file that stands there stays untouched until
-    /// [`Output::finish`].
+    /// Opens the target of `path`. An existing plain file is unchanged until [`Output::finish`].
     pub(super) fn create(path: &Path) -> Result<Self, Failure> {
         let shown = path.display().to_string();
         let (file, place) = Self::open(path).map_err(|e| unwritable(&shown, &e))?;
@@ -56,7 +55,7 @@ impl Output {
         let (folder, path, present) = match resolve(path)? {
             Target::Stdout => return Ok((stdout()?, Place::Direct)),
             Target::Stream(path) => {
-                // A plain file behind a descriptor belongs to whoever opened it: what it has is
+                // A plain file behind a descriptor belongs to whoever opened it: its content is
                 // kept.
                 let append = fs::metadata(&path)?.is_file();
                 let mut options = File::options();
@@ -75,8 +74,7 @@ impl Output {
         Ok((file, Place::Named { beside, folder, path, present }))
     }
 
-    /// Puts the file in place of what stood there, with its mode, and its owner where that is
-    /// allowed.
+    /// Replaces the previous file, with its mode, and its owner if permitted.
     pub(super) fn finish(self) -> Result<(), Failure> {
         let shown = self.shown;
         Self::commit(self.writer, self.place).map_err(|e| unwritable(&shown, &e))
@@ -102,12 +100,12 @@ impl Output {
             #[cfg(not(target_os = "linux"))]
             Place::Unnamed { folder, .. } => folder,
         };
-        // The name itself reaches the disk with the folder; some file systems can't sync one.
+        // The name reaches the disk when the folder is synced; some file systems can't sync one.
         let _ = File::open(folder).and_then(|folder| folder.sync_all());
         Ok(())
     }
 
-    /// A failure to write to this output, in words.
+    /// Failure to write to this output.
     pub(super) fn failed(&self, error: &io::Error) -> Failure {
         unwritable(&self.shown, error)
     }
@@ -123,8 +121,8 @@ impl Write for Output {
     }
 }
 
-/// Unique names beside a target; readable as `umask` says where the target is new, private until
-/// the mode is copied otherwise.
+/// Unique names beside a target. A new file has the permissions of `umask`; otherwise it is private
+/// until the mode is copied.
 fn temporary_names(path: &Path, new: bool) -> tempfile::Builder<'static, 'static> {
     let mut builder = tempfile::Builder::new();
     #[cfg(unix)]
@@ -137,17 +135,17 @@ fn temporary_names(path: &Path, new: bool) -> tempfile::Builder<'static, 'static
     builder
 }
 
-/// A file without a name in `folder`; it is gone with the process unless it is linked.
+/// A file without a name in `folder`; it disappears with the process unless it is linked.
 #[cfg(target_os = "linux")]
 fn unnamed(folder: &Path) -> io::Result<File> {
     use rustix::fs::{Mode, OFlags};
-    // Links go by way of /proc; without it the file could never get a name.
+    // Linking needs /proc; without it the file could never get a name.
     fs::metadata("/proc/self/fd")?;
     let flags = OFlags::TMPFILE | OFlags::WRONLY | OFlags::CLOEXEC;
     Ok(File::from(rustix::fs::open(folder, flags, Mode::from_raw_mode(0o666))?))
 }
 
-/// Gives a file without a name its name, in place of a file that has it.
+/// Links a file without a name to a name, replacing an existing file.
 #[cfg(target_os = "linux")]
 fn link(file: &File, folder: &Path, path: &Path) -> io::Result<()> {
     use std::os::fd::AsRawFd;
@@ -165,7 +163,7 @@ fn link(file: &File, folder: &Path, path: &Path) -> io::Result<()> {
     }
 }
 
-/// Mode and owner of what stood there.
+/// Copies mode and owner of the previous file.
 fn keep(file: &File, present: Option<&Metadata>) -> io::Result<()> {
     let Some(present) = present else { return Ok(()) };
     #[cfg(unix)]
@@ -180,7 +178,7 @@ fn keep(file: &File, present: Option<&Metadata>) -> io::Result<()> {
     file.set_permissions(present.permissions())
 }
 
-/// Follows symbolic links, also to a file that is not there yet.
+/// Follows symbolic links, also to a file that does not exist yet.
 fn resolve(path: &Path) -> io::Result<Target> {
     let mut path = path.to_path_buf();
     for _ in 0..MOST_LINKS {
@@ -227,14 +225,14 @@ fn missing_folder(folder: &Path, error: io::Error) -> io::Error {
     io::Error::new(ErrorKind::NotFound, format!("there is no folder {shown}; create it, or correct the path"))
 }
 
-/// Files and folders that are not to be changed, also where the superuser could.
+/// Refuses files and folders that are read-only, even where the superuser could write.
 fn refuse_read_only(folder: &Path, path: &Path, present: Option<&Metadata>) -> io::Result<()> {
     let refused = |what: &str| Err(io::Error::new(ErrorKind::PermissionDenied, what.to_string()));
     if let Some(present) = present {
         if present.permissions().readonly() {
             return refused("the file there is read-only; make it writable (chmod u+w), or choose another name");
         }
-        // Permission of this user, without a change to the file.
+        // Checks the permission of this user without changing the file.
         File::options().write(true).open(path)?;
     }
     let shown = folder.display();
@@ -249,7 +247,7 @@ fn refuse_read_only(folder: &Path, path: &Path, present: Option<&Metadata>) -> i
     Ok(())
 }
 
-/// Standard output by its descriptor, so that it has one position for all writers.
+/// Standard output by its descriptor, so that all writers share one position.
 fn stdout() -> io::Result<File> {
     let mut stdout = io::stdout().lock();
     stdout.flush()?;
@@ -265,7 +263,7 @@ fn stdout() -> io::Result<File> {
     }
 }
 
-/// Why an output can't be written, and what to do.
+/// Failure for an output that can't be written, with advice.
 pub(super) fn unwritable(shown: &str, error: &io::Error) -> Failure {
     let advice = match error.kind() {
         ErrorKind::IsADirectory => "; name a file in this folder",
@@ -276,12 +274,12 @@ pub(super) fn unwritable(shown: &str, error: &io::Error) -> Failure {
     Failure::other(format!("{shown} can't be written: {error}{advice}"))
 }
 
-/// Is this standard output, under any of its names? Then nothing else goes there.
+/// Whether this is standard output under any of its names, so that nothing else may go there.
 pub(super) fn is_stdout(path: &Path) -> bool {
     matches!(resolve(path), Ok(Target::Stdout))
 }
 
-/// Two paths that lead to the same file have the same identity.
+/// Identity of a file: two paths that lead to the same file have the same one.
 #[derive(PartialEq)]
 enum Identity {
     Inode(u64, u64),
@@ -305,8 +303,8 @@ impl Identity {
     }
 }
 
-/// Can all of these be written? Before work begins: every output has its folder and may be written,
-/// no two are the same file, and none is an input. Outputs come with the option that named them.
+/// Checks the outputs before work begins: every output has its folder and is writable, no two are
+/// the same file, and none is an input. Outputs are given with the option that names them.
 pub(super) fn check_outputs<'a>(
     outputs: &[(&str, &Option<PathBuf>)],
     inputs: impl IntoIterator<Item = &'a PathBuf>,

@@ -1,4 +1,4 @@
-//! `denavit paint`: plan the painting motion, and what is done with it. One subcommand, one file.
+//! `denavit paint`: plans the painting motion, and runs the plan. One subcommand, one file.
 
 mod plan;
 mod run;

@@ -1,4 +1,4 @@
-//! Shared by the verbs that read logs: how samples become motion, and the pass over a file.
+//! Shared by the verbs that read logs: preparation of samples to motion, and the pass over a file.
 
 use std::fs::File;
 use std::io::{BufReader, Read, Seek};
@@ -50,13 +50,13 @@ pub(super) struct Preparation {
 }
 
 impl Preparation {
-    /// With the defaults of all options that are not given here.
+    /// A preparation with defaults for all options not given here.
     pub(super) fn plainly(read: ReadOptions) -> Self {
         Self { cutoff: None, order: 5, trim: 0.2, delay: 0.0, stride: Some(1), dead_zone: None, read }
     }
 
-    /// Refuses options that would change nothing beside the others. `standing`: why every joint
-    /// counts as standing, where it does.
+    /// Refuses options that have no effect with the others. `standing`: reason why every joint
+    /// counts as standing, if it does.
     pub(super) fn check_options(&self, standing: Option<&str>) -> Result<(), Failure> {
         if self.cutoff == Some(0.0) && self.order != 5 {
             return Err(Failure::input("--order is of the low-pass, and --cutoff 0 asks for none"));
@@ -67,7 +67,7 @@ impl Preparation {
         }
     }
 
-    /// Checked.
+    /// Checks the options and returns the preparation.
     pub(super) fn prepare(&self, robot: &Robot) -> Result<Prepare, Failure> {
         let keep = self.read.keep.acceptance()?;
         let bad = |what: String| Err(Failure::input(what));
@@ -113,17 +113,17 @@ impl Preparation {
         }
     }
 
-    /// Whether the log decides about the band.
+    /// Whether the cutoff depends on the log.
     pub(super) fn by_the_log(&self) -> bool {
         self.cutoff.is_none()
     }
 
-    /// The low-pass, or where the log decides the widest.
+    /// The low-pass, or the one with the highest cutoff if it depends on the log.
     fn highest(&self) -> Filter {
         Filter { order: self.order, cutoff: self.cutoff.unwrap_or(Filter::default().cutoff) }
     }
 
-    /// For the foot of a report.
+    /// Description of the low-pass for reports.
     pub(super) fn low_pass(prepare: &Prepare) -> String {
         match prepare.filter {
             Some(Filter { order, cutoff }) => {
@@ -135,16 +135,16 @@ impl Preparation {
     }
 }
 
-/// Findings of the logs against the limits of the robot file, added to the other findings.
+/// Adds findings from comparing the logs with the limits of the robot file.
 ///
 /// # Errors
-/// Where torques are in another unit, and that is not allowed.
+/// Returns an error if torques are in another unit and that is not accepted.
 pub(super) fn against_limits(prepared: &mut [Prepared], robot: &Robot, keep: Acceptance) -> Result<(), Failure> {
     prepared.iter_mut().try_for_each(|log| recording::against_limits(log, robot, keep)).map_err(Failure::input)
 }
 
-/// A log after reading, with one line of warning if it has unknown columns, whatever else is
-/// printed where.
+/// Prints a warning line if a log has unknown columns, whatever other output there is; returns the
+/// log.
 pub(super) fn warned(path: &Path, log: Prepared) -> Prepared {
     let unknown = |finding: &&Finding| matches!(finding.kind, Kind::UnknownColumns { .. });
     if let Some(finding) = log.findings.iter().find(unknown) {
@@ -153,13 +153,12 @@ pub(super) fn warned(path: &Path, log: Prepared) -> Prepared {
     log
 }
 
-/// One pass over a log, with a bar on a terminal.
+/// One pass over a log, with a progress bar on a terminal.
 pub(super) fn pass(path: &Path, dof: usize, prepare: &Prepare, sink: impl FnMut(&Motion)) -> Result<Prepared, Failure> {
     try_pass(path, dof, prepare, sink)?.map_err(Failure::input)
 }
 
-/// The same; what preparing refuses is returned unchanged, for a caller that can do something about
-/// it.
+/// The same; an error of the preparation is returned unchanged, for callers that can handle it.
 pub(super) fn try_pass(
     path: &Path,
     dof: usize,
@@ -173,7 +172,7 @@ pub(super) fn try_pass(
     Ok(prepared)
 }
 
-/// A first pass over a log: what was prepared, and by what the log is recognised.
+/// Result of a first pass over a log: its preparation, and its digest and fingerprint.
 pub(super) struct Recognised {
     pub prepared: Result<Prepared, PrepareError>,
     /// SHA-256 of the file's bytes.
@@ -181,7 +180,7 @@ pub(super) struct Recognised {
     pub fingerprint: Fingerprint,
 }
 
-/// [`try_pass`], with digest and fingerprint on the way.
+/// [`try_pass`] with digest and fingerprint.
 pub(super) fn recognised_pass(
     path: &Path,
     dof: usize,
@@ -195,7 +194,7 @@ pub(super) fn recognised_pass(
     Ok(Recognised { prepared, sha256, fingerprint })
 }
 
-/// What `read` finds in the rows of a log, and the SHA-256 of the file's bytes.
+/// Result of `read` on the rows of a log, and the SHA-256 of the file's bytes.
 pub(super) fn hashed_pass<T>(
     path: &Path,
     reading: &Reading,
@@ -208,20 +207,20 @@ pub(super) fn hashed_pass<T>(
     Ok((found, digest.hexadecimal()))
 }
 
-/// The rows of a log, and its bar.
+/// The rows of a log, and its progress bar.
 fn open(path: &Path, reading: &Reading, digest: Option<&Digest>) -> Result<(ProgressBar, Box<dyn Source>), Failure> {
     let (bar, name, table) = opened(path, reading, digest)?;
     Ok((bar, source(&name, table, reading).map_err(Failure::input)?))
 }
 
-/// A log as its file has it, and its name for messages.
+/// A log's table as in its file, and its name for messages.
 pub(super) fn table(path: &Path, reading: &Reading) -> Result<(String, Box<dyn Table>), Failure> {
     keep_pages();
     opened(path, reading, None).map(|(_, name, table)| (name, table))
 }
 
-/// A log, hashed into `digest` on the way. Parquet is read by seeking in its file, all else as a
-/// stream.
+/// Opens a log and hashes it into `digest` while it is read. Parquet is read with seeking, all
+/// other formats as a stream.
 fn opened(
     path: &Path,
     reading: &Reading,
@@ -259,16 +258,17 @@ fn opened(
     table.map(|table| (bar, name, table)).map_err(Failure::input)
 }
 
-/// Lets the allocator keep what is freed between two chunks of a log. glibc hands blocks above the
-/// size of the largest that was freed back to the kernel, which then clears each page: two thirds of
-/// the kernel's time of a long log. No page of this block is touched.
+/// Makes the allocator keep memory that is freed between two chunks of a log. glibc returns blocks
+/// above the size of the largest freed one to the kernel, which then clears each page: two thirds
+/// of the kernel's time on a long log. No page of this block is touched.
 ///
-/// A diagnosis, which holds what it has read, does without: it would keep holes between.
+/// A diagnosis, which keeps what it has read, does not use this: there would be holes between its
+/// blocks.
 pub(super) fn keep_pages() {
     drop(std::hint::black_box(Vec::<u8>::with_capacity(31 << 20)));
 }
 
-/// The one file of a folder that rosbag2 wrote; `None` where the path is no such folder.
+/// The single file in a folder written by rosbag2; `None` if the path is no such folder.
 fn recorded_in(path: &Path) -> Result<Option<PathBuf>, Failure> {
     if !path.join("metadata.yaml").is_file() {
         return Ok(None);
@@ -298,7 +298,7 @@ fn recorded_in(path: &Path) -> Result<Option<PathBuf>, Failure> {
     }
 }
 
-/// Format of a plain file; `None` of a pipe.
+/// Format of a plain file; `None` for a pipe.
 fn format_of(file: &mut File) -> std::io::Result<Option<Format>> {
     if !file.metadata()?.is_file() || file.stream_position()? != 0 {
         return Ok(None);
@@ -309,7 +309,7 @@ fn format_of(file: &mut File) -> std::io::Result<Option<Format>> {
     Ok(Some(Format::of(&magic)))
 }
 
-/// A bar on a terminal where the file is large.
+/// A progress bar on a terminal if the file is large.
 fn bar(path: &Path, file: &File) -> ProgressBar {
     let bar = match file.metadata() {
         Ok(meta) if meta.len() > 1 << 20 => ProgressBar::new(meta.len()),

@@ -1,5 +1,5 @@
-//! Provenance of a result: program, command, every option with its value, the files that were read.
-//! Enough to repeat the run.
+//! Provenance of a result: program, command, every option with its value, and the files read. It
+//! suffices to repeat the run.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use super::files::RobotFile;
 use super::logbook::Logbook;
 use crate::data::log::hexadecimal;
 
-/// Options that name outputs. They say where a result goes, not what it is.
+/// Options that name outputs. They determine where a result goes, but not the result.
 pub(super) const OUTPUTS: [&str; 7] = ["out", "json", "report", "next", "coefficients", "ros", "path"];
 
 /// Provenance of a result.
@@ -21,20 +21,20 @@ pub(super) const OUTPUTS: [&str; 7] = ["out", "json", "report", "next", "coeffic
 pub(super) struct Provenance {
     /// The command without its outputs, ready for a shell.
     command: String,
-    /// Every option and its value; those that were not given have their default.
+    /// Every option with its value, given or default.
     options: Vec<(String, String)>,
     /// Values that were read or chosen: name and value.
     further: Vec<(String, String)>,
-    /// Files with their SHA-256: what for, path, digest.
+    /// Files: purpose, path, SHA-256.
     files: Vec<(String, String, String)>,
-    /// Notes on the files that were read.
+    /// Notes on the files read.
     notes: Vec<String>,
-    /// Options that stand on the command line.
+    /// Options given on the command line.
     given: Vec<String>,
 }
 
 impl Provenance {
-    /// Of the arguments of a command line.
+    /// Takes the provenance from the arguments of a command line.
     pub(super) fn new(command: &Command, matches: &ArgMatches) -> Self {
         let mut words = vec![command.get_name().to_string()];
         let (mut command, mut matches) = (command, matches);
@@ -69,8 +69,8 @@ impl Provenance {
         Self { command: words.join(" "), options, given: typed, ..Self::default() }
     }
 
-    /// Refuses options of the command line that change nothing in this run: option, whether it has
-    /// an effect, and why not.
+    /// Refuses given options that have no effect in this run. Each rule has the option, whether it
+    /// has an effect, and the reason if not.
     pub(super) fn refuse_idle(&self, rules: &[(&str, bool, &str)]) -> Result<(), Failure> {
         let idle = rules.iter().find(|(option, acts, _)| !acts && self.given.iter().any(|given| given == option));
         idle.map_or(Ok(()), |(option, _, why)| {
@@ -78,8 +78,8 @@ impl Provenance {
         })
     }
 
-    /// For a robot file that this run writes. Where it is written to is no part of it: the same run
-    /// gives the same bytes.
+    /// Record for a robot file that this run writes. It does not contain the file's own path: the
+    /// same run gives the same bytes.
     pub(super) fn run(&self, found: Vec<String>) -> Run {
         let option = |(name, value): &(String, String)| format!("{name}: {value}");
         Run {
@@ -91,20 +91,20 @@ impl Provenance {
         }
     }
 
-    /// With the robot file.
+    /// Adds the robot file.
     pub(super) fn robot(mut self, path: &Path, file: &RobotFile) -> Self {
         self.files.push(("robot file".into(), path.display().to_string(), sha256(file.text.as_bytes())));
         self.notes.extend(file.notes.iter().map(|note| format!("{}: {note}", path.display())));
         self
     }
 
-    /// With the model that was imported.
+    /// Adds the imported model.
     pub(super) fn model(mut self, shown: &str, text: &str) -> Self {
         self.files.push(("model".into(), shown.into(), sha256(text.as_bytes())));
         self
     }
 
-    /// With the logs that were read.
+    /// Adds the logs that were read.
     pub(super) fn logs(mut self, logbook: &Logbook) -> Self {
         let entry =
             |(purpose, path, digest): (&str, String, &str)| (format!("{purpose} log"), path, digest.to_string());
@@ -112,13 +112,13 @@ impl Provenance {
         self
     }
 
-    /// With something else that was read or chosen.
+    /// Adds another value that was read or chosen.
     pub(super) fn with(mut self, what: &str, value: impl ToString) -> Self {
         self.further.push((what.into(), value.to_string()));
         self
     }
 
-    /// For the foot of a page and the `provenance` of the JSON: what and value.
+    /// Rows for the foot of a page and the `provenance` of the JSON: name and value.
     pub(super) fn rows(&self) -> Vec<(String, String)> {
         let row = |what: &str, value: &str| (what.to_string(), value.to_string());
         let mut rows = vec![row("denavit", env!("CARGO_PKG_VERSION")), row("command", &self.command)];
@@ -152,7 +152,7 @@ fn is_flag(argument: &Arg) -> bool {
     matches!(argument.get_action(), ArgAction::SetTrue)
 }
 
-/// The words that give an argument these values.
+/// Words of the command line that give an argument these values.
 fn as_typed(argument: &Arg, values: &[String]) -> Vec<String> {
     if argument.is_positional() {
         return values.iter().map(|value| quoted(value)).collect();
@@ -175,7 +175,7 @@ fn as_typed(argument: &Arg, values: &[String]) -> Vec<String> {
     values.iter().flat_map(one).collect()
 }
 
-/// The value of an option for a reader.
+/// Value of an option for display.
 fn shown(argument: &Arg, values: &[String], given: bool) -> String {
     match (is_flag(argument), values) {
         (true, _) => if given { "yes" } else { "no" }.into(),
@@ -188,7 +188,7 @@ fn shown(argument: &Arg, values: &[String], given: bool) -> String {
     }
 }
 
-/// A word for a shell.
+/// A word quoted for a shell.
 fn quoted(word: &str) -> String {
     let plain = |c: char| c.is_ascii_alphanumeric() || "-_./,:=@%+".contains(c);
     if !word.is_empty() && word.chars().all(plain) {

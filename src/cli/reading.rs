@@ -1,4 +1,4 @@
-//! Options that say how a log is read, for every verb that fits one.
+//! Options for reading a log, for every verb that fits one.
 
 use clap::{Args, ValueEnum};
 
@@ -47,7 +47,7 @@ pub(super) struct Keep {
 }
 
 impl Keep {
-    /// Checked.
+    /// Checks the option and returns the accepted findings.
     pub(super) fn acceptance(&self) -> Result<Acceptance, Failure> {
         let mut accepted = Acceptance::default();
         for name in &self.keep {

@@ -1,5 +1,5 @@
-//! `denavit reproduce`: the paper's experiments, each table and figure beside the paper's own
-//! values.
+//! `denavit reproduce`: reruns the paper's experiments, with each table and figure beside the
+//! paper's own values.
 
 use std::path::PathBuf;
 
@@ -110,7 +110,7 @@ fn longest(text: &str) -> Result<usize, String> {
     text.parse().ok().filter(|s| (2..=60).contains(s)).ok_or_else(|| "whole seconds, from 2 to 60".into())
 }
 
-/// More runs add no information.
+/// Largest number of runs; more add no information.
 const MOST_RUNS: usize = 100_000;
 
 impl Reproduce {
@@ -160,7 +160,7 @@ impl Reproduce {
 }
 
 impl Reproduce {
-    /// Options that would have no effect.
+    /// Refuses options that would have no effect.
     fn refuse_idle(&self, provenance: &Provenance) -> Result<(), Failure> {
         if self.on_real && self.part != Some(Part::Diagnosis) {
             return Err(Failure::input(
@@ -194,7 +194,7 @@ impl Reproduce {
         watched("diagnosis", |watch| real::on_real(&settings, &recorded, watch))
     }
 
-    /// The recordings of --on-real.
+    /// Reads the recordings for --on-real.
     fn recorded(&self) -> Result<Vec<Recorded>, Failure> {
         let folders: Vec<&str> = ARMS.iter().map(|a| a.folder).collect();
         if let Some(unknown) = self.arms.iter().find(|a| !folders.contains(&a.as_str())) {
@@ -236,7 +236,7 @@ impl Reproduce {
     }
 }
 
-/// Runs a part behind a bar.
+/// Runs a part with a progress bar.
 fn watched<T>(part: &str, run: impl FnOnce(paper::Watch<'_>) -> Result<T, ReproduceError>) -> Result<T, Failure> {
     let bar = ProgressBar::new(1000);
     if let Ok(style) = ProgressStyle::with_template(&format!("{part} [{{bar:30}}] {{percent}}% {{msg}}")) {

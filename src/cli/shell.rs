@@ -1,4 +1,4 @@
-//! `denavit completions` and `denavit man`: what a shell and `man` need of the command line.
+//! `denavit completions` and `denavit man`: shell completions and manual pages.
 
 use std::path::{Path, PathBuf};
 
@@ -48,10 +48,10 @@ impl Man {
     }
 }
 
-/// Takes a page, with its name.
+/// Writes a page with its name.
 type Writer<'a> = dyn FnMut(&str, &[u8]) -> Result<(), Failure> + 'a;
 
-/// The page of a command and those of its verbs, each with its name.
+/// Writes the pages of a command and of its verbs, each with its name.
 fn pages(mut command: Command, write: &mut Writer<'_>) -> Result<(), Failure> {
     command.build();
     let name = command.get_bin_name().unwrap_or_else(|| command.get_name()).replace(' ', "-");

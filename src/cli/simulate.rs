@@ -75,7 +75,7 @@ enum ControlMode {
     Exact,
 }
 
-/// Longest free swing, s.
+/// Longest simulation of a free motion, s.
 const LONGEST: f64 = 1e5;
 
 impl Simulate {
@@ -175,7 +175,7 @@ impl Simulate {
             let first: Vec<f64> = (0..n).map(|j| q[j * t.len()]).collect();
             return Trajectory::rest(&first, duration).map_err(Failure::input);
         }
-        // One column of a kind asks for all of them.
+        // If one column of a kind is present, all of them are required.
         let optional = |prefix: &str| -> Result<Option<Vec<f64>>, Failure> {
             let some = (1..=n).any(|j| table.has(&format!("{prefix}{j}")));
             some.then(|| table.joints(prefix, n)).transpose()
@@ -186,7 +186,7 @@ impl Simulate {
         made.map_err(|e| Failure::input(format!("{shown}: {e}")))
     }
 
-    /// Output of `excite --coefficients`.
+    /// Reads the output of `excite --coefficients`.
     fn coefficients(&self, path: &Path, n: usize, mode: Mode) -> Result<Trajectory, Failure> {
         let shown = path.display();
         let bad = |what: String| Failure::input(format!("{shown}: {what}"));
@@ -229,7 +229,7 @@ impl Simulate {
     }
 }
 
-/// On a terminal.
+/// A progress bar, hidden without a terminal.
 fn bar() -> ProgressBar {
     let bar = if std::io::stderr().is_terminal() { ProgressBar::new(1000) } else { ProgressBar::hidden() };
     if let Ok(style) = ProgressStyle::with_template("simulating [{bar:30}] {msg} {eta}") {
@@ -238,7 +238,7 @@ fn bar() -> ProgressBar {
     bar
 }
 
-/// An effects file; what was noted in it is a warning.
+/// Reads an effects file; its notes become warnings.
 pub(in crate::cli) fn effects(
     path: &Path,
     robot: &Robot,

@@ -1,11 +1,11 @@
-//! A CSV file of numbers with a header.
+//! Reader of a CSV file of numbers with a header.
 
 use std::path::Path;
 
 use super::Failure;
 use super::files;
 
-/// Numbers with a header. A cell that is not a number matters only in a column that is requested.
+/// Numbers with a header. A cell that is not a number only matters if its column is requested.
 pub(super) struct Table {
     pub(super) file: String,
     columns: Vec<Column>,
@@ -15,7 +15,7 @@ pub(super) struct Table {
 struct Column {
     name: String,
     values: Vec<f64>,
-    /// The first cell that is not a finite number, and its line.
+    /// First cell that is not a finite number, and its line.
     bad: Option<(String, u64)>,
 }
 
@@ -56,12 +56,12 @@ impl Table {
         self.columns.iter().any(|c| c.name == name)
     }
 
-    /// How many columns `prefix1, prefix2, ..` there are without a gap.
+    /// Number of columns `prefix1, prefix2, ..` without a gap.
     pub(super) fn count(&self, prefix: &str) -> usize {
         (1..).take_while(|j| self.has(&format!("{prefix}{j}"))).count()
     }
 
-    /// One column.
+    /// Values of one column.
     pub(super) fn column(&self, name: &str) -> Result<&[f64], Failure> {
         let file = &self.file;
         let column = self.columns.iter().find(|c| c.name == name).ok_or_else(|| {

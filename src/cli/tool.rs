@@ -1,4 +1,4 @@
-//! `denavit tool`: what is in the arm's hand, and which tool that is.
+//! `denavit tool`: identifies the arm's payload, and recognises which tool it is.
 
 use std::fs;
 use std::path::PathBuf;
@@ -162,7 +162,7 @@ impl ToolVerb {
         }
     }
 
-    /// The first pass over all logs. Known effects are taken out of the torques.
+    /// First pass over all logs. Torques of known effects are subtracted.
     fn read(&self, arm: &Interpreted, prepare: &Prepare, known: Option<&KnownEffects<'_>>) -> Result<Read, Failure> {
         if let Some(twice) = self.unloaded.iter().find(|log| self.loaded.contains(log)) {
             return Err(Failure::input(format!(
@@ -198,7 +198,7 @@ impl ToolVerb {
         Ok(())
     }
 
-    /// Looks for other orders and units of the torque columns where the torques may be misread.
+    /// Tries other orders and units of the torque columns if the torques may be misinterpreted.
     fn explain(
         &self,
         found: &mut Identification,
@@ -253,7 +253,7 @@ impl ToolVerb {
         Ok((tolerance, RecogniseSettings { level: self.level, ..RecogniseSettings::default() }))
     }
 
-    /// The tool files of the folder, in the order of their names.
+    /// Tool files of the folder, ordered by name.
     fn table(&self, tolerance: &Tolerance) -> Result<Vec<Entry>, Failure> {
         let Some(folder) = &self.tools else { return Ok(Vec::new()) };
         let shown = folder.display();
@@ -294,7 +294,7 @@ impl ToolVerb {
         Ok(table)
     }
 
-    /// The torques over time, for drawing: a second pass.
+    /// Torques over time for plots: a second pass.
     fn traces(
         &self,
         arm: &Interpreted,
@@ -322,7 +322,7 @@ struct Read {
     logbook: Logbook,
 }
 
-/// Parameters of the robot whose errors the identification did not determine.
+/// Note on robot parameters whose errors the identification did not determine.
 fn taken_as_exact(errors: &Uncertainty) -> Option<String> {
     let open = errors.open.join(", ");
     (!open.is_empty()).then(|| format!("--identified has no standard deviation of {open}: taken as exact"))

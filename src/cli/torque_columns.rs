@@ -1,4 +1,4 @@
-//! Other orders and units of the torque columns of logs, tried one and all.
+//! Trial of other orders and units of the torque columns of logs.
 
 use std::path::Path;
 
@@ -13,7 +13,7 @@ use crate::identify::recording::moving;
 use crate::identify::{Identification, KnownEffects, Reference, TorqueColumns};
 use crate::model::Arm;
 
-/// What other readings of the columns explain, of the logs that were tried.
+/// Findings of other interpretations of the columns, over the logs tried.
 pub(super) struct Tried<'a> {
     prepare: &'a Prepare,
     known: Option<&'a KnownEffects<'a>>,
@@ -28,7 +28,7 @@ impl<'a> Tried<'a> {
         Self { prepare, known, gears, explained: Vec::new(), distinguish: true }
     }
 
-    /// Another pass over a log, of an arm that may carry something.
+    /// Makes another pass over a log, for an arm that may carry a load.
     pub(super) fn log(&mut self, path: &Path, arm: &dyn Arm, references: &[Reference<'_>]) -> Result<(), Failure> {
         let mut columns = TorqueColumns::new(arm);
         pass(path, arm.dof(), self.prepare, |motion| columns.absorb(&without(self.known, motion)))?;
@@ -38,7 +38,7 @@ impl<'a> Tried<'a> {
         Ok(())
     }
 
-    /// Puts what was found in the place of the suspicions.
+    /// Replaces the suspicions by the findings.
     pub(super) fn tell(self, found: &mut Identification) {
         if self.explained.is_empty() && self.distinguish {
             found.rule_out_columns();

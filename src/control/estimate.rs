@@ -1,19 +1,19 @@
-//! The force on the tool without a force sensor: from joint torques, the identified model and what
-//! is known of its errors.
+//! Estimation of the external wrench on the tool without a force sensor, from joint torques, the
+//! identified model and its uncertainty.
 //!
-//! A [`ForceEstimator`] takes a [`EstimatorInput`]: measured torques and the identified model's
-//! torque, mass matrix, Jacobian and covariance. It gives an [`Estimate`]: the wrench that the
-//! surroundings exert on the tool, in the tool's axes about its origin, with its covariance. Three
-//! ways: [`Residual`] (the paper's equation 14), [`Momentum`] (De Luca's observer, no
-//! acceleration), [`Kalman`]. [`ContactDetector`] says whether something touches,
-//! [`StateVariableFilter`] makes velocities and accelerations on line. All of these are plain
-//! arrays with the number of joints as a constant; they use `core` and `libm` alone.
+//! A [`ForceEstimator`] takes an [`EstimatorInput`]: measured torques and the identified model's
+//! torque, mass matrix, Jacobian and covariance. It returns an [`Estimate`]: the wrench that the
+//! surroundings exert on the tool, in the tool's axes about its origin, with its covariance. There
+//! are three estimators: [`Residual`] (the paper's equation 14), [`Momentum`] (De Luca's observer,
+//! no acceleration) and [`Kalman`]. [`ContactDetector`] detects contact; [`StateVariableFilter`]
+//! computes velocities and accelerations online. All of these are plain arrays with the number of
+//! joints as a constant; they use `core` and `libm` alone.
 //!
 //! On logs: [`Motion`](crate::data::signal::Motion)s -> [`Run`] -> [`Series`], with an
 //! [`Uncertainty`] from an identification, and a [`Consistency`] that checks the band.
 //! docs/force.md defines the band and gives its measured coverage.
 //!
-//! Sees a robot only through traits; prints nothing.
+//! Accesses a robot only through traits; prints nothing.
 
 mod bias;
 mod consistency;

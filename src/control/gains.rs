@@ -1,10 +1,10 @@
-//! Proposes gains, since the paper tuned them by hand: bandwidth and margins from a linear model of
-//! arm, wall, filter and sampling.
+//! Gain proposals from a linear model of arm, wall, filter and sampling, since the paper tuned
+//! gains by hand.
 //!
 //! [`joint`]: each joint's loop, rigid and as a rotor behind a spring, sampled exactly. [`arm`]:
-//! all of them together. [`force`]: the loop around it in a posture, as a sampled system of all
-//! joints against the wall's stiffness. Both give [`Margins`]; [`propose_joint`] and
-//! [`propose_force`] search for the fastest gains that keep them.
+//! all joint loops together. [`force`]: the force loop around them in one posture, as a sampled
+//! system of all joints against the wall's stiffness. Joint and force loops give [`Margins`];
+//! [`propose_joint`] and [`propose_force`] search for the fastest gains that keep them.
 
 pub mod arm;
 pub mod force;

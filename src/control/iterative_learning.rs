@@ -1,19 +1,18 @@
-//! Learning from one coat for the next (iterative learning control; S. Arimoto, S. Kawamura and F.
-//! Miyazaki, J. Robotic Systems 1, 1984; with the model inverted where it holds: D. Bristow, M.
-//! Tharayil and A. Alleyne, IEEE Control Systems 26, 2006).
+//! Iterative learning control: the force errors of one coat give a displacement for the next (S.
+//! Arimoto, S. Kawamura and F. Miyazaki, J. Robotic Systems 1, 1984; with the model inverted where
+//! it is valid: D. Bristow, M. Tharayil and A. Alleyne, IEEE Control Systems 26, 2006).
 //!
-//! A force loop can't follow fast errors because of its low-pass and the arm's mass on the wall.
-//! They come again at the same place of the same motion: ripple of the gears, friction that turns
-//! round, drag. `T(w)` is the linear model's answer of the force to a displacement that is added
-//! while the loop is closed. The error `e` of a coat (desired less the force of the feedback) adds
-//! `L e` on the next, `L = g Q T* / (|T|^2 + r^2)`. It acts forwards and backwards in time, as a
-//! coat is over when it is learned from. Of an error that follows the model, `1 - g Q |T|^2 /
-//! (|T|^2 + r^2)` is left. With `g` of 0.6 the error still shrinks where the arm answers up to
-//! three times as much as its model, or 60 degrees off in phase. `Q` ends where the model of rigid
-//! joints does.
+//! A force loop cannot follow fast errors because of its low-pass and the arm's mass on the wall.
+//! These errors repeat at the same place of the same motion: gear ripple, friction at reversals,
+//! drag. `T(w)` is the linear model's response of the force to a displacement added to the closed
+//! loop. The error `e` of a coat (desired minus feedback force) adds `L e` on the next,
+//! `L = g Q T* / (|T|^2 + r^2)`. The filter is non-causal, as learning takes place after the coat.
+//! Of an error that follows the model, `1 - g Q |T|^2 / (|T|^2 + r^2)` remains. With `g` of 0.6 the
+//! error still decreases where the arm's response is up to three times its model's, or 60 degrees
+//! off in phase. `Q` ends where the model of rigid joints does.
 //!
-//! Nothing of it is in the loop: gains and margins stay what they are. Along a motion `T` changes;
-//! it is that of the neighbouring postures, blended.
+//! Learning is outside the loop, so gains and margins do not change. `T` varies along a motion; it
+//! is interpolated between the neighbouring postures.
 
 use std::f64::consts::{PI, TAU};
 
@@ -21,38 +20,38 @@ use nalgebra::Complex;
 
 use super::gains::ForcePlant;
 
-/// Displacement along the normal that a coat has learned, over the time since painting began.
+/// Displacement along the normal learned from a coat, over the time since painting began.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Learned {
     /// Time between values, s.
     pub period: f64,
-    /// m
+    /// Displacement at each instant, m.
     pub displacement: Vec<f64>,
 }
 
-/// Time between values, s, at least: ten in a period of the fastest that is learned.
+/// Shortest time between values, s: ten values or more in a period of the highest learned
+/// frequency.
 const PERIOD: f64 = 0.01;
-/// Up to where all is learned, and from where on nothing, Hz.
+/// Frequency up to which errors are learned in full, and that above which they are not, Hz.
 const BAND: [f64; 2] = [3.0, 6.0];
-/// Speed of the fastest joint below which the arm hardly moves, and above which it moves, rad/s.
-/// The learned displacement moves joints by some 0.02 rad/s; where the plan is not much faster,
-/// friction turns round, sticks and breaks away. No linear model answers for that, and nothing is
-/// learned there.
+/// Speed of the fastest joint below which nothing is learned, and above which errors are learned in
+/// full, rad/s. The learned displacement moves joints by some 0.02 rad/s. Where the plan is not
+/// much faster, friction reverses, sticks and breaks away, which a linear model does not describe.
 const PACE: [f64; 2] = [0.05, 0.15];
-/// Share of what the model asks for that a coat is given: an arm that answers three times as much
-/// as its model is learned from safely.
+/// Share of the model's correction that a coat receives, `g`: learning converges for an arm whose
+/// response is up to three times its model's.
 const SHARE: f64 = 0.6;
-/// `r`, by the largest answer.
+/// Regularisation `r`, relative to the largest response.
 const FLOOR: f64 = 0.05;
-/// A displacement farther than this is no error of a model, m.
+/// Largest learned displacement, m; beyond it the cause is no model error.
 const MOST: f64 = 5e-3;
-/// How far an error reaches to either side, s, and how long the learned rises at its beginning and
-/// falls at its end.
+/// Reach of an error's effect to either side, s. [`EDGE`] is the time in which the learned
+/// displacement rises at its beginning and falls at its end, s.
 const REACH: f64 = 4.0;
 const EDGE: f64 = 0.2;
 
 impl Learned {
-    /// At a time, m; zero before and after.
+    /// Displacement at a time, m; zero before and after the coat.
     pub fn at(&self, t: f64) -> f64 {
         let x = t / self.period;
         if !(0.0..self.displacement.len() as f64).contains(&x) {
@@ -64,11 +63,11 @@ impl Learned {
     }
 }
 
-/// Displacement for the next coat: that of this one (`before`), and the correction from its errors
-/// (N, one per `period` s; entries that are not finite are skipped). `pace` is the planned speed of
-/// the fastest joint at the same instants, rad/s. `plants` stand along the motion from its
-/// beginning to its end at even times, under the force loop's gains `kp`, `ki`. `None` without a
-/// model, or where no displacement changes the force.
+/// Computes the displacement for the next coat: that of this one (`before`) plus the correction
+/// from its errors. `error`, N, has one value per `period` s; values that are not finite are
+/// skipped. `pace` is the planned speed of the fastest joint at the same instants, rad/s. `plants`
+/// are evenly spaced in time along the motion, under the force loop's gains `kp`, `ki`. `None`
+/// without a model, or where no displacement changes the force.
 pub fn learned(
     plants: &[ForcePlant],
     [kp, ki]: [f64; 2],
@@ -82,7 +81,7 @@ pub fn learned(
     let reach = (REACH / step) as i64;
     let kernels: Option<Vec<Vec<f64>>> = plants.iter().map(|plant| kernel(plant, [kp, ki], step, reach)).collect();
     let kernels = kernels.filter(|k| !k.is_empty())?;
-    // A mean stands for the middle of its block: the value at `k` is that of the two halves around
+    // A mean belongs to the middle of its block: the value at `k` is that of the two halves around
     // it.
     let half = block / 2;
     let mean = |k: usize| {
@@ -117,15 +116,16 @@ pub fn learned(
     Some(Learned { period: step, displacement: displacement.collect() })
 }
 
-/// From 0 at 0 to 1 at 1, level at both.
+/// Smooth step from 0 at 0 to 1 at 1, with zero slope at both.
 fn rise(x: f64) -> f64 {
     let x = x.clamp(0.0, 1.0);
     x * x * (3.0 - 2.0 * x)
 }
 
-/// `L` in time: weights of the errors from `reach` steps later (first) to as many before.
+/// `L` in the time domain: weights of the errors from `reach` steps later (first) to `reach` steps
+/// earlier.
 fn kernel(plant: &ForcePlant, [kp, ki]: [f64; 2], step: f64, reach: i64) -> Option<Vec<f64>> {
-    // Frequencies so near each other that the kernel's end does not meet its beginning.
+    // Frequency spacing so small that the kernel's end does not overlap its beginning.
     let apart = PI / (reach as f64 * step);
     let frequencies: Vec<f64> = (1..).map(|k| f64::from(k) * apart).take_while(|w| *w < TAU * BAND[1]).collect();
     let answers = plant.response_to_displacement(kp, ki, &frequencies)?;

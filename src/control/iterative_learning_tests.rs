@@ -1,4 +1,4 @@
-//! Learning against a slider on a spring, simulated here by itself: mass, sampled
+//! Learning on a slider on a spring, simulated here independently: mass, sampled
 //! proportional-derivative loop, low-pass, integral force loop.
 
 use std::f64::consts::TAU;
@@ -11,7 +11,7 @@ use crate::control::iterative_learning::{Learned, learned};
 const PERIOD: f64 = 1e-3;
 const SECONDS: f64 = 10.0;
 const MASS: f64 = 5.0;
-/// Joint loop, wall, low-pass, force loop.
+/// Gains and parameters of the joint loop, wall, low-pass and force loop, SI units.
 const KP: f64 = 2e4;
 const KD: f64 = 400.0;
 const STIFFNESS: f64 = 8e3;
@@ -37,14 +37,13 @@ fn plant(mass: f64) -> ForcePlant {
     }
 }
 
-/// A force that the estimate sees and that is none: 3 N of 1 Hz and 2 N of 2.3 Hz, between 2 s and
-/// 8 s.
+/// Apparent force that is not real: 3 N at 1 Hz and 2 N at 2.3 Hz, between 2 s and 8 s.
 fn ripple(t: f64) -> f64 {
     let swell = ((t - 2.0).min(8.0 - t) / 0.5).clamp(0.0, 1.0);
     swell * (3.0 * (TAU * t).sin() + 2.0 * (TAU * 2.3 * t).cos())
 }
 
-/// Errors of the force, one per period, with a displacement that is fed forward.
+/// Simulates a coat with a feed-forward displacement `ahead`; force errors, N, one per period.
 fn coat(ahead: &dyn Fn(f64) -> f64) -> Vec<f64> {
     const STEPS: usize = 20;
     let (mut x, mut v, mut before, mut sent, mut sum) = (0.0, 0.0, 0.0, 0.0, 0.0);
@@ -106,7 +105,7 @@ fn what_comes_again_is_learned_and_in_its_time() {
 
 #[test]
 fn what_is_learned_is_bounded_and_ends() {
-    // Errors that no displacement mends, over and over.
+    // Errors that no displacement corrects, repeated.
     let wild: Vec<f64> = (0..4000).map(|k| if k % 500 < 250 { 1e6 } else { f64::NAN }).collect();
     let mut before = None;
     for _ in 0..5 {
@@ -123,9 +122,9 @@ fn what_is_learned_is_bounded_and_ends() {
     assert!(learned(&[], [FKP, FKI], &wild, &[1.0; 4000], PERIOD, None).is_none());
 }
 
-/// Errors of one frequency: what is added is `L` of the model there, with the two neighbours that
-/// the end of the kernel blurs it with. Slow errors, which the loop mends by itself, ask for no
-/// more than the floor lets them.
+/// Errors of one frequency: the increment is `L` of the model at this frequency, blurred with its
+/// two neighbours by the end of the kernel. Slow errors, which the loop itself corrects, are
+/// limited by the regularisation.
 #[test]
 fn each_frequency_is_learned_by_its_own_answer() {
     const FAST: f64 = 4e-3;
@@ -134,7 +133,7 @@ fn each_frequency_is_learned_by_its_own_answer() {
     let frequencies: Vec<f64> = (1..=count).map(|k| TAU * APART * f64::from(k)).collect();
     let answers = plant(MASS).response_to_displacement(FKP, FAST, &frequencies).unwrap();
     let most = answers.iter().map(|t| t.norm()).fold(0.0, f64::max);
-    // All of it up to 3 Hz, nothing from 6 Hz on.
+    // Full learning up to 3 Hz, none from 6 Hz on.
     let asked = |k: usize| match k {
         0 => Complex::from(0.0),
         _ => answers[k - 1].conj() * (0.6 / (answers[k - 1].norm_sqr() + (0.05 * most).powi(2))),
@@ -145,7 +144,7 @@ fn each_frequency_is_learned_by_its_own_answer() {
         let error: Vec<f64> = (0..40_000).map(|i| wave(1e-3 * f64::from(i))).collect();
         let plants = [plant(MASS), plant(MASS)];
         let found = learned(&plants, [FKP, FAST], &error, &vec![1.0; error.len()], PERIOD, None).unwrap();
-        // Eight seconds in the middle hold whole periods.
+        // Eight seconds in the middle contain whole periods.
         let (first, last) = (1600, 2400);
         let sum: Complex<f64> = (first..last)
             .map(|i| {

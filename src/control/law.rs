@@ -1,5 +1,5 @@
 //! The control law: joint loop (equation 13), force loop (equation 15), force estimate (equation
-//! 14), and the watch over all of them.
+//! 14), and the monitoring of all of them.
 //!
 //! ```text
 //! F_d - F -> [PI, limits] -> displacement along the normal -> [inverse kinematics] -> q_d -> [PD + gravity] -> torques
@@ -7,7 +7,7 @@
 //!        +---- (J^T)^+ (torques - model), or a sensor <------------------------------------ arm, wall
 //! ```
 //!
-//! Uses `core` alone: no allocation, no panic, no square root. Whoever calls brings the robot, as
+//! Uses `core` alone: no allocation, no panic, no square root. The caller provides the robot as
 //! [`Model`] and [`Body`].
 
 mod contact;

@@ -1,5 +1,5 @@
-//! Adapts a robot file to the law: bodies by the interpreter, closed-form inverse kinematics,
-//! friction and effects by the laws of the file.
+//! Adapts a robot file to the control law: bodies by the interpreter, closed-form inverse
+//! kinematics, friction and effects by the laws of the file.
 
 use dh_codegen::ik::Reference;
 use dh_codegen::robot::{Robot, Tool as RobotTool};
@@ -10,26 +10,26 @@ use crate::model::inverse_kinematics::{Ask, Kinematics};
 use crate::model::{Dynamics, ToolState};
 use crate::simulate::Drive;
 
-/// A robot with its tool, at the point where the tool touches.
+/// A robot with its tool; the contact is at the tool's point of contact.
 pub struct RobotModel<'a> {
     bodies: Box<dyn Dynamics + 'a>,
     kinematics: Option<&'a Kinematics>,
     /// Rotation (rows) and origin of the tool in the last frame.
     mount: ([[f64; 3]; 3], [f64; 3]),
-    /// The point of contact in the tool frame, m.
+    /// Point of contact in the tool frame, m.
     point: [f64; 3],
     drives: Vec<Drive>,
-    /// Of the bristles that stand for signs, of the hysteresis, and of friction that turns round as
-    /// slowly as it may.
+    /// Bristle states of each joint: one that replaces the sign of the velocity, that of the
+    /// hysteresis, and that of the slowest possible friction reversal.
     memory: Vec<[f64; 3]>,
     turning: Vec<f64>,
-    /// By how much less and more friction may be where a joint stands, N m.
+    /// Lower and upper deviation of the friction where a joint stands, N m.
     at_rest: Vec<[f64; 2]>,
-    /// Torque limits, N m; infinite where none is known.
+    /// Torque limits, N m; infinite where unknown.
     limits: Vec<f64>,
     before: Vec<f64>,
     state: ToolState,
-    /// Posture of the tool's state and of the torques at rest.
+    /// Posture of the tool's state; `rested` is that of the torques at rest.
     placed: Vec<f64>,
     rested: Vec<f64>,
     still: Vec<f64>,
@@ -38,29 +38,29 @@ pub struct RobotModel<'a> {
     clock: f64,
 }
 
-/// Travel of the bristle that stands for a sign, rad: some steps of an encoder, so that noise does
-/// not turn it.
+/// Travel of the bristle that replaces the sign of the velocity, rad: some encoder steps, so that
+/// noise does not reverse it.
 const TRAVEL: f64 = 5e-5;
 
-/// Travel in which friction has turned round at the latest, to `1 - 2/e`, rad. Gears need some
-/// milliradians (`presliding_hysteresis` has 2 by default), and a file with Coulomb friction alone
-/// contains no travel.
+/// Longest travel in which friction reverses, to `1 - 2/e`, rad. Gears need some milliradians
+/// (`presliding_hysteresis` has 2 by default), and a file with Coulomb friction alone gives no
+/// travel.
 const TURNED: f64 = 3e-3;
 
 /// Travel within which a joint stands, rad: twice that of the bristle.
 pub const STANDING: f64 = 1e-4;
 
-/// Planned speed, rad/s, at which friction that is fed forward has 70 % of its level.
+/// Planned speed, rad/s, at which fed-forward friction reaches 70 % of its level.
 const SLOW: f64 = 0.01;
 
-/// Point of contact: the far end of a tool with a length, else the tool frame's origin.
+/// Point of contact in the tool frame, m: the far end of a tool with a length, else the origin.
 pub fn contact_point(tool: Option<&RobotTool>) -> [f64; 3] {
     [0.0, 0.0, tool.and_then(|t| t.geometry).map_or(0.0, |g| g.length)]
 }
 
 impl<'a> RobotModel<'a> {
-    /// `bodies` with the inertial parameters that are known, tool included; `drives` with what is
-    /// known of friction and effects.
+    /// Creates the adapter. `bodies` carry the known inertial parameters, tool included; `drives`
+    /// the known friction and effects.
     pub fn new(
         robot: &Robot,
         bodies: Box<dyn Dynamics + 'a>,
@@ -115,7 +115,7 @@ impl<'a> RobotModel<'a> {
         Tool { origin: std::array::from_fn(|i| pose[4 * i + 3] + arm[i]), rotation, jacobian }
     }
 
-    /// Torques of the bodies at rest.
+    /// Torques of the bodies at rest, N m.
     fn resting<const N: usize>(&mut self, q: &[f64; N]) -> [f64; N] {
         if self.rested != q {
             self.bodies.bias(q, &[0.0; N], &mut self.still);
@@ -124,7 +124,7 @@ impl<'a> RobotModel<'a> {
         std::array::from_fn(|j| self.still[j])
     }
 
-    /// Mass matrix with the rotors, row-major.
+    /// Mass matrix including rotors, `n x n`, row-major, kg m^2.
     pub fn mass(&mut self, q: &[f64]) -> Vec<f64> {
         let n = self.drives.len();
         self.bodies.mass_matrix(q, &mut self.mass);
@@ -133,7 +133,7 @@ impl<'a> RobotModel<'a> {
         mass
     }
 
-    /// The last frame of `q`, moved.
+    /// Pose of the last frame at posture `q`, displaced by `by`, m, in world axes.
     fn last_pose<const N: usize>(&mut self, q: &[f64; N], by: &[f64; 3]) -> [[f64; 4]; 3] {
         let Tool { origin, rotation, .. } = self.contact(q);
         let (turn, offset) = &self.mount;
@@ -162,8 +162,8 @@ impl<const N: usize> Model<N> for RobotModel<'_> {
         std::array::from_fn(|j| {
             let drive = &self.drives[j];
             let inertial: f64 = (0..N).map(|k| self.mass[j * N + k] * ddq[k]).sum::<f64>() + drive.rotor * ddq[j];
-            // The sign of what is planned, rounded off: a step of torque where a leg begins would
-            // only shake the arm.
+            // Smoothed sign of the planned velocity: a torque step at the start of a leg would only
+            // excite the arm.
             let sign = dq[j] / libm::sqrt(dq[j] * dq[j] + SLOW * SLOW);
             let mut friction = drive.friction(q[j], dq[j], sign, sign);
             if let Some(load) = drive.load {
@@ -191,8 +191,8 @@ impl<const N: usize> Model<N> for RobotModel<'_> {
                 redundancy: kinematics.redundancy(q, &reference),
                 reference,
                 near: Some(near.to_vec()),
-                // No Newton's steps on each of the branches: a controller has no time for them, and
-                // where they were needed `moved` takes its own.
+                // No Newton steps on each branch: a controller has no time for them, and where they
+                // are needed `moved` takes its own.
                 steps: 0,
                 tolerance: 1e-9,
             };
@@ -219,7 +219,7 @@ impl<const N: usize> Body<N> for RobotModel<'_> {
             let drive = &self.drives[j];
             let step = q[j] - self.before[j];
             self.before[j] = q[j];
-            // dz = (dx - |dx| z) / X over a step, exactly.
+            // Exact step of dz = (dx - |dx| z) / X.
             let bend = |z: f64, travel: f64| {
                 let side = if step > 0.0 { 1.0 } else { -1.0 };
                 if step == 0.0 { z } else { side + (z - side) * libm::exp(-step.abs() / travel) }
@@ -262,9 +262,9 @@ impl<const N: usize> Body<N> for RobotModel<'_> {
     }
 }
 
-/// Largest static friction of a drive with this torque limit (N m), at this angle, while its gear
-/// transmits `load`, N m. A friction law without a dry part says that there is none: to hold a
-/// contact for friction that is not there lets the force loop push on.
+/// Largest static friction of a drive with this torque limit (N m) at angle `q`, while its gear
+/// transmits `load`, N m. A friction law without a dry part means that there is none: holding a
+/// contact for friction that is not there would let the force loop push on.
 fn static_level(drive: &Drive, limit: f64, q: f64, load: f64) -> f64 {
     let hysteresis = drive.hysteresis.map_or(0.0, |h| h.level);
     let loaded = drive.load.map_or(0.0, |l| l.level(load, load).max(l.level(load, -load)));

@@ -1,4 +1,4 @@
-//! A robot file as the law sees it, against differences of its own answers.
+//! Checks a robot file's model for the law against finite differences of its own results.
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::{Robot, no_files};
@@ -10,7 +10,7 @@ use crate::simulate::{Effects, Simulator};
 
 const Q: [f64; 7] = [0.3, -0.6, 0.2, 1.2, -0.4, 0.8, 0.1];
 
-/// Calls `with` with the LWR's model; the point of contact stands off the last frame.
+/// Calls `with` with the LWR's model; the point of contact is offset from the last frame.
 fn lwr(with: impl FnOnce(&mut RobotModel<'_>)) {
     let text = include_str!("../../robots/kuka-lwr4.yaml");
     let mut robot = Robot::from_yaml(text, &no_files).unwrap().robot;

@@ -1,4 +1,5 @@
-//! Base to tip: which joints are the arm's, and on which of them every other body rides.
+//! Selection of the serial chain from base to tip, and assignment of every other body to one of its
+//! joints.
 
 use std::collections::BTreeMap;
 
@@ -14,20 +15,20 @@ pub(super) struct Chain {
     pub(super) base: usize,
     /// Index of the tip body.
     pub(super) tip: usize,
-    /// Joints of a gripper's fingers before which the arm was taken to end.
+    /// Joints of gripper fingers before which the arm was assumed to end.
     pub(super) fingers: Vec<usize>,
-    /// Joints from base to tip that move, in order.
+    /// Moving joints from base to tip, in order.
     pub(super) moving: Vec<usize>,
-    /// Of each body: how many of the moving joints stand before it; `None`: not below the base.
+    /// Number of moving joints before each body; `None` if it is not below the base.
     pub(super) carried_by: Vec<Option<usize>>,
-    /// Joints beside the chain that are held, with their positions.
+    /// Joints beside the chain that are held, with their positions, rad or m.
     pub(super) held: Vec<(usize, f64)>,
-    /// Positions of all joints: the moving ones at their reference.
+    /// Positions of all joints, rad or m: the moving ones at their reference.
     pub(super) positions: Vec<f64>,
 }
 
 impl Chain {
-    /// Picks the chain and a posture of everything beside it.
+    /// Selects the chain and the positions of all joints beside it.
     pub(super) fn new(tree: &Tree, options: &ImportOptions) -> Result<Self, ImportError> {
         let base = base(tree, options.base.as_deref())?;
         let Tip { body: tip, fingers } = tip(tree, base, options.tip.as_deref())?;
@@ -56,7 +57,7 @@ impl Chain {
         Ok(chain)
     }
 
-    /// Positions of the joints beside the chain.
+    /// Sets the positions of the joints beside the chain.
     fn hold(&mut self, tree: &Tree, options: &ImportOptions) -> Result<(), ImportError> {
         let mut given = BTreeMap::new();
         for (name, q) in &options.at {
@@ -97,7 +98,7 @@ impl Chain {
         Ok(())
     }
 
-    /// Joints whose position changes what the arm carries: they move mass, and hang on a joint of
+    /// Joints whose position changes the arm's load: they move mass and are carried by a joint of
     /// the arm.
     fn beside(&self, tree: &Tree) -> Vec<usize> {
         let matters = |j: usize| {
@@ -108,7 +109,7 @@ impl Chain {
         (0..tree.joints.len()).filter(|&j| matters(j)).collect()
     }
 
-    /// Refuses what has no posture.
+    /// Rejects joints beside the arm without a position.
     fn ask(&self, tree: &Tree, missing: &[usize], zero: bool) -> Result<(), ImportError> {
         for &joint in missing {
             let read = &tree.joints[joint];
@@ -146,12 +147,12 @@ impl Chain {
     }
 }
 
-/// Zero, or the limit next to it.
+/// Zero, or the limit nearest to it.
 pub(super) fn nearest_to_zero(position: Option<[f64; 2]>) -> f64 {
     position.filter(|[lower, upper]| lower < upper).map_or(0.0, |[lower, upper]| 0f64.clamp(lower, upper))
 }
 
-/// Has a body below this one, or itself, mass or a shape?
+/// Whether this body, or one below it, has mass or a shape.
 fn has_mass(tree: &Tree, body: usize) -> bool {
     let mut waiting = vec![body];
     let mut seen = vec![false; tree.bodies.len()];
@@ -169,7 +170,7 @@ fn has_mass(tree: &Tree, body: usize) -> bool {
     false
 }
 
-/// How many moving joints of the chain stand before each body.
+/// Number of moving joints of the chain before each body.
 fn carriers(tree: &Tree, base: usize, moving: &[usize]) -> Vec<Option<usize>> {
     let mut carried = vec![None; tree.bodies.len()];
     carried[base] = Some(0);
@@ -187,7 +188,7 @@ fn carriers(tree: &Tree, base: usize, moving: &[usize]) -> Vec<Option<usize>> {
     carried
 }
 
-/// Refuses joints of the chain that a serial arm does not have.
+/// Rejects joints of the chain that a serial arm does not have.
 fn serial(tree: &Tree, path: &[usize]) -> Result<(), ImportError> {
     for (k, &index) in path.iter().enumerate() {
         let joint = &tree.joints[index];
@@ -217,13 +218,13 @@ fn serial(tree: &Tree, path: &[usize]) -> Result<(), ImportError> {
     Ok(())
 }
 
-/// Refuses loops that the arm is part of: with a body of the chain in them, or bodies that move
-/// against each other when the arm does.
+/// Rejects loops that involve the arm: with a body of the chain in them, or bodies that move
+/// relative to each other when the arm does.
 fn loops(tree: &Tree, path: &[usize], carried_by: &[Option<usize>]) -> Result<(), ImportError> {
     let on_path = |body: &str| {
         path.iter().any(|&j| tree.bodies[tree.joints[j].child].name == body || tree.joints[j].name == body)
     };
-    // Bodies that do not hang below the base stand still with it.
+    // Bodies that are not below the base are stationary, like the base.
     let carrier = |name: &String| tree.body(name).map(|body| carried_by[body].unwrap_or(0));
     let tied = |tie: &&Tie| {
         let mut carriers = tie.bodies.iter().filter_map(carrier);
@@ -239,7 +240,7 @@ fn loops(tree: &Tree, path: &[usize], carried_by: &[Option<usize>]) -> Result<()
     }
 }
 
-/// The only root.
+/// Index of the first root.
 fn base_root(tree: &Tree) -> usize {
     (0..tree.bodies.len()).find(|&b| tree.joint_above(b).is_none()).unwrap_or(0)
 }

@@ -1,8 +1,8 @@
-//! Rigid displacements of the tree, as matrices.
+//! Rigid displacements between the frames of a tree, as matrices.
 
 use nalgebra::{Matrix3, Vector3};
 
-/// Rotation and origin of a frame in another one: `x -> R x + p`, m.
+/// Pose of a frame in another one: `x -> R x + p`, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Displacement {
     /// Axes of the frame as columns.
@@ -12,30 +12,31 @@ pub struct Displacement {
 }
 
 impl Displacement {
-    /// Both frames are one.
+    /// Identity: both frames coincide.
     pub fn identity() -> Self {
         Self { rotation: Matrix3::identity(), origin: Vector3::zeros() }
     }
 
-    /// From rows and an origin.
+    /// Creates a displacement from the rows of a rotation and an origin, m.
     pub fn new(rotation: [[f64; 3]; 3], origin: [f64; 3]) -> Self {
         // `from` reads columns.
         Self { rotation: Matrix3::from(rotation).transpose(), origin: Vector3::from(origin) }
     }
 
-    /// A shift.
+    /// Translation, m.
     pub fn shift(origin: Vector3<f64>) -> Self {
         Self { rotation: Matrix3::identity(), origin }
     }
 
-    /// A turn about a unit vector, rad (Rodrigues' formula).
+    /// Rotation about a unit vector by `angle`, rad (Rodrigues' formula).
     pub fn turn(axis: &Vector3<f64>, angle: f64) -> Self {
         let (s, c) = angle.sin_cos();
         let k = axis.cross_matrix();
         Self { rotation: Matrix3::identity() + k * s + k * k * (1.0 - c), origin: Vector3::zeros() }
     }
 
-    /// From a quaternion `w x y z` of any length but zero, of which [`Self::is_rotation`] is false.
+    /// Rotation from a quaternion `w x y z` of any length but zero; for zero [`Self::is_rotation`]
+    /// is false.
     pub fn quaternion([w, x, y, z]: [f64; 4]) -> Self {
         let square = w * w + x * x + y * y + z * z;
         let two = |a: f64, b: f64| 2.0 * a * b / square;
@@ -49,17 +50,17 @@ impl Displacement {
         )
     }
 
-    /// Whether the matrix keeps lengths and handedness, to rounding.
+    /// Whether the matrix preserves lengths and handedness, to rounding.
     pub fn is_rotation(&self) -> bool {
         (self.rotation.determinant() - 1.0).abs() <= 1e-6
     }
 
-    /// `next` is given in this frame: where it is in the frame that this one stands in.
+    /// Composition: pose of `next`, given in this frame, in the frame in which this one is given.
     pub fn then(&self, next: &Self) -> Self {
         Self { rotation: self.rotation * next.rotation, origin: self.rotation * next.origin + self.origin }
     }
 
-    /// From the other frame to this one.
+    /// Inverse displacement: pose of the other frame in this one.
     pub fn inverse(&self) -> Self {
         let back = self.rotation.transpose();
         Self { rotation: back, origin: -(back * self.origin) }

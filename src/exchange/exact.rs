@@ -1,4 +1,4 @@
-//! Decimals to exact values: fractions of pi, quarter turns, short decimals.
+//! Rounding of decimals to exact values: fractions of pi, quarter turns, short decimals.
 
 use core::f64::consts::PI;
 
@@ -9,33 +9,33 @@ use super::displacement::Displacement;
 /// Angles are compared with multiples of pi over this: half degrees.
 const PARTS: f64 = 360.0;
 
-/// Values taken for exact ones.
+/// Rounding to exact values, with a record of the changes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Snap {
-    /// Distance within which an angle of the source is taken for the exact one, rad.
+    /// Distance within which an angle of the source is replaced by the exact one, rad.
     pub tolerance: f64,
-    /// Number of values that were changed.
+    /// Number of changed values.
     pub count: usize,
     /// Largest change, rad.
     pub largest: f64,
 }
 
 impl Snap {
-    /// Nothing changed yet.
+    /// Starts with no changes.
     pub fn new(tolerance: f64) -> Self {
         Self { tolerance, count: 0, largest: 0.0 }
     }
 
     fn note(&mut self, change: f64) {
-        // Changes of one rounding are none.
+        // Changes of one rounding are not counted.
         if change.abs() > 1e-15 {
             self.count += 1;
             self.largest = self.largest.max(change.abs());
         }
     }
 
-    /// The angle, or the multiple of half a degree that it lies within the tolerance of; the
-    /// tolerance is relative for angles above 1 rad.
+    /// Returns the multiple of half a degree within the tolerance of the angle, or the angle
+    /// itself; the tolerance is relative for angles above 1 rad.
     pub fn angle(&mut self, value: f64) -> Angle {
         let angle = exact_angle(value, self.tolerance);
         if angle.pi_multiple.is_some() {
@@ -44,7 +44,7 @@ impl Snap {
         angle
     }
 
-    /// A direction of length one; components within the tolerance of zero become zero.
+    /// Unit vector of a direction; components within the tolerance of zero become zero.
     pub fn direction(&mut self, [x, y, z]: [f64; 3]) -> [f64; 3] {
         let length = x.hypot(y).hypot(z);
         let unit = [x, y, z].map(|c| c / length);
@@ -52,11 +52,11 @@ impl Snap {
         unit.iter().zip(&cleared).for_each(|(a, b)| self.note(a - b));
         let [x, y, z] = cleared;
         let length = x.hypot(y).hypot(z);
-        // One component that is not zero is one exactly.
+        // A single non-zero component becomes exactly one.
         cleared.map(|c| if c.abs() == length { c.signum() } else { c / length })
     }
 
-    /// The rotation, or the one of the 24 of a cube that it lies within the tolerance of.
+    /// Returns the rotation of a cube's 24 within the tolerance, or the rotation itself.
     pub fn rotation(&mut self, at: Displacement) -> Displacement {
         let rounded = at.rotation.map(f64::round);
         let change = (at.rotation - rounded).amax();
@@ -64,12 +64,12 @@ impl Snap {
             return at;
         }
         self.note(change);
-        // Zeros without a sign.
+        // Removes the sign of negative zeros.
         Displacement { rotation: rounded.map(|c| c + 0.0), ..at }
     }
 }
 
-/// The exact multiple of half a degree within `tolerance`, or the number.
+/// The exact multiple of half a degree within `tolerance`, or the number itself.
 pub(super) fn exact_angle(value: f64, tolerance: f64) -> Angle {
     let parts = (value * PARTS / PI).round();
     let near = parts * PI / PARTS;
@@ -79,29 +79,29 @@ pub(super) fn exact_angle(value: f64, tolerance: f64) -> Angle {
     }
 }
 
-/// The shortest decimal within `slack`, m: takes away what rounding left on a value that somebody
-/// wrote with few digits.
+/// The shortest decimal within `slack`, m: removes rounding errors from a value that was written
+/// with few digits.
 pub(super) fn short(value: f64, slack: f64) -> f64 {
     let shorter = |digits: usize| format!("{value:.digits$}").parse::<f64>().ok();
     let near = (0..16).filter_map(shorter).find(|short| (short - value).abs() <= slack);
     near.unwrap_or(value) + 0.0
 }
 
-/// A length, m.
+/// Length rounded to the shortest decimal within `slack`, m.
 pub(super) fn length(value: f64, slack: f64) -> Length {
     Length::meters(short(value, slack))
 }
 
-/// The pose with exact angles where they are exact to rounding.
+/// Pose with exact angles where they are exact to rounding.
 pub(super) fn pose(at: &Displacement, slack: f64) -> Pose {
     let r = &at.rotation;
     let across = r[(0, 0)].hypot(r[(1, 0)]);
     let pitch = (-r[(2, 0)]).atan2(across);
-    // At a pitch of a quarter turn, roll and yaw turn about one axis: all of it is yaw.
+    // At a pitch of a quarter turn, roll and yaw share one axis: all of it is yaw.
     let yaw = if across > 1e-15 { r[(1, 0)].atan2(r[(0, 0)]) } else { (-r[(0, 1)]).atan2(r[(1, 1)]) };
     let (s, c) = yaw.sin_cos();
-    // The roll that is left behind this very yaw: where the two nearly coincide, it takes up what
-    // the yaw is wrong by.
+    // The roll that remains after this very yaw: near a pitch of a quarter turn it compensates the
+    // error of the yaw.
     let roll = (s * r[(0, 2)] - c * r[(1, 2)]).atan2(c * r[(1, 1)] - s * r[(0, 1)]);
     let angle = |value: f64| exact_angle(value, 1e-14);
     Pose { xyz: at.origin.map(|x| short(x, slack)).into(), rpy: [roll, pitch, yaw].map(angle) }

@@ -1,4 +1,4 @@
-//! A robot file to URDF or MJCF: what each of them can say.
+//! Export of a robot file to URDF or MJCF, as far as each format can express it.
 
 use core::fmt::Write;
 
@@ -10,22 +10,23 @@ use super::delay;
 use super::displacement::Displacement;
 use super::exact::pose;
 
-/// A model, and what it could not say.
+/// An exported model, with reports of what could not be expressed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Exported {
-    /// The text.
+    /// Text of the model.
     pub text: String,
-    /// A sentence for each part of the robot file that the format has no words for, or that is not
-    /// known.
+    /// A sentence for each part of the robot file that the format cannot express, or that is
+    /// unknown.
     pub left_out: Vec<String>,
-    /// A sentence for each part that the format says only nearly, or in some of its versions.
+    /// A sentence for each part that the format expresses only approximately, or only in some of
+    /// its versions.
     pub notes: Vec<String>,
 }
 
-/// Rounding of a pose, m: none.
+/// Rounding of a pose, m: essentially none.
 const SLACK: f64 = 1e-15;
 
-/// The robot in another format.
+/// Exports the robot to a format.
 pub fn export(robot: &Robot, format: ModelFormat) -> Exported {
     let links = chain(robot);
     let mut left_out = Vec::new();
@@ -37,12 +38,12 @@ pub fn export(robot: &Robot, format: ModelFormat) -> Exported {
     Exported { text, left_out, notes: delay_note(robot, format) }
 }
 
-/// A link whose frame stands on its joint's axis.
+/// A link whose frame is on its joint's axis.
 struct LinkOut<'a> {
-    /// `None`: the tool.
+    /// Joint that moves the link; `None`: the tool.
     joint: Option<&'a Joint>,
     name: String,
-    /// Its frame in the frame of the link before, the joint at 0.
+    /// Pose of its frame in the frame of the previous link, with the joint at 0.
     at: Displacement,
     inertia: Option<Inertia>,
 }
@@ -55,7 +56,7 @@ fn chain(robot: &Robot) -> Vec<LinkOut<'_>> {
     };
     let start = robot.base.as_ref().map_or_else(Displacement::identity, |b| Displacement::new(b.rotation(), b.xyz));
     let mut links = Vec::new();
-    // From the frame of the link before to where the next row starts.
+    // Pose, in the frame of the previous link, where the next row starts.
     let mut before = start;
     for (row, joint) in robot.joints.iter().enumerate() {
         let across = turn(Vector3::x(), joint.alpha.sin_cos()).then(&Displacement::shift(Vector3::x() * joint.d.value));
@@ -88,12 +89,13 @@ pub(super) fn list(values: &[f64]) -> String {
     values.iter().map(|v| number(*v)).collect::<Vec<_>>().join(" ")
 }
 
-/// Text in an attribute.
+/// Text escaped for an attribute.
 fn escaped(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }
 
-/// Mass, centre of mass, and tensor about it, `XX YY ZZ XY XZ YZ`; `None` for a link of nothing.
+/// Mass, kg, centre of mass, m, and tensor about it, `XX YY ZZ XY XZ YZ`, kg m^2; `None` for a
+/// massless link.
 pub(super) fn about_center(inertia: &Inertia) -> Option<(f64, [f64; 3], [f64; 6])> {
     if inertia.m == 0.0 {
         return None;
@@ -103,7 +105,7 @@ pub(super) fn about_center(inertia: &Inertia) -> Option<(f64, [f64; 3], [f64; 6]
     Some((inertia.m, center, inertia.moved(&identity, &center.map(|c| -c)).i))
 }
 
-/// The direction that gravity has in URDF, and where the robot's world stands in it.
+/// Pose of the robot's world in URDF's, where gravity points along -z.
 fn upright(robot: &Robot, left_out: &mut Vec<String>) -> Displacement {
     let gravity = Vector3::from(robot.gravity);
     let size = gravity.norm();
@@ -170,7 +172,7 @@ fn urdf(robot: &Robot, links: &[LinkOut<'_>], left_out: &mut Vec<String>) -> Str
     t + "</robot>\n"
 }
 
-/// Axis, limits, friction.
+/// Writes axis, limits and friction of a joint.
 fn urdf_motion(t: &mut String, joint: &Joint, left_out: &mut Vec<String>) {
     let limits = &joint.limits;
     let position = match limits.position {
@@ -284,8 +286,8 @@ fn mjcf_joint(t: &mut String, joint: &Joint, indent: &str, left_out: &mut Vec<St
     *t += "/>\n";
 }
 
-/// Stiffness and position without torque of a joint's spring, where it is linear on both sides: the
-/// format has no other.
+/// Stiffness and rest position of a joint's spring, if it is linear on both sides: the format has
+/// no other.
 pub(super) fn spring(joint: &Joint) -> Option<[f64; 2]> {
     let spring = joint.drive.effects.iter().find_map(|effect| match effect {
         Effect::JointSpring(spring) if spring.is_linear() => Some(*spring),
@@ -294,7 +296,7 @@ pub(super) fn spring(joint: &Joint) -> Option<[f64; 2]> {
     Some([spring.stiffness?, spring.rest()])
 }
 
-/// Entries that no model of the format has, a sentence each.
+/// Entries that the format cannot express, a sentence each.
 pub(super) fn effects(robot: &Robot, format: ModelFormat) -> Vec<String> {
     let written = |joint: &Joint, effect: &Effect| match effect.kind() {
         EffectKind::JointSpring => spring(joint).is_some(),
@@ -328,7 +330,7 @@ pub(super) fn effects(robot: &Robot, format: ModelFormat) -> Vec<String> {
     left_out
 }
 
-/// What a simulator has to keep to where a joint has a delay.
+/// Requirements on a simulator if a joint has a delay.
 pub(super) fn delay_note(robot: &Robot, format: ModelFormat) -> Vec<String> {
     if format == ModelFormat::Mjcf { delay::note(robot).into_iter().collect() } else { Vec::new() }
 }

@@ -1,4 +1,4 @@
-//! A tree to a robot file, and how well it met.
+//! Import of a tree to a robot file, and the error of the result.
 
 use dh_codegen::robot::effects::{JointSpring, TimeDelay};
 use dh_codegen::robot::{
@@ -15,27 +15,30 @@ use super::{ImportError, ModelFormat};
 use crate::model::rigid_body::Numeric;
 use crate::numerics::prng::Random;
 
-/// Angle within which a table's angle is taken for a fraction of pi: rounding of the arithmetic.
+/// Tolerance within which a table's angle becomes a fraction of pi, rad: rounding of the
+/// arithmetic.
 const EXACT: f64 = 1e-12;
 
-/// States at which source and result are compared.
+/// Number of states at which source and result are compared.
 pub const STATES: usize = 50;
 
-/// Difference of forward kinematics that is asked for, m and entries of the rotation.
+/// Permitted difference of forward kinematics, m and entries of the rotation.
 pub const REQUIRED: f64 = 1e-9;
 
-/// Choices of the user.
+/// Options of an import.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ImportOptions {
-    /// Link that row 1 starts from; default: the root.
+    /// Link from which row 1 starts; default: the root.
     pub base: Option<String>,
-    /// Link that the tool frame is that of; default: the only leaf behind most moving joints.
+    /// Link whose frame becomes the tool frame; default: the only leaf behind the most moving
+    /// joints.
     pub tip: Option<String>,
     /// Positions of joints beside the chain, rad or m.
     pub at: Vec<(String, f64)>,
-    /// Joints beside the chain without a position stand at zero, or at the limit next to it.
+    /// Whether joints beside the chain without a position are held at zero, or at the limit nearest
+    /// to it.
     pub at_zero: bool,
-    /// Distance within which an angle of the source is taken for an exact fraction of pi, rad.
+    /// Distance within which an angle of the source is replaced by an exact fraction of pi, rad.
     pub snap: f64,
 }
 
@@ -45,16 +48,16 @@ impl Default for ImportOptions {
     }
 }
 
-/// How far the result's forward kinematics is from the source's.
+/// Difference of the forward kinematics of result and source.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ForwardKinematicsError {
-    /// Largest distance of the tip's origins over all states, m.
+    /// Largest distance between the tip's origins over all states, m.
     pub position: f64,
-    /// Largest difference of an entry of the rotations.
+    /// Largest difference between entries of the rotations.
     pub rotation: f64,
 }
 
-/// A robot file made of a model, and what has to be known about it.
+/// A robot file made from a model, with the report of the import.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Imported {
     /// The robot.
@@ -63,37 +66,38 @@ pub struct Imported {
     pub format: &'static str,
     /// Name of the model in its file.
     pub model: String,
-    /// Link that the world of the robot file is.
+    /// Link that is the world of the robot file.
     pub base: String,
-    /// Link that the tool frame is.
+    /// Link of the tool frame.
     pub tip: String,
-    /// How neighbouring axes lie; the angle between nearly parallel ones, rad.
+    /// Relation of neighbouring axes; with the angle between nearly parallel ones, rad.
     pub neighbours: Vec<(Neighbours, f64)>,
     /// Bodies of each row, base to tip.
     pub bodies: Vec<Vec<String>>,
-    /// Joints beside the chain and where they are held, rad or m.
+    /// Joints beside the chain and their held positions, rad or m.
     pub held: Vec<(String, f64)>,
-    /// Angles taken for exact ones.
+    /// Angles replaced by exact ones.
     pub snap: Snap,
     /// Values missing in the source, a sentence each.
     pub unknown: Vec<String>,
-    /// Bodies and values that cannot be, a sentence each.
+    /// Physically impossible bodies and values, a sentence each.
     pub impossible: Vec<String>,
     /// Skipped entries, a sentence each.
     pub notes: Vec<String>,
-    /// Against the source, at [`STATES`] random states.
+    /// Difference from the source at [`STATES`] random states.
     pub error: ForwardKinematicsError,
 }
 
-/// The robot file of a URDF or MJCF text.
+/// Imports a URDF or MJCF text.
 ///
 /// # Errors
-/// Mistakes of the file with their places; what is no serial arm, by name.
+/// Returns the mistakes of the file with their places, or the parts that are not a serial arm, by
+/// name.
 pub fn import(text: &str, options: &ImportOptions) -> Result<Imported, ImportError> {
     let mut snap = Snap::new(options.snap);
     let read = |snap: &mut Snap| ModelFormat::of(text).tree(text, snap);
     let tree = read(&mut snap)?;
-    // The reference has the angles of the file.
+    // The reference keeps the angles of the file.
     let source = read(&mut Snap::new(0.0))?;
     let chain = Chain::new(&tree, options)?;
     let posed = Posed::new(&tree, &chain);
@@ -119,7 +123,7 @@ pub fn import(text: &str, options: &ImportOptions) -> Result<Imported, ImportErr
     })
 }
 
-/// Fingers before which the arm was taken to end, as a note.
+/// Note about the fingers before which the arm was assumed to end.
 fn fingers(tree: &Tree, chain: &Chain) -> Option<String> {
     let names: Vec<String> = chain.fingers.iter().map(|&j| format!("`{}`", tree.joints[j].name)).collect();
     let tip = &tree.bodies[chain.tip].name;
@@ -131,7 +135,7 @@ fn fingers(tree: &Tree, chain: &Chain) -> Option<String> {
     (!names.is_empty()).then(|| said(names.join(" and ")))
 }
 
-/// Report beside the robot.
+/// Reports of an import besides the robot.
 #[derive(Debug, Default)]
 struct Found {
     unknown: Vec<String>,
@@ -161,7 +165,7 @@ impl<'a> Posed<'a> {
                 TreeJointKind::Prismatic => JointKind::Prismatic,
                 _ => JointKind::Revolute,
             };
-            // Length one to the last digit: a product of rotations drifts.
+            // Normalised to the last digit, as a product of rotations drifts.
             Line { point: frame.origin, axis: (frame.rotation * read.axis).normalize(), kind }
         };
         let lines: Vec<Line> = chain.moving.iter().map(line).collect();
@@ -170,7 +174,7 @@ impl<'a> Posed<'a> {
         Self { tree, chain, lines, tip, size: reach.max(0.01), poses }
     }
 
-    /// Bodies that a row carries, from 1.
+    /// Bodies that a row carries; `row` is counted from 1.
     fn carried(&self, row: usize) -> impl Iterator<Item = usize> + '_ {
         (0..self.tree.bodies.len()).filter(move |&b| self.chain.carried_by[b] == Some(row))
     }
@@ -211,7 +215,7 @@ impl<'a> Posed<'a> {
             log: None,
             effects: Vec::new(),
         };
-        // The file is what counts: it must read as this robot.
+        // The file is authoritative: it must read back as this robot.
         match Robot::from_yaml(&robot.to_yaml(), &no_files) {
             Ok(reading) => Ok(reading.robot),
             Err(problems) => Err(ImportError::arm(format!("the robot file would not be valid: {problems}"), "")),
@@ -264,7 +268,7 @@ impl<'a> Posed<'a> {
         }
     }
 
-    /// All bodies that the row carries, in its frame.
+    /// Sum of the inertias of all bodies that the row carries, in its frame.
     fn link(&self, row: &DhRow, line: usize, found: &mut Found) -> Option<Inertia> {
         let joint = &self.tree.joints[self.chain.moving[line]].name;
         let mut sum: Option<Inertia> = None;
@@ -293,7 +297,7 @@ impl<'a> Posed<'a> {
     }
 }
 
-/// A row that leads between nearly parallel axes.
+/// A fixed row between nearly parallel axes.
 fn between(row: &DhRow, next: &str, slack: f64) -> Joint {
     Joint {
         name: format!("before {next}"),
@@ -368,12 +372,12 @@ fn drive(read: &TreeJoint, found: &mut Found) -> Drive {
     drive
 }
 
-/// A name that a crate may have.
+/// A name that is valid for a crate.
 fn shortened(name: &str) -> String {
     name.chars().take(64).collect::<String>().trim_end_matches('-').to_string()
 }
 
-/// Rows in between get names that no joint has.
+/// Makes the names of fixed rows unique.
 fn distinct(joints: &mut [Joint]) {
     for k in 0..joints.len() {
         while joints[k].kind == JointKind::Fixed && joints.iter().filter(|j| j.name == joints[k].name).count() > 1 {
@@ -382,8 +386,8 @@ fn distinct(joints: &mut [Joint]) {
     }
 }
 
-/// Tip in base: the tree by itself against the robot file, at random positions within a turn or a
-/// metre.
+/// Pose of the tip in the base: the tree against the robot file, at random positions within a turn
+/// or a metre.
 fn forward_kinematics_error(tree: &Tree, chain: &Chain, robot: &Robot) -> ForwardKinematicsError {
     let numeric = Numeric::new(robot);
     let mut random = Random::new(1);

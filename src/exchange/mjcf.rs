@@ -1,8 +1,8 @@
-//! Reads MJCF, MuJoCo's format (<https://mujoco.readthedocs.io/en/stable/XMLreference.html>).
+//! Reader of MJCF, MuJoCo's format (<https://mujoco.readthedocs.io/en/stable/XMLreference.html>).
 //!
-//! Bodies with their joints, inertias (also those that the format defines by simple shapes),
-//! default classes, actuators, equality constraints. On `roxmltree` like URDF: `mjcf-rs` names no
-//! line of a mistake.
+//! Reads bodies with their joints, inertias (also those that the format defines by simple shapes),
+//! default classes, actuators and equality constraints. Uses `roxmltree` like the URDF reader, as
+//! `mjcf-rs` does not report the line of a mistake.
 
 use dh_codegen::robot::Inertia;
 use nalgebra::{Matrix3, Vector3};
@@ -17,10 +17,12 @@ mod orientation;
 mod settings;
 mod shape;
 
-/// The tree of an MJCF file. Angles and rotations within the tolerance of `snap` become exact.
+/// Reads the tree of an MJCF file. Angles and rotations within the tolerance of `snap` become
+/// exact.
 ///
 /// # Errors
-/// Every mistake of the file with its line and column; elements that have to be expanded first.
+/// Returns every mistake of the file with its line and column, or elements that have to be expanded
+/// first.
 pub fn tree(text: &str, snap: &mut Snap) -> Result<Tree, ImportError> {
     let document = xml::parse(text)?;
     let root = document.root_element();
@@ -58,7 +60,7 @@ pub fn tree(text: &str, snap: &mut Snap) -> Result<Tree, ImportError> {
     Ok(reader.tree)
 }
 
-/// Elements that MuJoCo's compiler turns into others.
+/// Rejects elements that MuJoCo's compiler expands.
 fn refuse_macros(root: Element<'_>, found: &mut Mistakes) {
     const MACROS: [&str; 7] = ["include", "attach", "replicate", "composite", "flexcomp", "mujocoinclude", "model"];
     let tag = root.descendants().find(|n| n.is_element() && MACROS.contains(&n.tag_name().name()));
@@ -77,7 +79,7 @@ struct Reader<'a, 's> {
 }
 
 impl<'a> Reader<'a, '_> {
-    /// Bodies, sites and frames in a body; `at`: where they stand in it.
+    /// Reads bodies, sites and frames in a body; `at` is their frame's pose in the body.
     fn contents(&mut self, element: Element<'a>, body: usize, at: &Displacement, class: Option<&'a str>) {
         for part in element.children().filter(|n| n.is_element()) {
             match part.tag_name().name() {
@@ -142,7 +144,7 @@ impl<'a> Reader<'a, '_> {
             };
             let Some(moved) = moved else { return };
             if !last {
-                // Stands between two joints of one body.
+                // An intermediate body between two joints of one body.
                 self.tree.bodies[moved].inertia = Some(Inertia::default());
             }
             self.joint(*joint, *class, &name, (carrier, moved), origin);
@@ -191,7 +193,7 @@ impl<'a> Reader<'a, '_> {
         self.tree.joints.push(read);
     }
 
-    /// Limits, friction, rotor, spring.
+    /// Reads limits, friction, rotor and spring.
     fn motion(&mut self, joint: Element<'a>, class: Option<&'a str>, read: &mut TreeJoint) {
         let value = |name: &str| self.settings.value(joint, "joint", class, name);
         let unit = if read.kind == TreeJointKind::Revolute { self.settings.angle } else { 1.0 };
@@ -216,7 +218,7 @@ impl<'a> Reader<'a, '_> {
         read.spring = stiffness.map(|k| [k, rest]);
     }
 
-    /// `inertial`, or what the format makes of the body's shapes.
+    /// Inertia from `inertial`, or from the body's shapes by the rules of the format.
     fn inertia(&mut self, body: Element<'a>, index: usize, class: Option<&'a str>) {
         let geoms: Vec<(Element<'a>, Option<&'a str>)> = gathered(body, "geom", class);
         self.tree.bodies[index].shaped = !geoms.is_empty();
@@ -252,7 +254,7 @@ impl<'a> Reader<'a, '_> {
         Some(Inertia { m, ms: [0.0; 3], i }.moved(&at.rows(), &at.origin.into()))
     }
 
-    /// Torque limits and gears.
+    /// Reads torque limits and gears.
     fn actuators(&mut self, root: Element<'a>) {
         for actuator in children(root, "actuator").flat_map(|list| list.children()).filter(|n| n.is_element()) {
             let Some(name) = actuator.attribute("joint") else { continue };
@@ -283,7 +285,7 @@ impl<'a> Reader<'a, '_> {
         }
     }
 
-    /// How late torques are read.
+    /// Reads the delays of torque sensors.
     fn sensors(&mut self, root: Element<'a>) {
         for sensor in children(root, "sensor").flat_map(|list| list.children()).filter(|n| n.is_element()) {
             let Some(delay) = self.delay(sensor) else { continue };
@@ -301,7 +303,7 @@ impl<'a> Reader<'a, '_> {
         }
     }
 
-    /// A delay that is one, s.
+    /// A valid, non-zero delay, s.
     fn delay(&mut self, element: Element<'a>) -> Option<f64> {
         let seconds = self.found.number(element, "delay").filter(|d| *d != 0.0)?;
         if !(0.0..10.0).contains(&seconds) {
@@ -311,7 +313,7 @@ impl<'a> Reader<'a, '_> {
         Some(seconds)
     }
 
-    /// Tendons pull on joints, and a robot file has none.
+    /// Notes tendons: they load joints, and a robot file has none.
     fn tendons(&mut self, root: Element<'a>) {
         for tendon in children(root, "tendon").flat_map(|list| list.children()).filter(|n| n.is_element()) {
             let name = tendon.attribute("name").map_or(String::new(), |name| format!(" `{name}`"));
@@ -319,7 +321,7 @@ impl<'a> Reader<'a, '_> {
         }
     }
 
-    /// Joints that follow others, and loops.
+    /// Reads joints that follow others, and loops.
     fn equalities(&mut self, root: Element<'a>) {
         for tie in children(root, "equality").flat_map(|list| list.children()).filter(|n| n.is_element()) {
             if tie.attribute("active") == Some("false") {
@@ -374,7 +376,7 @@ impl<'a> Reader<'a, '_> {
         value.and_then(|v| self.found.numbers::<2>(v.at, v.name))
     }
 
-    /// The first number: the linear part of what may be a polynomial.
+    /// First number: the linear part of a possible polynomial.
     fn number(&mut self, value: Option<Value<'a>>) -> Option<f64> {
         let value = value?;
         let list = self.found.list(value.at, value.name)?;
@@ -389,8 +391,8 @@ impl<'a> Reader<'a, '_> {
     }
 }
 
-/// Elements of one kind in a body, also in its frames, with their childclass. (What a frame does to
-/// a geom's pose is added by the reader of poses.)
+/// Elements of one kind in a body, also in its frames, with their childclass. (The reader of poses
+/// applies a frame's pose to a geom.)
 fn gathered<'a>(body: Element<'a>, name: &'static str, class: Option<&'a str>) -> Vec<(Element<'a>, Option<&'a str>)> {
     let mut all: Vec<_> = children(body, name).map(|n| (n, class)).collect();
     for frame in children(body, "frame") {
@@ -399,12 +401,12 @@ fn gathered<'a>(body: Element<'a>, name: &'static str, class: Option<&'a str>) -
     all
 }
 
-/// The size of a range about zero.
+/// Magnitude of a range that is symmetric about zero.
 fn symmetric([lower, upper]: [f64; 2]) -> Option<f64> {
     (lower == -upper && upper > 0.0).then_some(upper)
 }
 
-/// Columns of a rotation.
+/// Rotation with these columns.
 fn from_columns(x: Vector3<f64>, y: Vector3<f64>, z: Vector3<f64>) -> Displacement {
     Displacement { rotation: Matrix3::from_columns(&[x, y, z]), origin: Vector3::zeros() }
 }

@@ -1,4 +1,4 @@
-//! A robot file's numbers into an existing model: meshes, names and comments stay.
+//! Writing a robot file's values into an existing model; meshes, names and comments are kept.
 
 use core::ops::Range;
 use std::collections::BTreeMap;
@@ -19,15 +19,17 @@ use super::{ImportError, ModelFormat};
 use crate::model::rigid_body::Numeric;
 use crate::numerics::prng::Random;
 
-/// How far the model's links may stand from the robot file's, m and entries of rotations.
+/// Largest difference between the model's link poses and the robot file's, m and entries of
+/// rotations.
 const SAME: f64 = 1e-6;
 
-/// The model's text with the robot's inertias, friction and limits. `held`: where joints beside the
-/// arm stood when the robot was identified, rad or m; others stand at zero, or the limit next to
-/// it.
+/// The model's text with the robot's inertias, friction and limits. `held` gives the positions of
+/// joints beside the arm when the robot was identified, rad or m; others are at zero, or at the
+/// limit nearest to it.
 ///
 /// # Errors
-/// Mistakes of the model; joints of the robot that it does not have, or that move otherwise there.
+/// Returns mistakes of the model, and joints of the robot that are missing in it or move
+/// differently there.
 pub fn onto(robot: &Robot, text: &str, held: &[(String, f64)]) -> Result<Exported, ImportError> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
     let format = ModelFormat::of(text);
@@ -75,7 +77,7 @@ pub fn onto(robot: &Robot, text: &str, held: &[(String, f64)]) -> Result<Exporte
     Ok(Exported { text: editor.applied(), left_out, notes: delay_note(robot, format) })
 }
 
-/// The model's joints that the robot's rows move, by name.
+/// The model's joints that correspond to the robot's moving rows, by name.
 fn matched(robot: &Robot, tree: &Tree) -> Result<Vec<usize>, ImportError> {
     let one = |&row: &usize| {
         let joint = &robot.joints[row];
@@ -94,13 +96,13 @@ fn matched(robot: &Robot, tree: &Tree) -> Result<Vec<usize>, ImportError> {
     robot.moving().iter().map(one).collect()
 }
 
-/// Poses of the model's bodies in the robot's frames.
+/// Poses of the model's bodies in the robot's world.
 struct Placed {
     /// Frames of all rows at q = 0.
     all_frames: Vec<Displacement>,
     /// The model's bodies in the same world.
     bodies: Vec<Option<Displacement>>,
-    /// Joints of the rows.
+    /// The model's joint for each moving row.
     joints: Vec<usize>,
 }
 
@@ -146,7 +148,7 @@ impl Placed {
                 })
             })
         };
-        // The world of the robot file is some body above the first joint.
+        // The world of the robot file is a body above the first joint.
         let mut above = vec![tree.joints[joints[0]].parent];
         while let Some(joint) = tree.joint_above(above[above.len() - 1]).filter(|_| above.len() <= tree.bodies.len()) {
             above.push(tree.joints[joint].parent);
@@ -161,7 +163,7 @@ impl Placed {
         Ok(Self { all_frames, bodies: at(*base, &still), joints: joints.to_vec() })
     }
 
-    /// Bodies that row `k` carries.
+    /// Bodies that moving row `k` carries.
     fn carried<'a>(&'a self, tree: &'a Tree, k: usize) -> impl Iterator<Item = usize> + 'a {
         let on_row = move |&body: &usize| {
             let mut at = body;
@@ -177,14 +179,14 @@ impl Placed {
         (0..tree.bodies.len()).filter(on_row)
     }
 
-    /// Another body's inertia in a body's frame.
+    /// Inertia of another body in a body's frame.
     fn in_body(&self, tree: &Tree, other: usize, body: usize) -> Option<Inertia> {
         let at = self.bodies[body]?.inverse().then(&self.bodies[other]?);
         Some(tree.bodies[other].inertia?.moved(&at.rows(), &at.origin.into()))
     }
 
-    /// All that row `k` carries by the robot file, in a body's frame; the rows behind it that do
-    /// not move, and the tool behind the last.
+    /// Inertia of everything that moving row `k` carries by the robot file, in a body's frame: its
+    /// link, the fixed rows behind it, and the tool behind the last.
     fn inertia(&self, robot: &Robot, k: usize, body: usize) -> Option<Inertia> {
         let rows = robot.moving();
         let end = rows.get(k + 1).copied().unwrap_or(robot.joints.len());
@@ -222,7 +224,7 @@ impl<'a> Editor<'a> {
         self.document.descendants().find(same)
     }
 
-    /// An attribute of an element; one that has the same numbers, but for rounding, stays as
+    /// Sets an attribute of an element; one with the same numbers, up to rounding, is kept as
     /// written.
     fn set(&mut self, element: Element<'a>, name: &str, values: &[f64]) {
         match element.attribute_node(name) {
@@ -241,7 +243,7 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// A new element at the beginning of another one.
+    /// Inserts a new element at the beginning of another one.
     fn insert(&mut self, parent: Element<'a>, new: &str) {
         let range = parent.range();
         match parent.first_child() {
@@ -299,7 +301,7 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// Takes the inertia of a body away.
+    /// Removes the inertia of a body.
     fn without_inertia(&mut self, format: ModelFormat, name: &str) {
         let tag = if format == ModelFormat::Urdf { "link" } else { "body" };
         if let Some(old) = self.named(tag, name).and_then(|body| child(body, "inertial")) {
@@ -347,7 +349,7 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// A position of the robot file in the model's zero, sign and unit of angle.
+    /// Converts a position of the robot file to the model's zero, sign and unit of angle.
     fn in_model(&self, joint: &Joint, q: f64) -> f64 {
         let source = joint.source.as_ref().map_or(q, |s| s.sign * (q - s.offset));
         let mut compilers = children(self.document.root_element(), "compiler");
@@ -355,7 +357,8 @@ impl<'a> Editor<'a> {
         if radian || joint.kind == JointKind::Prismatic { source } else { source.to_degrees() }
     }
 
-    /// Delays of motors and of torque sensors; the names are the model's. A joint has one of them.
+    /// Sets delays of motors and of torque sensors, given by names in the model. A joint has at
+    /// most one of them.
     fn delays(&mut self, early: &[(String, f64)], late: &[(String, f64)], left_out: &mut Vec<String>) {
         let root = self.document.root_element();
         let of_joint = |section: &'static str, tag: &'static str, name: &str| {
@@ -403,7 +406,8 @@ impl<'a> Editor<'a> {
         }
     }
 
-    /// URDF names joints in transmissions too: the robot's own children count.
+    /// Element of a joint; in URDF, where transmissions name joints too, only the robot's own
+    /// children.
     fn joint_element(&self, format: ModelFormat, name: &str) -> Option<Element<'a>> {
         match format {
             ModelFormat::Urdf => {

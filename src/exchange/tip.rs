@@ -1,4 +1,4 @@
-//! Where an arm ends: the leaf behind most joints, before the fingers of a gripper.
+//! End of an arm: the leaf behind the most joints, before the fingers of a gripper.
 
 use std::collections::BTreeSet;
 
@@ -6,33 +6,33 @@ use super::ImportError;
 use super::displacement::Displacement;
 use super::tree::{Tree, TreeJointKind};
 
-/// Longest stroke of a gripper's finger, m; what slides further is taken for an axis.
+/// Longest stroke of a gripper's finger, m; a longer slide counts as an axis of the arm.
 const STROKE: f64 = 0.2;
 
-/// More joints than a finger has.
+/// Limit on the joints searched behind a joint: more than a finger has.
 const FINGER: usize = 20;
 
-/// The end of an arm that is chosen where the user names none.
+/// Default end of an arm.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Tip {
     /// Index of the body.
     pub(super) body: usize,
-    /// Joints of a gripper's fingers behind it.
+    /// Joints of gripper fingers behind it.
     pub(super) fingers: Vec<usize>,
 }
 
-/// A link that the arm may end with, and the number of moving joints before it.
+/// A possible end link of the arm, and the number of moving joints before it.
 type End = (usize, usize);
 
-/// Joints that leave one rigid part, each the first of a branch that moves by itself.
+/// Joints that leave one rigid part, each the first of a branch that moves independently.
 #[derive(Debug, Clone, PartialEq)]
 struct Fork {
-    /// Last body that all branches hang on.
+    /// Last body that carries all branches.
     carrier: usize,
     branches: Vec<usize>,
 }
 
-/// The only leaf behind the most moving joints; where it is a finger, the link that carries the
+/// The only leaf behind the most moving joints; if it is a finger, the link that carries the
 /// gripper's fingers.
 pub(super) fn default_tip(tree: &Tree, base: usize) -> Result<Tip, ImportError> {
     let grippers = grippers(tree, base);
@@ -53,7 +53,7 @@ pub(super) fn default_tip(tree: &Tree, base: usize) -> Result<Tip, ImportError> 
     }
 }
 
-/// Names the ends to choose from.
+/// Error that names the ends to choose from.
 fn several(tree: &Tree, best: &[End], candidates: &[End]) -> ImportError {
     let mend = "choose one with --tip, or any link on the way to it";
     let most = best.first().map_or(0, |(_, joints)| *joints);
@@ -73,7 +73,7 @@ fn several(tree: &Tree, best: &[End], candidates: &[End]) -> ImportError {
     )
 }
 
-/// Ends with most moving joints, those before a branching first.
+/// Ends with the most moving joints, those before a branching first.
 pub(super) fn candidates(tree: &Tree, base: usize) -> Vec<End> {
     let grippers = grippers(tree, base);
     let best = best(tree, base, &grippers);
@@ -88,7 +88,7 @@ pub(super) fn candidates(tree: &Tree, base: usize) -> Vec<End> {
     ends
 }
 
-/// Leaves behind most moving joints; for a finger of a gripper, the link that carries it.
+/// Leaves behind the most moving joints; for a gripper's finger, the link that carries it.
 fn best(tree: &Tree, base: usize, grippers: &[Fork]) -> Vec<End> {
     let mut ends: Vec<End> = Vec::new();
     for leaf in leaves(tree, base) {
@@ -105,7 +105,7 @@ fn best(tree: &Tree, base: usize, grippers: &[Fork]) -> Vec<End> {
     ends
 }
 
-/// The first link on the way to a body where the chain branches and fewer joints stand behind than
+/// The first link on the way to a body where the chain branches and fewer joints are behind than
 /// before, as with the fingers of a hand. With grippers, only where one of them is.
 fn arm_end(tree: &Tree, base: usize, body: usize, grippers: Option<&[Fork]>) -> Option<End> {
     let all = moving_before(tree, base, body);
@@ -146,8 +146,7 @@ fn grippers(tree: &Tree, base: usize) -> Vec<Fork> {
         .collect()
 }
 
-/// Of the branches of a rigid part, those in which all joints follow one actuator that is among
-/// them.
+/// Branches of a rigid part in which all joints follow one actuator of these branches.
 fn followers(tree: &Tree, branches: &[usize]) -> Vec<usize> {
     let actuator = |branch: usize| {
         let joints = moved_by(tree, branch);
@@ -169,7 +168,7 @@ fn followers(tree: &Tree, branches: &[usize]) -> Vec<usize> {
         .unwrap_or_default()
 }
 
-/// Of the branches of a rigid part, those that are one short slide each, all parallel.
+/// Branches of a rigid part that are one short slide each, all parallel.
 fn sliders(tree: &Tree, branches: &[usize]) -> Vec<usize> {
     let short = |&&j: &&usize| {
         let joint = &tree.joints[j];
@@ -192,7 +191,7 @@ fn sliders(tree: &Tree, branches: &[usize]) -> Vec<usize> {
     if parallel { slides } else { Vec::new() }
 }
 
-/// The first body of the rigid part that a joint hangs on.
+/// First body of the rigid part to which a joint is attached.
 fn rigid_root(tree: &Tree, joint: usize) -> Option<usize> {
     let mut body = tree.joints[joint].parent;
     for _ in 0..tree.joints.len() {
@@ -204,7 +203,7 @@ fn rigid_root(tree: &Tree, joint: usize) -> Option<usize> {
     None
 }
 
-/// Joints by which something moves against a rigid part, which begins with `body`.
+/// First joints of everything that moves relative to the rigid part beginning with `body`.
 fn branches(tree: &Tree, body: usize) -> Vec<usize> {
     below(tree, body, usize::MAX, |kind| kind == TreeJointKind::Fixed)
         .into_iter()
@@ -212,14 +211,14 @@ fn branches(tree: &Tree, body: usize) -> Vec<usize> {
         .collect()
 }
 
-/// Joints that move with a joint, itself among them, but those that are fixed; as many as fingers
-/// have, so that large trees take no longer.
+/// Non-fixed joints that move with a joint, itself included. The search is limited to the number of
+/// joints of fingers, so that large trees take no longer.
 fn moved_by(tree: &Tree, joint: usize) -> Vec<usize> {
     let behind = below(tree, tree.joints[joint].child, FINGER, |_| true);
     std::iter::once(joint).chain(behind).filter(|&j| tree.joints[j].kind != TreeJointKind::Fixed).collect()
 }
 
-/// Joints below a body, as far as those lead that may be passed, until there are `most`.
+/// Joints below a body, through joints of the kinds that `passed` accepts, until there are `most`.
 fn below(tree: &Tree, body: usize, most: usize, passed: impl Fn(TreeJointKind) -> bool) -> Vec<usize> {
     let mut found: Vec<usize> = Vec::new();
     let mut seen = BTreeSet::from([body]);
@@ -237,7 +236,7 @@ fn below(tree: &Tree, body: usize, most: usize, passed: impl Fn(TreeJointKind) -
     found
 }
 
-/// The last body on the way to all of these joints.
+/// Last body common to the paths to all of these joints.
 fn common(tree: &Tree, base: usize, joints: &[usize]) -> usize {
     let paths: Vec<Vec<usize>> = joints.iter().filter_map(|&j| tree.path(base, tree.joints[j].parent)).collect();
     let Some(first) = paths.first() else { return base };

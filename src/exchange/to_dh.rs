@@ -1,84 +1,87 @@
-//! Lines of joints to a modified DH table: frames on common normals (Khalil and Dombre, 3.2).
+//! Conversion of joint axes to a modified DH table: frames on common normals (Khalil and Dombre,
+//! 3.2).
 //!
-//! Axis z of frame i lies on joint i, axis x of it on the common normal to joint i+1. Five cases of
-//! neighbours: skew, crossing, parallel, anti-parallel, one line. Where the normal is free, frame i
-//! stays at the foot of the one before, so that lengths vanish. The z axis points as the source's
-//! does, so positions are the source's own, and its zero goes into `theta` (`r`).
+//! Axis z of frame i lies on joint i, and its axis x on the common normal to joint i+1. There are
+//! five cases of neighbouring axes: skew, crossing, parallel, anti-parallel, collinear. Where the
+//! normal is free, frame i stays at the foot of the previous one, so that lengths vanish. The z
+//! axis points as in the source, so positions are the source's own, and its zero goes into `theta`
+//! (`r`).
 
 use dh_codegen::robot::{Angle, JointKind};
 use nalgebra::{Matrix3, Vector3};
 
 use super::displacement::Displacement;
 
-/// Sine of an angle below which axes count as parallel.
+/// Sine of the angle below which axes count as parallel.
 const PARALLEL: f64 = 1e-9;
 
-/// Sine of an angle below which the common normal is farther away than any robot reaches: a row
-/// that does not move goes in between.
+/// Sine of the angle below which the common normal is farther away than any robot's size: a fixed
+/// row is inserted.
 const NEARLY_PARALLEL: f64 = 1e-2;
 
-/// Sizes below this part of the robot's are rounding.
+/// Sizes below this share of the robot's are rounding errors.
 const ROUNDING: f64 = 1e-12;
 
-/// Cosine below which a normal is square to the axis x before it: either of its senses will do.
+/// Cosine below which a normal is perpendicular to the previous axis x, so that either direction is
+/// possible.
 const SQUARE: f64 = 1e-9;
 
-/// How the axes of neighbouring joints lie.
+/// Relation of the axes of neighbouring joints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Neighbours {
-    /// Neither meet nor are parallel.
+    /// Neither intersecting nor parallel.
     Skew,
-    /// Meet in a point.
+    /// Intersecting in a point.
     Crossing,
-    /// Parallel, some way apart.
+    /// Parallel at a distance.
     Parallel,
     /// Parallel and opposed: `alpha = pi`.
     AntiParallel,
-    /// On one line, the same way round or opposed.
+    /// Collinear, in the same or the opposite direction.
     OneLine,
-    /// Off parallel by less than can be distinguished from rounding, and more than rounding of
-    /// doubles.
+    /// Not parallel by an angle too small for a practical common normal, but larger than the
+    /// rounding of doubles.
     NearlyParallel,
 }
 
-/// A joint's axis where all joints stand at their reference.
+/// A joint's axis with all joints at their reference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Line {
-    /// A point on it, m.
+    /// A point on the axis, m.
     pub(super) point: Vector3<f64>,
-    /// Unit vector.
+    /// Unit vector of the axis.
     pub(super) axis: Vector3<f64>,
-    /// Turns, slides, or does not move (rows in between).
+    /// Kind of joint; fixed for inserted rows.
     pub(super) kind: JointKind,
 }
 
 /// A row of the table.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct DhRow {
-    /// Index into the lines; `None`: a row that does not move.
+    /// Index into the lines; `None`: a fixed row.
     pub(super) line: Option<usize>,
     /// Twist, rad.
     pub(super) alpha: f64,
-    /// m
+    /// Length, m.
     pub(super) d: f64,
-    /// rad
+    /// Joint angle at the reference, rad.
     pub(super) theta: f64,
-    /// m
+    /// Offset, m.
     pub(super) r: f64,
-    /// The frame, all joints at their reference.
+    /// Pose of the frame with all joints at their reference.
     pub(super) frame: Displacement,
 }
 
-/// Rows with the poses before and behind them.
+/// Rows of a table with the poses before and behind them.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct DhTable {
-    /// Frame 0; `None`: the frame that the lines are given in.
+    /// Pose of frame 0; `None`: the frame in which the lines are given.
     pub(super) base: Option<Displacement>,
-    /// Base to tip.
+    /// Rows from base to tip.
     pub(super) rows: Vec<DhRow>,
-    /// The tip in the last frame; `None`: the last frame is the tip's.
+    /// Pose of the tip in the last frame; `None`: the last frame is the tip's.
     pub(super) tool: Option<Displacement>,
-    /// How neighbouring lines lie, and the angle by which nearly parallel ones differ, rad.
+    /// Relation of neighbouring lines, and the angle by which nearly parallel ones differ, rad.
     pub(super) neighbours: Vec<(Neighbours, f64)>,
 }
 
@@ -93,7 +96,7 @@ struct Corner {
 impl Corner {
     fn displacement(&self) -> Displacement {
         let z = self.z;
-        // Square to the last digit, as theta is measured from it.
+        // Orthogonal to the last digit, as theta is measured from it.
         let x = (self.x - z * z.dot(&self.x)).normalize();
         Displacement { rotation: Matrix3::from_columns(&[x, z.cross(&x), z]), origin: self.origin }
     }
@@ -108,7 +111,7 @@ struct Normal {
     angle: f64,
 }
 
-/// The table of lines that end in a tip frame; both in one frame, `size` that of the robot, m.
+/// Table for lines that end in a tip frame, both in one frame; `size` is that of the robot, m.
 pub(super) fn table(lines: &[Line], tip: &Displacement, size: f64) -> DhTable {
     let tiny = ROUNDING * size;
     let (base, foot) = first(&lines[0], tiny);
@@ -139,12 +142,12 @@ struct Builder {
     neighbours: Vec<(Neighbours, f64)>,
     /// The last frame.
     before: Corner,
-    /// Foot of its normal on the next line.
+    /// Foot of its normal on the next line, m.
     foot: Vector3<f64>,
 }
 
 impl Builder {
-    /// The row from the last frame to one on a line, with the normal that leaves it.
+    /// Adds the row from the last frame to one on a line, with the normal that leaves it.
     fn row(&mut self, line: &Line, index: Option<usize>, at: &Normal) {
         let (before, z) = (self.before, line.axis);
         let here = Corner { origin: at.start, x: at.x, z };
@@ -160,7 +163,7 @@ impl Builder {
         (self.before, self.foot) = (here, at.end);
     }
 
-    /// Base, tool, and a first row of zeros where the base is the first frame.
+    /// Completes the table: base, tool, and a first row of zeros if the base is the first frame.
     fn finish(mut self, base: Corner, tip: &Displacement, tiny: f64) -> DhTable {
         let in_world = base.z == Vector3::z() && base.x == Vector3::x() && base.origin == Vector3::zeros();
         let base = if in_world {
@@ -176,14 +179,14 @@ impl Builder {
     }
 }
 
-/// Frame 0, and where its axis x meets the first line: the frame of the lines itself where one row
-/// leads from it to the first joint.
+/// Frame 0, and the intersection of its axis x with the first line. It is the frame of the lines
+/// itself if one row leads from it to the first joint.
 fn first(line: &Line, tiny: f64) -> (Corner, Vector3<f64>) {
     let (x, z) = (Vector3::x(), Vector3::z());
     let world = Corner { origin: Vector3::zeros(), x, z };
     let across = line.axis.cross(&x);
     if line.axis.dot(&x).abs() < PARALLEL {
-        // The line meets the axis x where its point has no part across both.
+        // The line intersects the axis x if its point has no component across both.
         let off = if line.kind == JointKind::Prismatic { 0.0 } else { line.point.dot(&across) };
         if off.abs() < tiny {
             let d = if line.kind == JointKind::Prismatic { 0.0 } else { line.point.dot(&x) };
@@ -195,7 +198,7 @@ fn first(line: &Line, tiny: f64) -> (Corner, Vector3<f64>) {
     (Corner { origin: line.point, x: side.normalize(), z: line.axis }, line.point)
 }
 
-/// The last frame: the tip's own where it stands on the joint's axis, else at the foot.
+/// The last frame: the tip's own if it is on the joint's axis, else at the foot.
 fn last(line: &Line, foot: &Vector3<f64>, x: &Vector3<f64>, tip: &Displacement, tiny: f64) -> Normal {
     let along: Vector3<f64> = tip.rotation.column(2).into();
     let way = tip.origin - foot;
@@ -205,13 +208,13 @@ fn last(line: &Line, foot: &Vector3<f64>, x: &Vector3<f64>, tip: &Displacement, 
     Normal { x, start, end: start, case: Neighbours::OneLine, angle: 0.0 }
 }
 
-/// The common normal from the line through `a` along `z` to the next line; `x` is the axis x
-/// before it, which is kept, or left by the smaller turn.
+/// The common normal from the line through `a` along `z` to the next line. `x` is the previous axis
+/// x, which is kept, or turned by the smaller angle.
 fn normal(a: &Vector3<f64>, z: &Vector3<f64>, x: &Vector3<f64>, next: &Line, tiny: f64) -> Normal {
     let cross = z.cross(&next.axis);
     let (sine, same) = (cross.norm(), z.dot(&next.axis) > 0.0);
     let free = next.kind == JointKind::Prismatic;
-    // The line of a sliding joint may be moved: it goes through the last foot.
+    // The line of a sliding joint may be shifted: it passes through the last foot.
     let to = if free { Vector3::zeros() } else { next.point - a };
     let angle = if same { sine.asin() } else { core::f64::consts::PI - sine.asin() };
     if sine < PARALLEL {
@@ -230,7 +233,7 @@ fn normal(a: &Vector3<f64>, z: &Vector3<f64>, x: &Vector3<f64>, next: &Line, tin
     let start = a + z * (to.cross(&next.axis).dot(&cross) / (sine * sine));
     let end = a + to + next.axis * (to.cross(z).dot(&cross) / (sine * sine));
     let crossing = distance.abs() < tiny;
-    // If both senses turn equally far: a positive twist, or a positive length.
+    // If both directions turn equally far: a positive twist, or a positive length.
     let positive = if crossing || distance > 0.0 { n } else { -n };
     let along = match positive.dot(x) {
         cosine if cosine < -SQUARE => -positive,
@@ -245,7 +248,7 @@ fn normal(a: &Vector3<f64>, z: &Vector3<f64>, x: &Vector3<f64>, next: &Line, tin
     Normal { x: along, start, end, case, angle }
 }
 
-/// A line through the foot that crosses the next line at a right angle.
+/// A line through the foot that intersects the next line at a right angle.
 fn bridge(foot: &Vector3<f64>, next: &Line, tiny: f64) -> Line {
     let to = next.point - foot;
     let aside = to - next.axis * next.axis.dot(&to);
@@ -259,7 +262,7 @@ fn bridge(foot: &Vector3<f64>, next: &Line, tiny: f64) -> Line {
     Line { point: *foot, axis, kind: JointKind::Fixed }
 }
 
-/// The angle less the position at which it holds.
+/// The angle minus the position at which it holds.
 pub(super) fn less(angle: Angle, reference: f64, tolerance: f64) -> Angle {
     if reference == 0.0 { angle } else { super::exact::exact_angle(angle.value - reference, tolerance) }
 }

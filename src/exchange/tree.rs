@@ -10,13 +10,13 @@ pub use super::displacement::Displacement;
 /// Motion that a joint of a tree allows its child.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TreeJointKind {
-    /// Does not move.
+    /// No motion.
     Fixed,
-    /// Turns about its axis; `continuous` of URDF too.
+    /// Rotation about its axis; also URDF's `continuous`.
     Revolute,
-    /// Slides along its axis.
+    /// Translation along its axis.
     Prismatic,
-    /// Moves otherwise: the name that the format has for it.
+    /// Other motion, with the format's name for it.
     Other(&'static str),
 }
 
@@ -27,7 +27,7 @@ pub struct Mimic {
     pub joint: usize,
     /// Factor.
     pub multiplier: f64,
-    /// rad or m
+    /// Offset, rad or m.
     pub offset: f64,
 }
 
@@ -36,23 +36,23 @@ pub struct Mimic {
 pub struct TreeJoint {
     /// Name in the file.
     pub name: String,
-    /// How it moves.
+    /// Kind of motion.
     pub kind: TreeJointKind,
     /// Index of the body that carries it.
     pub parent: usize,
     /// Index of the body that it moves.
     pub child: usize,
-    /// The joint's frame in the parent's.
+    /// Pose of the joint's frame in the parent's.
     pub origin: Displacement,
-    /// The child's frame in the joint's moved frame; the identity in URDF.
+    /// Pose of the child's frame in the joint's moved frame; the identity in URDF.
     pub behind: Displacement,
     /// Unit vector in the joint's frame.
     pub axis: Vector3<f64>,
     /// Position at which `origin` holds, rad or m (`ref` of MJCF).
     pub reference: f64,
-    /// Lower and upper position, rad or m; `None`: none, or not known.
+    /// Lower and upper position, rad or m; `None` if there are none or they are unknown.
     pub position: Option<[f64; 2]>,
-    /// Has it no limits of position by its type?
+    /// Whether the joint has no position limits by its type.
     pub endless: bool,
     /// Largest speed, rad/s or m/s.
     pub velocity: Option<f64>,
@@ -66,16 +66,16 @@ pub struct TreeJoint {
     pub armature: Option<f64>,
     /// Motor turns per joint turn.
     pub gear: Option<f64>,
-    /// Stiffness, N m/rad or N/m, and position without torque.
+    /// Stiffness, N m/rad or N/m, and rest position, rad or m.
     pub spring: Option<[f64; 2]>,
-    /// How late the torque is read (above zero) or acts after its command (below zero), s.
+    /// Delay, s, with which the torque is read (positive) or acts after its command (negative).
     pub delay: Option<f64>,
-    /// Follows another joint.
+    /// Coupling to another joint that it follows.
     pub mimic: Option<Mimic>,
 }
 
 impl TreeJoint {
-    /// A joint that does not move, at the parent's frame.
+    /// A fixed joint with its frame at `origin` in the parent.
     pub fn fixed(name: impl Into<String>, parent: usize, child: usize, origin: Displacement) -> Self {
         Self {
             name: name.into(),
@@ -100,12 +100,12 @@ impl TreeJoint {
         }
     }
 
-    /// Does it move in one direction?
+    /// Whether it moves with one degree of freedom.
     pub fn moves(&self) -> bool {
         matches!(self.kind, TreeJointKind::Revolute | TreeJointKind::Prismatic)
     }
 
-    /// The child's frame in the parent's at a position, rad or m.
+    /// Pose of the child's frame in the parent's at a position, rad or m.
     pub fn displacement(&self, q: f64) -> Displacement {
         let by = q - self.reference;
         let moved = match self.kind {
@@ -117,28 +117,28 @@ impl TreeJoint {
     }
 }
 
-/// A body.
+/// A body of a tree.
 #[derive(Debug, Clone, PartialEq)]
 pub struct TreeBody {
     /// Name in the file.
     pub name: String,
-    /// Inertial parameters in its frame, about the origin; `None` where the file gives none.
+    /// Inertial parameters in its frame, about the origin; `None` if the file gives none.
     pub inertia: Option<Inertia>,
-    /// Has it a shape (visual, collision, geom)? A body without one and without inertia is a mere
-    /// frame.
+    /// Whether it has a shape (visual, collision, geom). A body without a shape and without inertia
+    /// is only a frame.
     pub shaped: bool,
-    /// Is it only a named frame (`site` of MJCF), which ends no chain by itself?
+    /// Whether it is only a named frame (`site` of MJCF), which does not end a chain.
     pub site: bool,
 }
 
-/// Joints that close a loop, or tie bodies otherwise: kind, name, joints or bodies.
+/// Joints that close a loop, or couple bodies otherwise.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tie {
-    /// Name of the format for it.
+    /// The format's name for it.
     pub what: String,
-    /// Names of the joints that it concerns.
+    /// Names of the joints involved.
     pub joints: Vec<String>,
-    /// Names of the bodies that it concerns.
+    /// Names of the bodies involved.
     pub bodies: Vec<String>,
 }
 
@@ -155,7 +155,7 @@ pub struct Tree {
     pub bodies: Vec<TreeBody>,
     /// Joints, in the file's order.
     pub joints: Vec<TreeJoint>,
-    /// Loops.
+    /// Loops and other couplings.
     pub ties: Vec<Tie>,
     /// Skipped entries, a sentence each.
     pub notes: Vec<String>,
@@ -177,7 +177,7 @@ impl Tree {
         (0..self.joints.len()).filter(move |&j| self.joints[j].parent == body)
     }
 
-    /// The joint that a joint follows in the end: itself where it follows none.
+    /// The joint at the end of a joint's chain of couplings: itself if it follows none.
     pub fn master(&self, mut joint: usize) -> usize {
         for _ in 0..self.joints.len() {
             match &self.joints[joint].mimic {
@@ -188,7 +188,7 @@ impl Tree {
         joint
     }
 
-    /// Joints from `base` to `body`, in order; `None` where `base` is no ancestor.
+    /// Joints from `base` to `body`, in order; `None` if `base` is no ancestor.
     pub fn path(&self, base: usize, body: usize) -> Option<Vec<usize>> {
         let mut joints = Vec::new();
         let mut at = body;

@@ -1,4 +1,5 @@
-//! Reads URDF (<http://wiki.ros.org/urdf/XML>): the elements `link`, `joint` and `transmission`.
+//! Reader of URDF (<http://wiki.ros.org/urdf/XML>): the elements `link`, `joint` and
+//! `transmission`.
 
 use std::collections::BTreeMap;
 
@@ -10,10 +11,10 @@ use super::exact::Snap;
 use super::tree::{Displacement, Mimic, Tie, Tree, TreeBody, TreeJoint, TreeJointKind};
 use super::xml::{self, Element, Mistakes, child, children};
 
-/// The tree of a URDF file. Angles within the tolerance of `snap` become exact.
+/// Reads the tree of a URDF file. Angles within the tolerance of `snap` become exact.
 ///
 /// # Errors
-/// Every mistake of the file with its line and column; a file with xacro tags.
+/// Returns every mistake of the file with its line and column; a file with xacro tags is rejected.
 pub fn tree(text: &str, snap: &mut Snap) -> Result<Tree, ImportError> {
     let document = xml::parse(text)?;
     let root = document.root_element();
@@ -57,11 +58,11 @@ fn empty(root: Element<'_>) -> Tree {
     }
 }
 
-/// Tags and expressions of xacro that were not expanded.
+/// Rejects tags and expressions of xacro that were not expanded.
 fn refuse_xacro(root: Element<'_>, found: &mut Mistakes) {
     let is_xacro = |n: &Element<'_>| n.is_element() && n.tag_name().namespace().is_some_and(|s| s.contains("xacro"));
     let expression = |n: &Element<'_>| n.attributes().any(|a| a.value().contains("${") || a.value().contains("$("));
-    // A file of macros alone has no other tag: the first one is enough.
+    // A file of macros alone has no other tag, so the first one suffices.
     if let Some(tag) = root.descendants().find(|n| is_xacro(n) || (n.is_element() && expression(n))) {
         let what = match is_xacro(&tag) {
             true => format!("`{}` is a tag of xacro, which is not expanded here", tag.tag_name().name()),
@@ -90,7 +91,7 @@ struct Reader<'a> {
     snap: &'a mut Snap,
     found: Mistakes,
     tree: Tree,
-    /// Joint above each body that was seen.
+    /// Joint above each body found so far.
     places: BTreeMap<usize, String>,
 }
 
@@ -106,7 +107,7 @@ impl Reader<'_> {
         self.tree.bodies.push(TreeBody { name: name.to_string(), inertia, shaped, site: false });
     }
 
-    /// Mass and tensor about the centre of mass, moved to the link's origin.
+    /// Mass and tensor about the centre of mass, transformed to the link's origin.
     fn inertial(&mut self, inertial: Element<'_>) -> Option<Inertia> {
         let at = child(inertial, "origin").map_or(Some(Displacement::identity()), |origin| self.origin(origin))?;
         let mass = child(inertial, "mass");
@@ -123,7 +124,7 @@ impl Reader<'_> {
         let (mass, tensor) = (mass?, tensor?);
         self.found.required(mass, "value")?;
         let m = self.found.number(mass, "value")?;
-        // Products that are left out are zero, moments are not.
+        // Missing products are zero, but moments are required.
         let mut entry = |name: &str, needed: bool| {
             if needed {
                 self.found.required(tensor, name)?;
@@ -141,7 +142,7 @@ impl Reader<'_> {
         Some(Inertia { m, ms: [0.0; 3], i }.moved(&at.rows(), &at.origin.into()))
     }
 
-    /// `xyz`, and `rpy` or (since version 1.2 of the format) `quat_xyzw`.
+    /// Pose from `xyz`, and `rpy` or (since version 1.2 of the format) `quat_xyzw`.
     fn origin(&mut self, origin: Element<'_>) -> Option<Displacement> {
         let has = |name: &str| origin.attribute(name).is_some();
         let xyz = if has("xyz") { self.found.place(origin, "xyz")? } else { [0.0; 3] };
@@ -159,7 +160,7 @@ impl Reader<'_> {
         Some(Displacement::new(Pose { xyz, rpy }.rotation(), xyz))
     }
 
-    /// Reads a joint; was it one?
+    /// Reads a joint; false if it is invalid.
     fn joint(&mut self, joint: Element<'_>) -> bool {
         let Some(name) = self.found.required(joint, "name") else { return false };
         if self.tree.joints.iter().any(|j| j.name == name) {
@@ -204,7 +205,7 @@ impl Reader<'_> {
         })
     }
 
-    /// The link that `parent` or `child` names.
+    /// Index of the link that `parent` or `child` names.
     fn end(&mut self, joint: Element<'_>, which: &'static str) -> Option<usize> {
         let Some(element) = child(joint, which) else {
             self.found.element(joint, format!("`{which}` is missing"), format!("write <{which} link=\"..\"/>"));
@@ -218,7 +219,7 @@ impl Reader<'_> {
         body
     }
 
-    /// Axis, limits, dynamics.
+    /// Reads axis, limits and dynamics.
     fn motion(&mut self, joint: Element<'_>, read: &mut TreeJoint) {
         if let Some(axis) = child(joint, "axis")
             && let Some(xyz) = self.found.numbers::<3>(axis, "xyz")
@@ -232,7 +233,7 @@ impl Reader<'_> {
             let mut number = |name: &str| self.found.number(limit, name);
             let (lower, upper) = (number("lower"), number("upper"));
             (read.effort, read.velocity) = (number("effort"), number("velocity"));
-            // One that is left out is 0 by the format.
+            // A missing limit is 0 by the format.
             if lower.is_some() || upper.is_some() {
                 read.position = Some([lower.unwrap_or(0.0), upper.unwrap_or(0.0)]);
             }
@@ -243,7 +244,7 @@ impl Reader<'_> {
         }
     }
 
-    /// Joints that follow others, once all are known.
+    /// Reads joints that follow others, once all are known.
     fn mimics(&mut self, joints: &[Element<'_>]) {
         for (index, joint) in joints.iter().enumerate() {
             let Some(mimic) = child(*joint, "mimic") else { continue };
@@ -258,7 +259,7 @@ impl Reader<'_> {
         }
     }
 
-    /// `mechanicalReduction` of a transmission with one joint.
+    /// Reads `mechanicalReduction` of transmissions with one joint.
     fn transmissions(&mut self, root: Element<'_>) {
         for transmission in children(root, "transmission") {
             let joints: Vec<&str> = children(transmission, "joint").filter_map(|j| j.attribute("name")).collect();

@@ -1,21 +1,22 @@
-//! XML with places: elements, attributes, numbers, and every mistake with line and column.
+//! XML with positions: elements, attributes, numbers, and every mistake with line and column.
 //!
-//! On `roxmltree`, because it gives the position of each attribute. A deserialiser (`urdf-rs`)
-//! stops at the first mistake, names no place, and fills in missing values.
+//! Uses `roxmltree`, because it gives the position of each attribute. A deserialiser (`urdf-rs`)
+//! stops at the first mistake, reports no position, and fills in missing values.
 
 use dh_codegen::robot::Problem;
 use roxmltree::{Attribute, Document, Node, ParsingOptions, TextPos};
 
-/// An element.
+/// An element of the document.
 pub(super) type Element<'a> = Node<'a, 'a>;
 
-/// Largest coordinate of a place, m. Beyond it, rounding alone moves a tip by more than 1e-9 m.
+/// Largest coordinate of a position, m. Beyond it, rounding alone moves a tip by more than 1e-9 m.
 const FARTHEST: f64 = 1e5;
 
-/// Longest file, bytes. The document takes some ten times as much memory.
+/// Largest file, bytes. The document takes some ten times as much memory.
 const LONGEST: usize = 8 << 20;
 
-/// Most quotation marks in one tag: the time to compare attributes grows with their number squared.
+/// Largest number of quotation marks in one tag: the time to compare attributes grows with their
+/// number squared.
 const MOST_QUOTES: usize = 2000;
 
 /// Parses a text.
@@ -31,7 +32,7 @@ pub(super) fn parse(text: &str) -> Result<Document<'_>, Vec<Problem>> {
     let options = ParsingOptions { allow_dtd: true, ..ParsingOptions::default() };
     Document::parse_with_options(text, options).map_err(|error| {
         let mut what = error.to_string();
-        // The place stands in front already.
+        // The position is already at the front of the message.
         if let Some(at) = what.rfind(" at ") {
             what.truncate(at);
         }
@@ -39,7 +40,7 @@ pub(super) fn parse(text: &str) -> Result<Document<'_>, Vec<Problem>> {
     })
 }
 
-/// What would take too much memory or time to parse.
+/// Describes what would take too much memory or time to parse.
 fn too_large(text: &str) -> Option<String> {
     if text.len() > LONGEST {
         return Some(format!("the file has {} bytes, more than the {LONGEST} that are read", text.len()));
@@ -67,13 +68,13 @@ pub(super) fn problem(at: TextPos, path: &str, what: impl Into<String>, mend: im
 pub(super) struct Mistakes(pub(super) Vec<Problem>);
 
 impl Mistakes {
-    /// A mistake of a whole element.
+    /// Adds a mistake of a whole element.
     pub(super) fn element(&mut self, at: Element<'_>, what: impl Into<String>, mend: impl Into<String>) {
         let place = at.document().text_pos_at(at.range().start);
         self.0.push(problem(place, &path(at), what, mend));
     }
 
-    /// A mistake in an attribute.
+    /// Adds a mistake in an attribute.
     pub(super) fn attribute(
         &mut self,
         at: Element<'_>,
@@ -85,7 +86,7 @@ impl Mistakes {
         self.0.push(problem(place, &format!("{}.{}", path(at), attribute.name()), what, mend));
     }
 
-    /// The text of an attribute that must be there.
+    /// Text of a required attribute.
     pub(super) fn required<'a>(&mut self, at: Element<'a>, name: &str) -> Option<&'a str> {
         let value = at.attribute(name);
         if value.is_none() {
@@ -94,7 +95,7 @@ impl Mistakes {
         value
     }
 
-    /// So many numbers; `None` where the attribute is absent or wrong.
+    /// Exactly `N` numbers; `None` if the attribute is missing or wrong.
     pub(super) fn numbers<const N: usize>(&mut self, at: Element<'_>, name: &str) -> Option<[f64; N]> {
         let list = self.list(at, name)?;
         let count = list.len();
@@ -105,14 +106,14 @@ impl Mistakes {
         array
     }
 
-    /// A mistake in the count of numbers.
+    /// Adds a mistake in the count of numbers.
     pub(super) fn count(&mut self, at: Element<'_>, name: &str, count: usize, expected: &str) {
         let Some(attribute) = find(at, name) else { return };
         let mend = format!("write {expected} number(s), with blanks between them");
         self.attribute(at, &attribute, format!("{count} number(s) stand here"), mend);
     }
 
-    /// All numbers of an attribute; `None` where the attribute is absent or wrong.
+    /// All numbers of an attribute; `None` if the attribute is missing or wrong.
     pub(super) fn list(&mut self, at: Element<'_>, name: &str) -> Option<Vec<f64>> {
         let attribute = find(at, name)?;
         let mut numbers = Vec::new();
@@ -133,7 +134,7 @@ impl Mistakes {
         Some(numbers)
     }
 
-    /// A place in space, m.
+    /// A position in space, m.
     pub(super) fn place(&mut self, at: Element<'_>, name: &str) -> Option<[f64; 3]> {
         let place = self.numbers::<3>(at, name)?;
         let Some(far) = place.iter().find(|x| x.abs() > FARTHEST) else { return Some(place) };
@@ -142,7 +143,7 @@ impl Mistakes {
         None
     }
 
-    /// One number.
+    /// A single number.
     pub(super) fn number(&mut self, at: Element<'_>, name: &str) -> Option<f64> {
         self.numbers::<1>(at, name).map(|[number]| number)
     }
@@ -152,7 +153,7 @@ fn find<'a>(at: Element<'a>, name: &str) -> Option<Attribute<'a, 'a>> {
     at.attributes().find(|a| a.name() == name && a.namespace().is_none())
 }
 
-/// `joint "elbow" limit`: the element, from the nearest one that has a name.
+/// Path of an element from the nearest one with a name, such as `joint "elbow" limit`.
 pub(super) fn path(at: Element<'_>) -> String {
     let mut words = Vec::new();
     for node in at.ancestors().filter(|n| n.is_element()) {

@@ -1,4 +1,4 @@
-//! Spheres on the arm, the ground, boxes around it.
+//! Collision bodies: spheres on the arm, the ground, and boxes around it.
 
 use dh_codegen::robot::{Robot, Sphere};
 
@@ -7,15 +7,15 @@ use dh_codegen::robot::{Robot, Sphere};
 pub struct Ball {
     /// Frame (row of the table from 0); `None`: the base.
     pub frame: Option<usize>,
-    /// Centre in that frame, m; of one on the base in the world frame.
+    /// Centre in that frame, m; in the world frame for a sphere on the base.
     pub center: [f64; 3],
-    /// m
+    /// Radius, m.
     pub radius: f64,
 }
 
 impl Ball {
-    /// Its centre in the world frame, m, at sample `s` of `len`; `frames` as
-    /// [`crate::model::FrameKinematics::frames`] writes them.
+    /// Centre in the world frame, m, at sample `s` of `len`; `frames` is laid out as
+    /// [`crate::model::FrameKinematics::frames`] writes it.
     pub fn placed(&self, frames: &[f64], len: usize, s: usize) -> [f64; 3] {
         let Some(f) = self.frame else { return self.center };
         std::array::from_fn(|i| {
@@ -25,10 +25,10 @@ impl Ball {
     }
 }
 
-/// A box of the surroundings, along the world axes.
+/// A box in the surroundings, aligned with the world axes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Block {
-    /// For messages.
+    /// Name for messages.
     pub name: String,
     /// Lowest corner, m.
     pub min: [f64; 3],
@@ -36,29 +36,29 @@ pub struct Block {
     pub max: [f64; 3],
 }
 
-/// Two spheres that must not meet, by index.
+/// Two spheres that must not collide, by index.
 pub type Pair = (usize, usize);
 
-/// All of them.
+/// All collision bodies with the pairs to check.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Bodies {
     /// Spheres.
     pub balls: Vec<Ball>,
-    /// Pairs of spheres that are watched.
+    /// Pairs of spheres that are checked.
     pub pairs: Vec<Pair>,
-    /// Spheres and boxes that are watched.
+    /// Pairs of a sphere and a box that are checked.
     pub blocked: Vec<(usize, usize)>,
     /// Boxes.
     pub blocks: Vec<Block>,
-    /// Lowest z, m, and the frames whose origins stay above it.
+    /// Lowest permitted z, m, and the frames whose origins must stay above it.
     pub ground: Option<(f64, Vec<usize>)>,
 }
 
 impl Bodies {
-    /// From a robot's spheres, ground and boxes. Pairs: all spheres whose links have at least one
-    /// link that moves between them (neighbours touch by construction), except those that no
-    /// posture can bring together or apart. Ground: the origins of the frames that move away from
-    /// the base axis, and the tool.
+    /// Takes the bodies of a robot. Pairs are all spheres whose links have at least one moving link
+    /// between them (neighbours touch by construction), except those whose distance no posture
+    /// changes. The ground is checked for the origins of frames that move away from the base axis,
+    /// and for the tool.
     pub fn new(robot: &Robot) -> Self {
         let ball = |s: &Sphere| {
             let frame = s.link.checked_sub(1);
@@ -90,7 +90,8 @@ impl Bodies {
     }
 }
 
-/// Distance from a point to a box and its gradient; inside, minus the depth below the nearest face.
+/// Distance from a point to a box and its gradient; inside the box, minus the depth below the
+/// nearest face.
 pub(super) fn distance(point: [f64; 3], block: &Block) -> (f64, [f64; 3]) {
     let outside: [f64; 3] =
         std::array::from_fn(|i| (block.min[i] - point[i]).max(0.0) - (point[i] - block.max[i]).max(0.0));

@@ -1,6 +1,6 @@
-//! Judges a written motion, whoever made it. Shares no code with the designer: torques and frames
-//! come from the numeric recursion (`src/numeric`), the motion between rows from quintic Hermite
-//! pieces, pairs of spheres from the file's table.
+//! Checks a written motion from any source. Shares no code with the designer: torques and frames
+//! come from the numeric recursion, the motion between rows from quintic Hermite pieces, pairs of
+//! spheres from the robot file.
 
 use super::error::MotionError;
 use dh_codegen::arm::param;
@@ -9,60 +9,60 @@ use nalgebra::{Matrix4, Point3};
 
 use crate::model::rigid_body::Numeric;
 
-/// A motion in the form of a file: one row per time.
+/// A motion as in a file: one row per time.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Written {
-    /// s
+    /// Times, s.
     pub t: Vec<f64>,
-    /// Positions per row.
+    /// Positions per row, rad or m.
     pub q: Vec<Vec<f64>>,
-    /// Velocities per row; empty: by differences.
+    /// Velocities per row; if empty, taken from differences.
     pub dq: Vec<Vec<f64>>,
-    /// Accelerations per row; empty: by differences.
+    /// Accelerations per row; if empty, taken from differences.
     pub ddq: Vec<Vec<f64>>,
 }
 
-/// How close one condition comes to its limit.
+/// Tightest value of one condition relative to its limit.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
     /// `position`, `velocity`, `acceleration`, `jerk`, `torque`, `ground`, `self_collision`, `box`,
     /// `rest`, `consistency`.
     pub kind: &'static str,
-    /// Joint, frame or pair, in words.
+    /// Name of the joint, frame or pair.
     pub who: String,
-    /// When, s.
+    /// Time of the tightest value, s.
     pub time: f64,
-    /// Value there.
+    /// Value at that time.
     pub value: f64,
-    /// Limits to keep.
+    /// Limit to keep.
     pub limit: f64,
-    /// Broken?
+    /// Whether the limit is violated.
     pub broken: bool,
 }
 
-/// Findings.
+/// Result of a check.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Verdict {
-    /// The tightest of each kind and joint (pair, frame).
+    /// The tightest finding for each kind and joint (pair, frame).
     pub findings: Vec<Finding>,
-    /// Limits that could not be checked, and why.
+    /// Limits that could not be checked, with reasons.
     pub unchecked: Vec<String>,
     /// Checks against a limit that is not in the file.
     pub assumed: Vec<String>,
-    /// Instants that were looked at.
+    /// Number of instants checked.
     pub instants: usize,
 }
 
 impl Verdict {
-    /// Is nothing broken?
+    /// Whether all limits are kept.
     pub fn feasible(&self) -> bool {
         self.findings.iter().all(|f| !f.broken)
     }
 }
 
-/// Slack for numbers that were rounded when they were written: share of a limit.
+/// Tolerance for numbers that were rounded when written, as a share of a limit.
 const ROUNDING: f64 = 1e-5;
-/// Instants per interval between rows.
+/// Number of instants per interval between rows.
 const BETWEEN: usize = 4;
 
 /// Keeps the tightest value of one condition.
@@ -77,7 +77,7 @@ impl Tightest {
         Self { finding, excess: f64::NEG_INFINITY }
     }
 
-    /// `excess` over zero: broken.
+    /// Updates the finding; a positive `excess` is a violation, up to `slack`.
     fn see(&mut self, time: f64, value: f64, excess: f64, slack: f64) {
         if excess > self.excess || excess.is_nan() {
             self.excess = excess;
@@ -88,12 +88,13 @@ impl Tightest {
     }
 }
 
-/// Checks a motion against a robot file. `acceleration_time`: where the file has no acceleration
-/// limit, full speed may be reached in this time; `None`: acceleration is not checked there.
+/// Checks a motion against a robot file. `acceleration_time`, s, replaces missing acceleration
+/// limits: the time in which full speed may be reached. With `None` acceleration is not checked
+/// there.
 ///
 /// # Errors
-/// Where the rows are no motion of this robot: too few, of the wrong width, times that do not
-/// ascend.
+/// Returns an error if the rows are no motion of this robot: too few, of the wrong width, times not
+/// ascending.
 pub fn check(robot: &Robot, motion: &Written, acceleration_time: Option<f64>) -> Result<Verdict, MotionError> {
     let n = robot.dof();
     let rows = motion.t.len();
@@ -181,8 +182,8 @@ pub fn check(robot: &Robot, motion: &Written, acceleration_time: Option<f64>) ->
         for j in 0..n {
             let (q0, q1, v0, v1) = (motion.q[k][j], motion.q[k + 1][j], dq[k][j], dq[k + 1][j]);
             let (a0, a1) = (ddq[k][j], ddq[k + 1][j]);
-            // Euler-Maclaurin: what the velocities say about the positions, and the accelerations
-            // about the velocities.
+            // Euler-Maclaurin: position changes from the velocities, and velocity changes from the
+            // accelerations.
             let by_speed = (q1 - q0) - h * (v0 + v1) / 2.0 - h * h * (a0 - a1) / 12.0;
             let by_acceleration = (v1 - v0) - h * (a0 + a1) / 2.0;
             let scale = 1e-6 + h * (v0.abs().max(v1.abs()) + h * a0.abs().max(a1.abs()) + 0.02);
@@ -239,7 +240,7 @@ pub fn check(robot: &Robot, motion: &Written, acceleration_time: Option<f64>) ->
     Ok(verdict)
 }
 
-/// Ground, spheres and boxes.
+/// Checks of ground, spheres and boxes.
 struct Around<'r> {
     robot: &'r Robot,
     ground: Vec<(usize, Tightest)>,
@@ -250,7 +251,7 @@ struct Around<'r> {
 impl<'r> Around<'r> {
     fn new(robot: &'r Robot, numeric: &Numeric) -> Self {
         let spheres = &robot.collision.spheres;
-        // A property that is the same in these postures is the same in all.
+        // A property that is the same in these postures is taken as constant.
         let postures: Vec<Vec<f64>> = (0..12)
             .map(|k| (0..robot.dof()).map(|j| (1.7 * k as f64 + 2.3 * j as f64).sin() * 1.5).collect())
             .collect();
@@ -330,7 +331,7 @@ fn all_frames(robot: &Robot, numeric: &Numeric, q: &[f64]) -> Vec<Matrix4<f64>> 
     frames
 }
 
-/// Centre of a sphere in the world frame.
+/// Centre of a sphere in the world frame, m.
 fn place(robot: &Robot, frames: &[Matrix4<f64>], sphere: usize) -> Point3<f64> {
     let sphere = &robot.collision.spheres[sphere];
     let center = Point3::from(sphere.center);
@@ -340,7 +341,7 @@ fn place(robot: &Robot, frames: &[Matrix4<f64>], sphere: usize) -> Point3<f64> {
     }
 }
 
-/// Central differences, one-sided at the ends.
+/// Central differences over time, one-sided at the ends.
 fn differences(t: &[f64], rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let last = t.len() - 1;
     (0..=last)
@@ -351,8 +352,8 @@ fn differences(t: &[f64], rows: &[Vec<f64>]) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// The quintic through position, velocity and acceleration at both ends of a step `h`, at share
-/// `s`: position, velocity, acceleration.
+/// Position, velocity and acceleration at share `s` of a step `h`, s, by the quintic through
+/// position, velocity and acceleration at both ends.
 fn hermite([q0, v0, a0, q1, v1, a1]: [f64; 6], h: f64, s: f64) -> [f64; 3] {
     let (v0, v1, a0, a1) = (v0 * h, v1 * h, a0 * h * h, a1 * h * h);
     let d = q1 - q0;

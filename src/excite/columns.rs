@@ -1,11 +1,11 @@
-//! The columns that a motion has to determine: those of the base regressor that count, a body in
-//! the tool frame, a caller's own.
+//! The columns that a motion has to determine: selected columns of the base regressor, a payload in
+//! the tool frame, a caller's own columns.
 
 use crate::model::{Differentiable, Gradient, Inertial, States};
 
 use super::extra::Extra;
 
-/// Entry of the regressor that counts: its row, its column, and where its samples stand.
+/// A selected entry of the regressor: its row, its column, and the position of its samples.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Entry {
     pub(super) row: usize,
@@ -13,21 +13,21 @@ pub(super) struct Entry {
     pub(super) place: usize,
 }
 
-/// A choice of columns.
+/// A selection of columns.
 pub struct Columns<'a> {
     arm: &'a dyn Differentiable,
     extra: Option<&'a dyn Extra>,
-    /// Entries that are evaluated: of the base regressor, of the payload, of the extra columns.
+    /// Number of entries evaluated: of the base regressor, of the payload, of the extra columns.
     parts: [usize; 3],
     entries: Vec<Entry>,
     names: Vec<String>,
-    /// Speed over which the sign in a Coulomb column turns over, per joint; empty: at once.
+    /// Speed over which the sign in a Coulomb column changes smoothly, per joint; empty: a step.
     turn: Vec<f64>,
 }
 
 impl<'a> Columns<'a> {
-    /// The columns of the base parameters at these indices, then the ten of a payload if asked for,
-    /// then the caller's.
+    /// Selects the columns of the base parameters at these indices, then the ten of a payload if
+    /// requested, then the caller's.
     pub fn new(arm: &'a dyn Differentiable, base: &[usize], payload: bool, extra: Option<&'a dyn Extra>) -> Self {
         let mut names: Vec<String> = base.iter().map(|&b| arm.base_parameters()[b].name.clone()).collect();
         let mut entries = Vec::new();
@@ -63,8 +63,8 @@ impl<'a> Columns<'a> {
         Self { arm, extra, parts, entries, names, turn: Vec::new() }
     }
 
-    /// The same with the sign in Coulomb columns replaced by `tanh(v / turn)`: it can be
-    /// differentiated, and the instant at which a joint turns round then counts.
+    /// The same with the sign in Coulomb columns replaced by `tanh(v / turn)`: it is
+    /// differentiable, so that the time of a reversal affects the criterion.
     pub(super) fn smooth(mut self, turn: Vec<f64>) -> Self {
         self.turn = turn;
         self
@@ -84,7 +84,7 @@ impl<'a> Columns<'a> {
         &self.entries
     }
 
-    /// Values that [`Columns::evaluate`] writes per sample.
+    /// Number of values that [`Columns::evaluate`] writes per sample.
     pub(super) fn values(&self) -> usize {
         self.parts.iter().sum()
     }

@@ -1,4 +1,4 @@
-//! Constraints at every sample beside the bounds of the joints: torque, ground, spheres, boxes.
+//! Constraints at every sample besides the joints' bounds: torque, ground, spheres, boxes.
 
 use crate::model::{Differentiable, Gradient, States};
 
@@ -8,28 +8,29 @@ use super::limits::JointLimits;
 /// A condition that must hold at every instant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Constraint {
-    /// Torque of a joint (from 0).
+    /// Torque limit of a joint (from 0).
     Torque(usize),
     /// Origin of a frame (row of the table from 0) above the ground.
     Ground(usize),
-    /// A pair of spheres, by index into [`Bodies::pairs`].
+    /// Distance of a pair of spheres, by index into [`Bodies::pairs`].
     Pair(usize),
-    /// A sphere and a box, by index into [`Bodies::blocked`].
+    /// Distance of a sphere and a box, by index into [`Bodies::blocked`].
     Box(usize),
 }
 
-/// A constraint where it is closest to being broken, or broken most.
+/// A constraint at its tightest instant, or at its largest violation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Worst {
-    /// The constraint, in words with names and figures.
+    /// Description of the constraint with names and figures.
     pub what: String,
-    /// When, s.
+    /// Time, s.
     pub time: f64,
-    /// Over zero: broken. Share of the limit for torques, m / 0.1 for distances.
+    /// Excess over the limit, positive if violated: share of the limit for torques, m / 0.1 for
+    /// distances.
     pub excess: f64,
 }
 
-/// Distances are measured in this, m, so that they and shares of a torque are of one size.
+/// Unit of distances, m, so that they and shares of a torque have the same magnitude.
 const LENGTH: f64 = 0.1;
 
 /// The constraints of a task.
@@ -38,14 +39,14 @@ pub(super) struct Constraints<'a> {
     pub(super) limits: &'a [JointLimits],
     pub(super) standard: Option<&'a [f64]>,
     pub(super) bodies: &'a Bodies,
-    /// Share of the torque limits that is not used.
+    /// Share of the torque limits that is kept as a reserve.
     pub(super) torque_margin: f64,
-    /// Distance that is kept, m.
+    /// Required distance, m.
     pub(super) distance_margin: f64,
 }
 
 impl Constraints<'_> {
-    /// All of them, in the order of the values.
+    /// All constraints in the order of the values.
     pub(super) fn list(&self) -> Vec<Constraint> {
         let torques = (0..self.limits.len())
             .filter(|&j| self.standard.is_some() && self.limits[j].torque.is_some())
@@ -55,8 +56,8 @@ impl Constraints<'_> {
         torques.chain(ground).chain(pairs).chain((0..self.bodies.blocked.len()).map(Constraint::Box)).collect()
     }
 
-    /// Value of each constraint at each sample, at most zero where it holds: `[constraint * len +
-    /// s]`.
+    /// Value of each constraint at each sample, not positive where it holds:
+    /// `[constraint * len + s]`.
     pub(super) fn values(&self, list: &[Constraint], states: &States) -> Vec<f64> {
         let len = states.len;
         let mut out = vec![0.0; list.len() * len];
@@ -100,8 +101,8 @@ impl Constraints<'_> {
         out
     }
 
-    /// Gradients of constraints, one per sample of `states` (already gathered), each times its
-    /// weight.
+    /// Gradients of constraints, one per sample of `states` (already gathered), each multiplied by
+    /// its weight.
     pub(super) fn gradients(&self, which: &[Constraint], weights: &[f64], states: &States) -> Gradient {
         let (len, n) = (states.len, self.limits.len());
         let mut to = Gradient { q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
@@ -148,12 +149,12 @@ impl Constraints<'_> {
         to
     }
 
-    /// Centre of a sphere in the world frame.
+    /// Centre of a sphere in the world frame, m.
     fn center(&self, ball: usize, frames: &[f64], len: usize, s: usize) -> [f64; 3] {
         self.bodies.balls[ball].placed(frames, len, s)
     }
 
-    /// Hands a derivative by a sphere's centre on to its frame.
+    /// Propagates a derivative with respect to a sphere's centre to its frame.
     fn push(&self, ball: usize, by: [f64; 3], seeds: &mut [f64], len: usize, s: usize) {
         let ball = &self.bodies.balls[ball];
         let Some(f) = ball.frame else { return };
@@ -165,7 +166,7 @@ impl Constraints<'_> {
         }
     }
 
-    /// In words.
+    /// Describes a constraint with figures.
     pub(super) fn describe(&self, constraint: Constraint, value: f64) -> String {
         let ball = |k: usize| match self.bodies.balls[k].frame {
             Some(f) => format!("sphere {} (link {})", k + 1, f + 1),
@@ -198,7 +199,7 @@ impl Constraints<'_> {
     }
 }
 
-/// A distance in words, m.
+/// Describes a distance, m.
 fn apart(distance: f64) -> String {
     if distance < 0.0 { format!("{:.4} m into each other", -distance) } else { format!("{distance:.4} m apart") }
 }

@@ -2,13 +2,13 @@
 //! chapter 6; Sun and Tsoi for Hadamard).
 //!
 //! The condition number is not differentiable where its largest or smallest singular value is
-//! multiple, which is where minima tend to lie. Power means replace both: `log l_max <= log(sum
-//! l^p) / p` and the same for `1 / l_min`. The bound is smooth, it is tight up to `log(B) / p`, and
-//! `p` grows while the solver runs.
+//! multiple, which is where minima tend to lie. Power means replace both:
+//! `log l_max <= log(sum l^p) / p`, and the same for `1 / l_min`. The bound is smooth and tight up
+//! to `log(B) / p`, and `p` grows while the solver runs.
 
 use nalgebra::DMatrix;
 
-/// Criterion of a motion; less is better.
+/// Criterion of a motion; lower is better.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Criterion {
     /// Condition number of `W`.
@@ -21,15 +21,15 @@ pub enum Criterion {
     Trace,
     /// `1 / l_min(W' W)` (E-optimal: largest variance of any combination).
     Smallest,
-    /// Two groups of columns separated: `-log det` of the part of each group that the columns
-    /// outside it can't explain. The other columns are of both.
+    /// Separation of two groups of columns: `-log det` of the part of each group that the columns
+    /// outside it can't explain. The other columns belong to both.
     Separation(Vec<usize>, Vec<usize>),
 }
 
-/// Derivative by `G`.
+/// Derivative with respect to `G`.
 pub(super) enum Slope {
     Dense(DMatrix<f64>),
-    /// `u diag(d) u'`.
+    /// Factored form, `u diag(d) u'`.
     Factored {
         u: DMatrix<f64>,
         d: Vec<f64>,
@@ -49,7 +49,8 @@ impl Criterion {
         }
     }
 
-    /// Powers of the smooth form, in ascending order; `None`: already smooth.
+    /// Powers of the smooth form, in ascending order; a single 1 if the criterion is already
+    /// smooth.
     pub(super) fn powers(&self) -> &'static [f64] {
         match self {
             Self::Condition | Self::Smallest => &[4.0, 16.0, 64.0],
@@ -57,17 +58,18 @@ impl Criterion {
         }
     }
 
-    /// Can it do without a spectrum, where products are good enough?
+    /// Whether the criterion can be evaluated from `G` without a spectrum, where products are
+    /// accurate enough.
     pub(super) fn by_gram(&self) -> bool {
         self.ignores_scale() || *self == Self::Trace
     }
 
-    /// Does a factor per column only add a constant?
+    /// Whether a factor per column only adds a constant.
     pub(super) fn ignores_scale(&self) -> bool {
         matches!(self, Self::LogDet | Self::Hadamard | Self::Separation(..))
     }
 
-    /// Without a spectrum: the smooth value that is minimised.
+    /// Smooth value to minimise, from `G` without a spectrum.
     pub(super) fn of_gram(&self, gram: &DMatrix<f64>) -> Option<(f64, Slope)> {
         let n = gram.ncols();
         match self {
@@ -103,8 +105,8 @@ impl Criterion {
         }
     }
 
-    /// From the singular values and right singular vectors of `W diag(scale)`, with this power in
-    /// the smooth form.
+    /// Smooth value to minimise with this power, from the singular values and right singular
+    /// vectors of `W diag(scale)`.
     pub(super) fn of_spectrum(
         &self,
         sigma: &[f64],
@@ -122,7 +124,7 @@ impl Criterion {
         let high: Vec<f64> = lambda.iter().map(|l| (l / most).powf(p)).collect();
         let low: Vec<f64> = lambda.iter().map(|l| (least / l).powf(p)).collect();
         let (sum_high, sum_low) = (high.iter().sum::<f64>(), low.iter().sum::<f64>());
-        // `d[i]`: lambda times the derivative by lambda.
+        // `d[i]`: lambda times the derivative with respect to lambda.
         let (value, d): (f64, Vec<f64>) = match self {
             Self::Condition => (
                 0.5 * ((sum_high.ln() + sum_low.ln()) / p + most.ln() - least.ln()),
@@ -143,7 +145,7 @@ impl Criterion {
         Some((value, Slope::Factored { u, d }))
     }
 
-    /// Value for a person to read, from the spectrum or from the value that is minimised.
+    /// Value for reports, from the spectrum or from the minimised value.
     pub fn reported(&self, conditions: &super::Conditions, minimised: f64) -> f64 {
         match self {
             Self::Condition => conditions.condition,
@@ -155,7 +157,7 @@ impl Criterion {
     }
 }
 
-/// `log det` and inverse, with columns scaled to unit norm in between.
+/// `log det` and inverse, computed with columns scaled to unit norm.
 pub(super) fn log_det(gram: &DMatrix<f64>) -> Option<(f64, DMatrix<f64>)> {
     let n = gram.ncols();
     let scale: Vec<f64> = gram.diagonal().iter().map(|g| 1.0 / g.sqrt()).collect();

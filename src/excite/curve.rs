@@ -1,5 +1,5 @@
-//! Motions that are linear in their search variables, the same family for every joint, at rest at
-//! both ends.
+//! Motions that are linear in their search variables, of the same family for every joint, at rest
+//! at both ends.
 
 use std::f64::consts::PI;
 
@@ -11,35 +11,35 @@ const DEGREE: usize = 5;
 /// row(t)[k] x[k]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Curve {
-    /// Clamped quintic B-spline; speed and acceleration are zero at both ends because the first
+    /// Clamped quintic B-spline. Speed and acceleration are zero at both ends because the first
     /// three control points are one variable, and so are the last three.
     Spline {
-        /// s
+        /// Duration, s.
         duration: f64,
-        /// Between way points.
+        /// Number of intervals between way points.
         intervals: usize,
     },
-    /// Fourier series whose speed and acceleration are zero where a period begins, so that it can
-    /// be played from rest.
+    /// Fourier series with zero speed and acceleration where a period begins, so that it can be
+    /// played from rest.
     Fourier {
-        /// Of one period, s.
+        /// Duration of one period, s.
         period: f64,
-        /// Highest multiple of the base frequency, 2 or more.
+        /// Highest multiple of the base frequency, at least 2.
         harmonics: usize,
-        /// How often it is played.
+        /// Number of periods played.
         periods: usize,
     },
 }
 
-/// Rows that bound a derivative everywhere, between the samples too: if every `row x - middle` is
-/// at most `share * half` in size, the derivative stays within `middle -+ half`.
+/// Rows that bound a derivative everywhere, also between samples: if every `row x - middle` is at
+/// most `share * half` in size, the derivative stays within `middle -+ half`.
 pub(super) struct Bound {
     pub(super) rows: Vec<Vec<f64>>,
     pub(super) share: f64,
 }
 
 impl Curve {
-    /// Search variables per joint.
+    /// Number of search variables per joint.
     pub fn count(&self) -> usize {
         match *self {
             Self::Spline { intervals, .. } => intervals + 1,
@@ -47,7 +47,7 @@ impl Curve {
         }
     }
 
-    /// Length of the stretch that is designed, s: of one period of a Fourier series.
+    /// Duration of the designed part, s: one period of a Fourier series.
     pub fn design_duration(&self) -> f64 {
         match *self {
             Self::Spline { duration, .. } => duration,
@@ -71,8 +71,8 @@ impl Curve {
                 for l in 2..=harmonics {
                     let (s, c) = harmonic(period, l, t, order);
                     // Amplitudes of speed for the sines and of acceleration for the cosines
-                    // would be l and l^2 times these; the first harmonic takes up what they have
-                    // at t = 0.
+                    // would be l and l^2 times these; the first harmonic cancels their values at
+                    // t = 0.
                     let l = l as f64;
                     row[2 * (l as usize) - 3] = s / l - s1;
                     row[2 * (l as usize) - 2] = c / (l * l) - c1;
@@ -90,7 +90,7 @@ impl Curve {
     pub(super) fn bound(&self, order: usize, refine: usize) -> Bound {
         match *self {
             Self::Spline { duration, intervals } => {
-                // A short motion has few intervals: no fewer than 24 pieces.
+                // A short motion has few intervals; at least 24 pieces are used.
                 let rows = hull(duration, intervals, order, refine.max(24usize.div_ceil(intervals)));
                 let folded = rows.iter().map(|row| {
                     let mut folded = vec![0.0; intervals + 1];
@@ -109,7 +109,7 @@ impl Curve {
         }
     }
 
-    /// The motion that these variables stand for; `x` holds joint after joint.
+    /// Trajectory of these variables; `x` holds joint after joint.
     pub fn trajectory(&self, x: &[f64]) -> Option<Trajectory> {
         let joints = x.chunks(self.count());
         match *self {
@@ -147,7 +147,7 @@ impl Curve {
     }
 }
 
-/// Variable of a control point.
+/// Index of the variable that sets a control point.
 fn variable(control: usize, intervals: usize) -> usize {
     control.saturating_sub(2).min(intervals)
 }
@@ -161,8 +161,8 @@ fn hull(duration: f64, intervals: usize, order: usize, refine: usize) -> Vec<Vec
         (0..count).map(|i| (0..count).map(|k| f64::from(u8::from(i == k))).collect()).collect();
     let mut degree = DEGREE;
     for _ in 0..order {
-        // Q_i = p (P_{i+1} - P_i) / (u_{i+p+1} - u_{i+1}); the outer knots go (The NURBS Book,
-        // equation 3.8).
+        // Q_i = p (P_{i+1} - P_i) / (u_{i+p+1} - u_{i+1}); the outer knots are dropped (The NURBS
+        // Book, equation 3.8).
         rows = (0..rows.len() - 1)
             .map(|i| {
                 let factor = degree as f64 / (knots[i + degree + 1] - knots[i + 1]);

@@ -1,6 +1,6 @@
-//! From a task to a motion. Several starts take a few steps each on a rough grid; the better third
-//! goes on on a coarse one, the best of those on a fine one, checked between its samples. What a
-//! run has learnt of the criterion's curvature goes along.
+//! Designs a motion for a task. Several starts take a few steps each on a rough grid; the better
+//! third continues on a coarse one, and the best of those on a fine one, checked between its
+//! samples. The estimate of the criterion's curvature is passed on between the stages.
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -18,19 +18,18 @@ use super::sqp::{Point, Search, Settings, better, minimise};
 use super::start;
 use super::task::Task;
 
-/// How much work is put in. The result depends on this and on the task, never on the time that it
-/// took.
+/// Effort of a design. The result depends on it and on the task, but not on computing time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Effort {
-    /// Motions to begin with.
+    /// Number of starting motions.
     pub starts: usize,
-    /// Of the random starts.
+    /// Seed of the random starts.
     pub seed: u64,
-    /// At most so many steps from each start.
+    /// Largest number of steps from each start.
     pub iterations: usize,
-    /// Of the starts, so many are taken to the end.
+    /// Number of starts that are run to the end.
     pub finalists: usize,
-    /// Threads.
+    /// Number of threads.
     pub threads: usize,
 }
 
@@ -40,12 +39,12 @@ impl Default for Effort {
     }
 }
 
-/// A step of the solver, for a plot.
+/// A step of the solver, for plots.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Record {
     /// Index of the start, from 0.
     pub start: usize,
-    /// The minimised form of the criterion (smooth, on the coarse or fine grid).
+    /// Smooth form of the criterion that is minimised, on the grid of the stage.
     pub value: f64,
     /// Largest constraint value.
     pub worst: f64,
@@ -54,9 +53,9 @@ pub struct Record {
 /// Progress of a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
-    /// Steps done, of all starts.
+    /// Number of steps done, over all starts.
     pub done: usize,
-    /// Steps at most.
+    /// Largest number of steps.
     pub total: usize,
     /// Best value so far among feasible motions, in the minimised form.
     pub best: Option<f64>,
@@ -64,72 +63,72 @@ pub struct Progress {
     pub worst: f64,
 }
 
-/// How a caller follows and stops a design.
+/// Callbacks to follow and to stop a design.
 pub struct Watch<'w> {
-    /// Set: stop soon and give the best so far.
+    /// Set to stop soon and return the best motion so far.
     pub stop: &'w AtomicBool,
-    /// Called now and then, from any thread.
+    /// Progress callback, called from any thread.
     pub progress: &'w (dyn Fn(&Progress) + Sync),
 }
 
-/// A motion, and what it is worth.
+/// A designed motion with its figures.
 #[derive(Debug, Clone)]
 pub struct Design {
     /// The motion.
     pub trajectory: Trajectory,
-    /// Its variables, for a further run.
+    /// Its search variables, for a further run.
     pub variables: Vec<f64>,
     /// Name of the criterion.
     pub criterion: &'static str,
-    /// The criterion's value at the task's rate, with the exact sign of Coulomb.
+    /// Value of the criterion at the task's rate, with the exact sign in Coulomb columns.
     pub value: f64,
-    /// Condition number and determinants as the task weighs and scales.
+    /// Condition number and determinants with the task's weights and scales.
     pub scaled: Conditions,
-    /// The same of the base regressor's chosen columns, unscaled: the paper's equation (9).
+    /// The same of the selected columns of the base regressor, unscaled: the paper's equation (9).
     pub plain: Conditions,
-    /// Does every constraint hold on the finest grid?
+    /// Whether every constraint holds on the finest grid.
     pub feasible: bool,
-    /// The closest constraint of each kind, margins left out.
+    /// The tightest constraint of each kind, without margins.
     pub closest: Vec<Worst>,
-    /// Stopped before the end?
+    /// Whether the run was stopped before its end.
     pub stopped: bool,
     /// History of all starts.
     pub history: Vec<Record>,
-    /// Value that each start reached on the rough grid, where feasible: the better ones went on.
+    /// Value that each start reached on the rough grid, if feasible; the better ones continued.
     pub starts: Vec<Option<f64>>,
 }
 
-/// How finely a task is looked at.
+/// Fineness of the grids of a stage.
 #[derive(Debug, Clone, Copy)]
 struct Level {
-    /// Samples per second of the criterion and of the constraints.
+    /// Sampling rate of the criterion and of the constraints, Hz.
     rate: f64,
-    /// Hull pieces per interval.
+    /// Number of hull pieces per interval.
     refine: usize,
 }
 
 impl Level {
-    /// No fewer than a hundred samples, and not more than the task asks for.
+    /// The task on these grids: at least a hundred samples, at most the task's rate.
     fn program<'a>(&self, task: &'a Task<'a>) -> Program<'a> {
         let rate = self.rate.max(100.0 / task.curve.design_duration());
         Program::new(task, rate.min(task.rate), rate, self.refine)
     }
 }
 
-/// All starts: a few steps decide which of them go on.
+/// Grid for all starts: a few steps decide which of them continue.
 const ROUGH: Level = Level { rate: 10.0, refine: 2 };
-/// Those that are.
+/// Grid for those that continue.
 const COARSE: Level = Level { rate: 20.0, refine: 4 };
-/// The finalists.
+/// Grid for the finalists.
 const FINE: Level = Level { rate: 50.0, refine: 12 };
-/// Of the last check.
+/// Sampling rate of the final check, Hz.
 const FINEST: f64 = 500.0;
 
 /// Designs a motion.
 ///
 /// # Errors
-/// Where no posture is clear of everything, or no motion was found inside the limits: says which
-/// constraint and where.
+/// Returns an error if no posture is clear of everything, or no motion was found inside the limits,
+/// with the constraint and its place.
 pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Design, DesignError> {
     let home = start::home(task).map_err(|worst| DesignError::Blocked(worst.what))?;
     let powers = task.criterion.powers();
@@ -141,7 +140,7 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
     let counter = AtomicUsize::new(0);
     let best = Mutex::new(None::<f64>);
     let histories: Mutex<Vec<(usize, usize, Vec<Record>)>> = Mutex::new(Vec::new());
-    // Part by part, for the history: (part, start).
+    // One stage, for the history: (part, start).
     let run = |program: &Program<'_>, search: &mut Search, stages: &[(f64, Settings)], part: usize, start: usize| {
         let mut records = Vec::new();
         for (power, settings) in stages {
@@ -166,7 +165,7 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
         }
     };
 
-    // Rough: every start.
+    // Rough grid: every start.
     let rough = ROUGH.program(task);
     let settings = Settings { iterations: first, patience: 4, gain: 1e-3 };
     let mut searches: Vec<(usize, Search)> = parallel(effort.threads, starts, |k| {
@@ -185,7 +184,7 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
         searches.iter().map(|(_, s)| (s.point.worst <= 0.0).then_some(s.point.value)).collect();
     keep(&mut searches, kept);
 
-    // Coarse: the better ones.
+    // Coarse grid: the better ones.
     let coarse = COARSE.program(task);
     let stages: Vec<(f64, Settings)> = powers
         .iter()
@@ -201,7 +200,7 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
     });
     keep(&mut searches, finalists);
 
-    // Fine: the best of them, with margins that grow until the finest grid is content.
+    // Fine grid: the best of them, with margins that grow until the finest grid has no violations.
     let last = powers[powers.len() - 1];
     let mut ended = parallel(effort.threads, searches.len(), |k| {
         let (start, search) = searches[k].clone();
@@ -221,7 +220,7 @@ pub fn design(task: &Task<'_>, effort: &Effort, watch: &Watch<'_>) -> Result<Des
     assess(task, chosen, history, reached, stopped)
 }
 
-/// The best so many, in order.
+/// Keeps the best `count` searches, in order.
 fn keep(searches: &mut Vec<(usize, Search)>, count: usize) {
     searches.sort_by(|a, b| match (better(&a.1.point, &b.1.point), better(&b.1.point, &a.1.point)) {
         (true, false) => std::cmp::Ordering::Less,
@@ -236,7 +235,7 @@ struct Ended {
     feasible: bool,
 }
 
-/// Calls `run` with a program, where to begin and the round, until the finest grid is content.
+/// Repeats `run` with a program, the search and the round, until the finest grid has no violations.
 fn finish(task: &Task<'_>, mut search: Search, run: impl Fn(&Program<'_>, &mut Search, usize)) -> Ended {
     let mut own = task.clone();
     for round in 0.. {
@@ -258,7 +257,7 @@ fn finish(task: &Task<'_>, mut search: Search, run: impl Fn(&Program<'_>, &mut S
     Ended { point: search.point, feasible: false }
 }
 
-/// The largest value of every constraint on the finest grid, without margins, and when.
+/// Largest value of every constraint on the finest grid, without margins, and its time, s.
 fn finest(task: &Task<'_>, x: &[f64]) -> Vec<(Constraint, f64, f64)> {
     let grid = Grid::new(&task.curve, FINEST);
     let bare = Task { torque_margin: 0.0, distance_margin: 0.0, ..task.clone() };
@@ -327,7 +326,7 @@ fn assess(
 }
 
 /// Reason why the criterion has no value: columns that no motion of this arm separates, or that
-/// this one does not.
+/// this motion does not.
 fn undetermined(task: &Task<'_>, information: &Information) -> DesignError {
     let columns = task.columns();
     let names = |which: &[usize]| which.iter().map(|&k| columns.names()[k].clone()).collect();
@@ -338,13 +337,13 @@ fn undetermined(task: &Task<'_>, information: &Information) -> DesignError {
     }
 }
 
-/// The motion that best separates two hypotheses: `first` and `second` give the columns that each
-/// adds to the base regressor. Maximised is what of either can't be explained by the base
-/// parameters and the other. Everything else is as in the task, whose criterion and extra columns
-/// are replaced.
+/// Designs the motion that best separates two hypotheses: `first` and `second` give the columns
+/// that each adds to the base regressor. It maximises the part of either that the base parameters
+/// and the other can't explain. Everything else is as in the task, whose criterion and extra
+/// columns are replaced.
 ///
 /// # Errors
-/// Like [`design`].
+/// As for [`design`].
 pub fn discriminate(
     task: &Task<'_>,
     first: &dyn Extra,

@@ -1,5 +1,4 @@
-//! The criterion against the duration (the paper's figure 5): when does a longer motion stop
-//! paying?
+//! The criterion as a function of the duration (the paper's figure 5).
 
 use std::sync::atomic::AtomicBool;
 
@@ -11,20 +10,21 @@ use super::task::Task;
 /// One criterion at one duration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct AtDuration {
-    /// The criterion's name.
+    /// Name of the criterion.
     pub criterion: &'static str,
-    /// s
+    /// Duration, s.
     pub seconds: f64,
-    /// Its value; `None`: no motion inside the limits, or one without information on some column.
+    /// Value of the criterion; `None` if there is no motion inside the limits or a column has no
+    /// information.
     pub value: Option<f64>,
-    /// Condition number of the plain columns.
+    /// Condition number of the unscaled columns.
     pub condition: Option<f64>,
-    /// Value less that of the duration before: what the added time has gained (negative: better).
+    /// Value minus that of the next shorter duration (negative: better).
     pub change: Option<f64>,
 }
 
-/// Designs a motion for every criterion and duration (ascending), with way points as far apart as
-/// in the task. `tell` is called with the index of the running design, from 0, and its progress.
+/// Designs a motion for every criterion and duration (ascending), with way points spaced as in the
+/// task. `tell` is called with the index of the running design, from 0, and its progress.
 pub fn by_duration(
     task: &Task<'_>,
     criteria: &[Criterion],

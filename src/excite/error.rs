@@ -1,4 +1,4 @@
-//! Reasons why no motion is planned, designed or judged.
+//! Errors of planning, designing and checking motions.
 
 /// Reason why a robot's limits do not bound a motion.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -13,7 +13,7 @@ pub enum LimitsError {
         .0.join(", ")
     )]
     Velocities(Vec<String>),
-    /// A prismatic joint has no travel.
+    /// A prismatic joint has no position limits.
     #[error("joint {0} slides and has no `position` limits; write them in the robot file")]
     Position(String),
     /// All joints are fixed.
@@ -25,15 +25,15 @@ pub enum LimitsError {
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum DesignError {
-    /// Every posture violates a constraint; in words, for the best one.
+    /// Every posture violates a constraint; description for the best one.
     #[error(
         "no posture keeps clear of everything: {0} at best; check `position` limits, `collision` and `torque` in the robot file"
     )]
     Blocked(String),
-    /// No start was made.
+    /// There was no starting motion.
     #[error("no start was made")]
     NoStart,
-    /// The variables are those of no curve.
+    /// The variables do not define a motion.
     #[error("the variables are no motion")]
     NoMotion,
     /// The motion does not determine these columns.
@@ -42,7 +42,7 @@ pub enum DesignError {
         .0.join(", ")
     )]
     Uninformative(Vec<String>),
-    /// No motion of this arm determines these columns; `payload`: of a body in the hand.
+    /// No motion of this arm determines these columns; `payload`: those of the payload.
     #[error(
         "no motion of this arm separates {}: its torques depend on fewer combinations of them{}",
         columns.join(", "),
@@ -51,7 +51,7 @@ pub enum DesignError {
     Inseparable {
         /// Names of the columns.
         columns: Vec<String>,
-        /// Whether they are those of a body in the hand.
+        /// Whether they are those of the payload.
         payload: bool,
     },
 }
@@ -75,7 +75,7 @@ pub enum ShortestError {
         duration: f64,
         /// Required relative standard deviation, percent.
         target: f64,
-        /// Worst parameter.
+        /// Name of the worst parameter.
         parameter: String,
         /// Its relative standard deviation, percent.
         reached: f64,
@@ -109,9 +109,9 @@ pub enum MotionError {
     Time {
         /// Row, from 1.
         row: usize,
-        /// Its time, s.
+        /// Time of the row, s.
         time: f64,
-        /// That of the row before, s.
+        /// Time of the row before, s.
         before: f64,
     },
     /// A row has the wrong width or a value that is not finite.

@@ -1,22 +1,22 @@
-//! Further columns of the regressor, given by a caller: friction laws to be covered, hypotheses to
-//! be separated.
+//! Additional columns of the regressor from a caller: friction laws to cover, hypotheses to
+//! separate.
 
 use crate::model::{Gradient, States};
 
-/// Columns that stand beside the base regressor's.
+/// Columns in addition to the base regressor's.
 pub trait Extra: Sync {
     /// Number of columns.
     fn columns(&self) -> usize;
 
-    /// Row (joint) and column of each entry that is not zero.
+    /// Row (joint) and column of each non-zero entry.
     fn pattern(&self) -> &[(usize, usize)];
 
-    /// Entry `k` of the pattern at sample `s` goes to `out[k * len + s]`. A sample's entries depend
-    /// on that sample's state only.
+    /// Writes entry `k` of the pattern at sample `s` to `out[k * len + s]`. A sample's entries
+    /// depend only on that sample's state.
     fn evaluate(&self, states: &States, out: &mut [f64]);
 
-    /// Adds the derivative of `sum of seeds * entries`. By default by central differences, six
-    /// evaluations per joint.
+    /// Adds the derivative of `sum of seeds * entries` with respect to the states. By default by
+    /// central differences, six evaluations per joint.
     fn vjp(&self, states: &States, seeds: &[f64], to: &mut Gradient) {
         let (len, n) = (states.len, states.q.len() / states.len.max(1));
         let mut out = vec![0.0; self.pattern().len() * len];
@@ -47,21 +47,21 @@ fn part_of(parts: [&mut Vec<f64>; 3], part: usize) -> &mut Vec<f64> {
 }
 
 /// Columns of a richer friction law; a motion that determines them all visits low and high speeds
-/// in both directions. They are per joint `|v|` (viscous friction that differs with direction),
-/// `exp(-(v/vs)^2) sign v` (Stribeck) and, where the model has no offset, 1 (Coulomb friction that
-/// differs with direction).
+/// in both directions. The columns are per joint `|v|` (viscous friction that differs with
+/// direction), `exp(-(v/vs)^2) sign v` (Stribeck) and, if the model has no offset, 1 (Coulomb
+/// friction that differs with direction).
 pub struct FrictionCoverage {
-    /// Below which a speed is low, per joint.
+    /// Speed `vs` below which a speed is low, per joint.
     slow: Vec<f64>,
-    /// Over which a sign turns over, per joint.
+    /// Speed over which a sign changes smoothly, per joint.
     turn: Vec<f64>,
     pattern: Vec<(usize, usize)>,
     offset: bool,
 }
 
 impl FrictionCoverage {
-    /// For joints with these largest speeds; a tenth of them is low. `offset`: with the column of
-    /// ones.
+    /// Columns for joints with these largest speeds; a tenth of them counts as low. `offset`: with
+    /// the column of ones.
     pub fn new(speeds: &[f64], offset: bool) -> Self {
         let each = 2 + usize::from(offset);
         Self {

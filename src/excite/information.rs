@@ -1,8 +1,8 @@
 //! Information of a motion on the columns: `G = sum of W' P W`, and functions of its spectrum.
 //!
-//! `G`'s products lose all digits below 1e-8 of the largest singular value of `W`. If pivots show
-//! that digits are at stake, the factor `R` of `W = Q R` is taken instead, which has the singular
-//! values themselves.
+//! The products in `G` lose all digits below 1e-8 of the largest singular value of `W`. If the
+//! pivots show that digits are at stake, the factor `R` of `W = Q R` is used instead, which has the
+//! singular values themselves.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -13,27 +13,27 @@ use crate::numerics::eigen;
 use super::columns::{Columns, Entry};
 use super::criterion::{Criterion, Slope};
 
-/// Weights of rows and columns, and what is known before.
+/// Weights of rows and columns, and prior information.
 #[derive(Debug, Clone)]
 pub(super) struct Scaling {
-    /// Of each joint's equations: 1 / standard deviation of its torque noise.
+    /// Weight of each joint's equations: 1 / standard deviation of its torque noise.
     pub(super) row: Vec<f64>,
-    /// Of each column: the size that its parameter has.
+    /// Scale of each column: the size of its parameter.
     pub(super) column: Vec<f64>,
-    /// Information that is there already, in scaled columns.
+    /// Prior information, in scaled columns.
     pub(super) prior: Option<DMatrix<f64>>,
-    /// Samples that each sample of the grid stands for.
+    /// Number of samples that each sample of the grid represents.
     pub(super) repeat: f64,
 }
 
-/// The weighted, scaled observation matrix of a motion, with its information.
+/// The weighted, scaled observation matrix of a motion and its information.
 pub struct Information {
-    /// `values * len`, as [`Columns::evaluate`] wrote them.
+    /// Values, `values * len`, as written by [`Columns::evaluate`].
     values: Vec<f64>,
     len: usize,
-    /// `G`, scaled, the prior included.
+    /// Information `G`, scaled, prior included.
     gram: DMatrix<f64>,
-    /// Factor with `R' R = G`, where products are too coarse.
+    /// Factor with `R' R = G`, if the products are too inaccurate.
     factor: Option<DMatrix<f64>>,
 }
 
@@ -41,7 +41,7 @@ pub struct Information {
 /// of the paper's equation (9).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Conditions {
-    /// Of the observation matrix.
+    /// Condition number of the observation matrix.
     pub condition: f64,
     /// `log det(W' W)`.
     pub log_det: f64,
@@ -74,8 +74,8 @@ impl Information {
         Self { values, len, gram, factor }
     }
 
-    /// Takes the factor where eigenvalues of the products would lose more than some ten digits: `tr
-    /// G tr G^-1` is at least the square of the condition number.
+    /// Computes the factor if eigenvalues of the products would lose more than some ten digits:
+    /// `tr G tr G^-1` is at least the square of the condition number.
     pub(super) fn sharpen(&mut self, columns: &Columns<'_>, scaling: &Scaling) {
         if self.factor.is_some() {
             return;
@@ -86,12 +86,13 @@ impl Information {
         }
     }
 
-    /// `G`.
+    /// Information matrix `G`.
     pub fn gram(&self) -> &DMatrix<f64> {
         &self.gram
     }
 
-    /// The factor, computed if it is not there.
+    /// Singular values, right singular vectors and column scales, from the factor if there is one,
+    /// else from `G`.
     fn singular(&self, equilibrate: bool) -> (Vec<f64>, DMatrix<f64>, Vec<f64>) {
         let n = self.gram.ncols();
         let unit = |norm: f64| if equilibrate && norm > 0.0 { 1.0 / norm } else { 1.0 };
@@ -126,7 +127,7 @@ impl Information {
         }
     }
 
-    /// Columns that are undetermined, each by itself or from one another: those with a part in the
+    /// Columns that are undetermined, separately or in combination: those with a component in the
     /// null space.
     pub(super) fn undetermined(&self) -> Vec<usize> {
         let (sigma, v, _) = self.singular(true);
@@ -135,8 +136,8 @@ impl Information {
         (0..v.nrows()).filter(|&i| null.iter().any(|&k| v[(i, k)].abs() > 1e-4)).collect()
     }
 
-    /// RMS over the motion of each column's share in a joint's torque, per unit of its parameter,
-    /// in standard deviations of that torque's noise; of the joint where it is largest.
+    /// RMS over the motion of each column's contribution to a joint's torque, per unit of its
+    /// parameter, in standard deviations of that torque's noise; for the joint where it is largest.
     pub(super) fn torque_shares(&self, columns: &Columns<'_>, scaling: &Scaling) -> Vec<f64> {
         let mut shares = vec![0.0_f64; columns.count()];
         for e in columns.entries() {
@@ -147,7 +148,7 @@ impl Information {
         shares
     }
 
-    /// `G^-1`, the covariance in scaled columns; infinite where there is no information.
+    /// Covariance `G^-1` in scaled columns; very large where there is no information.
     pub fn covariance(&self) -> DMatrix<f64> {
         let (sigma, v, scale) = self.singular(true);
         let most = sigma.iter().fold(0.0_f64, |m, s| m.max(*s));
@@ -159,8 +160,8 @@ impl Information {
         })
     }
 
-    /// Value of a criterion with this power of its smooth form, and its derivative by `G` in the
-    /// form that keeps its digits.
+    /// Value of a criterion with this power of its smooth form, and its derivative with respect to
+    /// `G` in the form that preserves its digits.
     pub(super) fn judge(&self, criterion: &Criterion, power: f64) -> Option<(f64, Slope)> {
         if criterion.by_gram() && self.factor.is_none() {
             return criterion.of_gram(&self.gram);
@@ -169,7 +170,7 @@ impl Information {
         criterion.of_spectrum(&sigma, &v, &scale, &self.gram, power)
     }
 
-    /// Adds the derivative of a criterion by the states.
+    /// Adds the derivative of a criterion with respect to the states.
     pub(super) fn pull(
         &self,
         columns: &Columns<'_>,
@@ -217,9 +218,9 @@ impl Information {
     }
 }
 
-/// Are the products too coarse? Judged by the pivots, of scaled columns (unit norm) and of unscaled
-/// ones. The ratio of the latter is at most the square of the condition number, by which
-/// eigenvalues of products lose digits.
+/// Whether the products are too inaccurate, judged by the pivots of scaled columns (unit norm) and
+/// of unscaled ones. The ratio of the latter is at most the square of the condition number, by
+/// which eigenvalues of products lose digits.
 fn poor(gram: &DMatrix<f64>) -> bool {
     let plain = gram.clone().cholesky().map(|factor| {
         let pivots = factor.l_dirty().diagonal();
@@ -236,7 +237,7 @@ fn poor(gram: &DMatrix<f64>) -> bool {
     }
 }
 
-/// The triangular factor of the weighted rows, the prior's included.
+/// Triangular factor of the weighted rows, the prior's included.
 fn factor(columns: &Columns<'_>, values: &[f64], len: usize, scaling: &Scaling) -> DMatrix<f64> {
     let count = columns.count();
     let mut triangle = RFactor::new(count);
@@ -257,11 +258,11 @@ fn factor(columns: &Columns<'_>, values: &[f64], len: usize, scaling: &Scaling) 
     DMatrix::from_fn(count, count, |i, k| triangle.get(i, k))
 }
 
-/// Samples that are worked on together: columns of a block stay in the nearest cache.
+/// Number of samples processed together: columns of a block stay in the nearest cache.
 const BLOCK: usize = 128;
 
 /// Inner products of the entries of a row, `[i * row.len() + k]` for `k >= i`. Four columns are
-/// taken at a time, each by four sums, which vectorises and keeps the order of the sums fixed.
+/// processed at a time with four sums each, which vectorises and keeps the order of the sums fixed.
 fn products(row: &[Entry], values: &[f64], len: usize) -> Vec<f64> {
     let count = row.len();
     let mut sums = vec![0.0; count * count];
@@ -322,7 +323,7 @@ fn combine(row: &[Entry], factor: impl Fn(&Entry, &Entry) -> f64, values: &[f64]
     }
 }
 
-/// By four accumulators, which vectorises and keeps the order of the sum fixed.
+/// Inner product with four accumulators, which vectorises and keeps the order of the sum fixed.
 pub(super) fn dot(a: &[f64], b: &[f64]) -> f64 {
     let (mut sums, even) = ([0.0; 4], a.len() / 4 * 4);
     for (x, y) in a[..even].chunks_exact(4).zip(b[..even].chunks_exact(4)) {

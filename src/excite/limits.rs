@@ -1,4 +1,4 @@
-//! Limits of a joint, with the defaults that stand for what a robot file leaves out.
+//! Limits of a joint, with defaults for limits missing in the robot file.
 
 use std::f64::consts::PI;
 
@@ -15,32 +15,33 @@ pub struct JointLimits {
     pub velocity: f64,
     /// Largest acceleration.
     pub acceleration: f64,
-    /// Largest jerk, where it is limited.
+    /// Largest jerk, if limited.
     pub jerk: Option<f64>,
-    /// Largest torque, where it is limited.
+    /// Largest torque, if limited.
     pub torque: Option<f64>,
 }
 
-/// Limits missing in the file, and their replacements.
+/// A limit missing in the file, and its replacement.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Missing {
     /// Name of the joint.
     pub joint: String,
     /// `position`, `acceleration`, `torque`, `links`, `collision`.
     pub limit: &'static str,
-    /// The replacement.
+    /// Description of the replacement.
     pub taken: String,
-    /// Replacements, rad or m and seconds.
+    /// Value of the replacement: rad or m, or s.
     pub value: Option<f64>,
 }
 
 impl JointLimits {
-    /// From a file's limits. The speed must be there, and the travel of a prismatic joint. A
-    /// revolute joint without travel turns without end and is kept within one turn either way;
-    /// without acceleration limit it may reach its speed in half a second (`acceleration_time`).
+    /// Takes the limits of a file. The speed limit is required, and so are position limits of a
+    /// prismatic joint. A revolute joint without position limits is kept within one turn either
+    /// way. Without an acceleration limit a joint may reach its speed limit in `acceleration_time`,
+    /// s.
     ///
     /// # Errors
-    /// Names the key that is missing.
+    /// Names the missing key.
     pub fn new(
         name: &str,
         revolute: bool,
@@ -72,7 +73,7 @@ impl JointLimits {
         Ok(Self { name: name.to_string(), position, velocity, acceleration, jerk: limits.jerk, torque: limits.torque })
     }
 
-    /// Lower and upper bound of the derivative of this order, where there is one.
+    /// Lower and upper bound of the derivative of this order; `None` if it is not limited.
     pub fn range(&self, order: usize) -> Option<[f64; 2]> {
         let both = |x: f64| [-x, x];
         match order {

@@ -1,5 +1,5 @@
-//! How well the parameters will be known after a motion, from the information alone: `cov = (W' P
-//! W + prior)^-1`.
+//! Expected precision of the parameters after a motion, from the information alone:
+//! `cov = (W' P W + prior)^-1`.
 
 use nalgebra::DMatrix;
 
@@ -13,24 +13,24 @@ use super::task::Task;
 pub struct Expected {
     /// Name of the parameter.
     pub name: String,
-    /// Nominal value, where it is known.
+    /// Nominal value, if known.
     pub value: Option<f64>,
     /// Standard deviation of its estimate, in the parameter's unit.
     pub std: f64,
-    /// Does its share in some joint's torque exceed that torque's noise (RMS over the motion)?
-    /// `None` without a nominal value.
+    /// Whether its contribution to some joint's torque exceeds that torque's noise (RMS over the
+    /// motion). `None` without a nominal value.
     pub essential: Option<bool>,
 }
 
 impl Expected {
-    /// Percent of the nominal value.
+    /// Standard deviation as a percentage of the nominal value.
     pub fn relative_percent(&self) -> Option<f64> {
         self.value.filter(|v| *v != 0.0).map(|v| 100.0 * self.std / v.abs())
     }
 }
 
-/// Nominal values of the base parameters whose columns count, then of the body in the tool frame
-/// where that counts and the file has it.
+/// Nominal values of the selected base parameters, then of the payload in the tool frame if it is
+/// selected and in the file.
 pub fn nominal(task: &Task<'_>) -> Option<Vec<f64>> {
     let base = task.arm.base_parameters();
     let standard = task.standard.as_deref();
@@ -61,7 +61,7 @@ pub fn expected(task: &Task<'_>, states: &States) -> Vec<Expected> {
     columns.names().iter().enumerate().map(one).collect()
 }
 
-/// Information that motions which were played already have given, in the task's noise.
+/// Information from motions already played, with the task's noise.
 pub fn known_from(task: &Task<'_>, played: &[States]) -> DMatrix<f64> {
     let columns = task.columns();
     let plain = Task { scale: Vec::new(), prior: None, ..task.clone() };
@@ -72,8 +72,8 @@ pub fn known_from(task: &Task<'_>, played: &[States]) -> DMatrix<f64> {
     sum
 }
 
-/// Information of nominal values that are known to this share of themselves. Those that are zero,
-/// or have no value, are not known.
+/// Information of nominal values with this relative standard deviation. Values that are zero or
+/// missing count as unknown.
 pub fn known_values(task: &Task<'_>, share: f64) -> Option<DMatrix<f64>> {
     let values = nominal(task).filter(|values| !values.is_empty())?;
     let count = task.columns().count();

@@ -10,12 +10,12 @@ use super::information::{Information, Scaling, dot};
 use super::subproblem::Row;
 use super::task::Task;
 
-/// Times at which something is evaluated, with what leads from variables to states. A variable
-/// moves a joint during a part of the time only.
+/// Times of evaluation, with the linear map from variables to states. A variable affects a joint
+/// during a part of the time only.
 pub(super) struct Grid {
     pub(super) times: Vec<f64>,
-    /// Per derivative and variable: the first time at which it counts, and its weights from there
-    /// on.
+    /// Per derivative and variable: index of the first time with a weight, and the weights from
+    /// there on.
     weights: [Vec<(usize, Vec<f64>)>; 3],
 }
 
@@ -51,7 +51,8 @@ impl Grid {
         States { len, q: part(q), dq: part(dq), ddq: part(ddq) }
     }
 
-    /// From derivatives by the states at all times to those by the variables.
+    /// Converts derivatives with respect to the states at all times to those with respect to the
+    /// variables.
     fn pull(&self, by: &Gradient) -> Vec<f64> {
         let len = self.times.len();
         let mut to = vec![0.0; by.q.len() / len * self.weights[0].len()];
@@ -65,8 +66,8 @@ impl Grid {
         to
     }
 
-    /// Adds what a derivative by the state of one joint at time `s` is by the variables of that
-    /// joint.
+    /// Adds a derivative with respect to the state of one joint at time `s`, converted to the
+    /// variables of that joint.
     fn back(&self, s: usize, by: [f64; 3], to: &mut [f64]) {
         for (weights, by) in self.weights.iter().zip(by).filter(|(_, by)| *by != 0.0) {
             for (to, (first, weights)) in to.iter_mut().zip(weights) {
@@ -80,7 +81,7 @@ impl Grid {
 struct Bounds {
     order: usize,
     rows: Vec<Weights>,
-    /// How much of the half range the rows may use.
+    /// Share of the half range that the rows may use.
     share: f64,
 }
 
@@ -89,7 +90,7 @@ struct Weights {
     /// First variable of the joint that has a weight.
     first: usize,
     values: Vec<f64>,
-    /// Sum of sizes, and the largest.
+    /// Sum of absolute values; `size` is the largest.
     sum: f64,
     size: f64,
 }
@@ -104,32 +105,32 @@ impl Weights {
     }
 }
 
-/// A bound that a step could break.
+/// A bound that a step could violate.
 pub(super) struct Bound<'p> {
     weights: &'p Weights,
-    /// First variable.
+    /// Index of the first variable.
     first: usize,
     sign: f64,
-    /// How far the bound is.
+    /// Distance to the bound.
     room: f64,
-    /// How far a step could go.
+    /// Largest possible change by a step.
     reach: f64,
 }
 
 impl Bound<'_> {
-    /// Could a step that goes this share of its way break it?
+    /// Whether a step that goes this share of its way could violate it.
     pub(super) fn near(&self, share: f64) -> bool {
         self.room < share * self.reach
     }
 
-    /// Does this step break it?
+    /// Whether this step violates it.
     pub(super) fn broken(&self, d: &[f64]) -> bool {
         let values = &self.weights.values;
         let value: f64 = values.iter().zip(&d[self.first..]).map(|(r, d)| r * d).sum();
         self.sign * value > self.room * (1.0 + 1e-6) + 1e-12 * self.weights.size
     }
 
-    /// A row of unit size, as the solver likes them.
+    /// Row scaled to unit size, for the solver's conditioning.
     pub(super) fn row(&self) -> Row {
         let Weights { values, size, .. } = self.weights;
         let values = values.iter().map(|r| self.sign * r / size).collect();
@@ -137,10 +138,10 @@ impl Bound<'_> {
     }
 }
 
-/// The constraint, and its time on the grid.
+/// Index of a constraint, and of its time on the grid.
 pub(super) type Watched = (usize, usize);
 
-/// A task on grids of some fineness.
+/// A task on grids of a given fineness.
 pub(super) struct Program<'a> {
     task: &'a Task<'a>,
     columns: Columns<'a>,
@@ -151,13 +152,13 @@ pub(super) struct Program<'a> {
     constraints: Constraints<'a>,
     bounds: Vec<Bounds>,
     count: usize,
-    /// Divides the criterion, so that values are of order one per column.
+    /// Divisor of the criterion, so that values are of order one per column.
     unit: f64,
 }
 
 impl<'a> Program<'a> {
-    /// `measure`: samples per second of the criterion; `guard`: of the constraints; `refine`: hull
-    /// pieces per interval.
+    /// Creates a program. `measure`: sampling rate of the criterion, Hz; `guard`: that of the
+    /// constraints, Hz; `refine`: number of hull pieces per interval.
     pub(super) fn new(task: &'a Task<'a>, measure: f64, guard: f64, refine: usize) -> Self {
         let columns = task.smooth_columns(measure);
         let constraints = task.constraints();
@@ -193,8 +194,8 @@ impl<'a> Program<'a> {
         self.count * self.task.dof()
     }
 
-    /// The criterion per column and its gradient; `None` where it is not defined (information
-    /// without full rank).
+    /// The criterion per column and its gradient; `None` if it is undefined (information without
+    /// full rank).
     pub(super) fn objective(&self, x: &[f64], power: f64) -> Option<(f64, Vec<f64>)> {
         let states = self.measure.states(x);
         let mut information = Information::new(&self.columns, &states, &self.scaling);
@@ -213,12 +214,12 @@ impl<'a> Program<'a> {
         gradient.iter().all(|g| g.is_finite()).then_some((value / self.unit, gradient))
     }
 
-    /// Every constraint at every time of the guard grid.
+    /// Value of every constraint at every time of the guard grid.
     pub(super) fn guarded(&self, x: &[f64]) -> Vec<f64> {
         self.constraints.values(&self.list, &self.guard.states(x))
     }
 
-    /// States at the times of some watched constraints.
+    /// States at the times of the watched constraints.
     fn gathered(&self, x: &[f64], watched: &[Watched]) -> (States, Vec<Constraint>) {
         let (n, len) = (self.task.dof(), watched.len());
         let all = self.guard.states(x);
@@ -229,7 +230,7 @@ impl<'a> Program<'a> {
         (states, watched.iter().map(|&(c, _)| self.list[c]).collect())
     }
 
-    /// Gradients of watched constraints by the variables, one after the other.
+    /// Gradients of watched constraints with respect to the variables, one after the other.
     pub(super) fn gradients(&self, x: &[f64], watched: &[Watched]) -> Vec<Vec<f64>> {
         if watched.is_empty() {
             return Vec::new();
@@ -264,8 +265,8 @@ impl<'a> Program<'a> {
         sum
     }
 
-    /// Calls with first variable, row, lower and upper bound of every bound of position and its
-    /// derivatives.
+    /// Calls `visit` with first variable, row, lower and upper bound of every bound of position and
+    /// its derivatives.
     fn each_bound<'p>(&'p self, mut visit: impl FnMut(usize, &'p Weights, f64, f64)) {
         for Bounds { order, rows, share } in &self.bounds {
             for (j, limits) in self.task.limits.iter().enumerate() {
@@ -279,7 +280,7 @@ impl<'a> Program<'a> {
         }
     }
 
-    /// Bounds that a step from `x` of size `radius` could break.
+    /// Bounds that a step from `x` of size `radius` could violate.
     pub(super) fn bounds(&self, x: &[f64], radius: f64) -> Vec<Bound<'_>> {
         let mut out = Vec::new();
         self.each_bound(|first, weights, low, high| {
@@ -294,7 +295,7 @@ impl<'a> Program<'a> {
         out
     }
 
-    /// The largest share of the way from `x` along `d` that the bounds allow.
+    /// Largest share of the way from `x` along `d` that the bounds allow.
     pub(super) fn room(&self, x: &[f64], d: &[f64]) -> f64 {
         let mut share: f64 = 1.0;
         self.each_bound(|first, weights, low, high| {

@@ -1,5 +1,4 @@
-//! How short can it be? The shortest motion after which every essential parameter is known well
-//! enough.
+//! The shortest motion after which every essential parameter has the required precision.
 
 use crate::data::trajectory::Trajectory;
 
@@ -9,27 +8,28 @@ use super::error::ShortestError;
 use super::precision::{Expected, expected};
 use super::task::Task;
 
-/// A motion that reaches the target, and the way to it.
+/// A motion that reaches the target, and the durations tried.
 #[derive(Debug, Clone)]
 pub struct Shortest {
     /// The motion.
     pub design: Design,
-    /// Its expected precision.
+    /// Expected precision after it.
     pub expected: Vec<Expected>,
-    /// Durations that were tried, s, with the largest relative standard deviation of an essential
-    /// parameter, percent (`None`: no feasible motion).
+    /// Durations tried, s, with the largest relative standard deviation of an essential parameter,
+    /// percent (`None`: no feasible motion).
     pub tried: Vec<(f64, Option<f64>)>,
 }
 
-/// A motion, what to expect of it, and the essential parameter that is known worst, percent.
+/// A motion, its expected precision, and the least precise essential parameter with its percentage.
 type Attempt = (Design, Vec<Expected>, Option<(String, f64)>);
 
-/// Tries durations in steps of half a second up to that of the task, by bisection: longer motions
-/// have more information. Essential are the parameters that are so in the longest motion.
+/// Searches by bisection over durations in steps of half a second up to that of the task, as longer
+/// motions have more information. Essential parameters are those that are essential in the longest
+/// motion.
 ///
 /// # Errors
-/// Where not even the longest motion reaches the target (says by how much, and which parameter), no
-/// nominal values are known, or no motion is feasible.
+/// Returns an error if not even the longest motion reaches the target (with its value and the
+/// parameter), no nominal values are known, or no motion is feasible.
 pub fn shortest(task: &Task<'_>, percent: f64, effort: &Effort, watch: &Watch<'_>) -> Result<Shortest, ShortestError> {
     let Curve::Spline { duration, intervals } = task.curve else {
         return Err(ShortestError::Splines);
@@ -86,7 +86,7 @@ fn no_relative_precision(task: &Task<'_>, values: &[Expected]) -> ShortestError 
     }
 }
 
-/// The states of a motion at a rate.
+/// States of a motion sampled at a rate, Hz.
 pub(super) fn played(motion: &Trajectory, rate: f64) -> crate::model::States {
     motion.sampled(rate).1
 }

@@ -2,7 +2,7 @@
 //! S-l-infinity-QP; Nocedal and Wright, *Numerical Optimization*, section 18.5).
 //!
 //! The bounds of position, velocity, acceleration and jerk are linear and hold at every iterate.
-//! The other constraints may be broken on the way: the merit is `f + penalty * max(0, c)`. The
+//! The other constraints may be violated on the way: the merit is `f + penalty * max(0, c)`. The
 //! Hessian of the Lagrangian is a BFGS matrix with Powell's damping.
 
 use nalgebra::{DMatrix, DVector};
@@ -10,21 +10,23 @@ use nalgebra::{DMatrix, DVector};
 use super::program::{Bound, Program, Watched};
 use super::subproblem::{self, Row, Step};
 
-/// Bounds that this share of a step's reach could break are given to the subproblem at once.
+/// Bounds that this share of a step's reach could violate are passed to the subproblem at once.
 const NEAR: f64 = 0.25;
-/// No update shrinks what is known of the curvature further than this.
+/// Smallest factor by which an update shrinks the curvature matrix.
 const SHRINK: f64 = 0.85;
 
 /// Settings of one run.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Settings {
     pub(super) iterations: usize,
-    /// Stop when this many iterations in a row gain less than `gain` per column.
+    /// Number of consecutive iterations with a gain below `gain` per column after which the run
+    /// stops.
     pub(super) patience: usize,
     pub(super) gain: f64,
 }
 
-/// A run that can go on: on a finer grid or with another power the criterion bends much as before.
+/// State of a run that can be continued: on a finer grid or with another power the curvature is
+/// similar.
 #[derive(Debug, Clone)]
 pub(super) struct Search {
     pub(super) point: Point,
@@ -35,23 +37,24 @@ pub(super) struct Search {
 }
 
 impl Search {
-    /// From variables that keep the bounds, with this trust radius.
+    /// Starts from variables within the bounds, with this trust radius.
     pub(super) fn new(x: Vec<f64>, radius: f64) -> Self {
         let point = Point { x, value: f64::INFINITY, worst: f64::INFINITY };
         Self { point, hessian: None, radius, penalty: 1.0 }
     }
 }
 
-/// State of a run.
+/// Current point of a run.
 #[derive(Debug, Clone)]
 pub(super) struct Point {
     pub(super) x: Vec<f64>,
     pub(super) value: f64,
-    /// Largest constraint value; at most zero: feasible.
+    /// Largest constraint value; not positive if feasible.
     pub(super) worst: f64,
 }
 
-/// Minimises from where the search is. `visit` sees every accepted point and says whether to go on.
+/// Minimises from the search's point. `visit` receives every accepted point and returns whether to
+/// continue.
 pub(super) fn minimise(
     program: &Program<'_>,
     search: &mut Search,
@@ -98,7 +101,7 @@ pub(super) fn minimise(
             }
             continue;
         };
-        // Steer the penalty: the slack must come down where the model says that it can.
+        // Penalty update: the slack must decrease where the model allows it.
         let violation = worst.max(0.0);
         let lambda = &step.multipliers[..kept.len()];
         let total: f64 = lambda.iter().sum();
@@ -123,7 +126,7 @@ pub(super) fn minimise(
         let ratio = gained.map_or(-1.0, |g| g / predicted.max(1e-14));
         let reach = d.iter().fold(0.0_f64, |m, d| m.max(d.abs()));
         if let Some((_, g)) = &trial_value {
-            // Change of the Lagrangian's gradient; a refused step is the most informative.
+            // Change of the Lagrangian's gradient; a rejected step is the most informative.
             let mut y: Vec<f64> = g.iter().zip(&gradient).map(|(a, b)| a - b).collect();
             let (active, weights): (Vec<Watched>, Vec<f64>) =
                 kept.iter().zip(lambda).filter(|(_, l)| **l > 1e-6).map(|(w, l)| (*w, *l)).unzip();
@@ -166,13 +169,13 @@ pub(super) fn minimise(
     }
     let point = best.filter(|b| b.worst <= 0.0 || worst > 0.0).unwrap_or(Point { x, value, worst });
     let hessian = (!fresh).then_some(hessian);
-    // A run that got stuck may get going again elsewhere.
+    // A run that is stuck may progress again on another grid.
     *search = Search { point, hessian, radius: radius.clamp(0.02, 0.3), penalty };
 }
 
-/// The step of the subproblem. It is given the bounds that a fraction of the radius could break,
-/// then those that it broke. That takes fewer rows than all within reach, and one round more now
-/// and then.
+/// Solves for the step. The subproblem first has the bounds that a fraction of the radius could
+/// violate, then also those that the step violates. That takes fewer rows than all within reach,
+/// and occasionally one more round.
 fn bounded(
     program: &Program<'_>,
     x: &[f64],
@@ -196,7 +199,8 @@ fn bounded(
     }
 }
 
-/// Feasible before infeasible, then the lower value, or the less broken.
+/// Whether `a` is better: feasible before infeasible, then the lower value, or the smaller
+/// violation.
 pub(super) fn better(a: &Point, b: &Point) -> bool {
     match (a.worst <= 0.0, b.worst <= 0.0) {
         (true, true) => a.value < b.value,
@@ -205,8 +209,8 @@ pub(super) fn better(a: &Point, b: &Point) -> bool {
     }
 }
 
-/// Constraints near their limit, and those that the last step broke: only the highest of neighbours
-/// in time, and whatever is broken.
+/// Constraints near their limit, and those that the last step violated: only local maxima in time,
+/// and all violated ones.
 fn watch(program: &Program<'_>, guarded: &[f64], also: &[Watched], radius: f64) -> Vec<Watched> {
     let len = program.guard.times.len();
     let mut watched: Vec<Watched> = Vec::new();
@@ -233,13 +237,14 @@ fn norm(x: &[f64]) -> f64 {
     x.iter().map(|x| x * x).sum::<f64>().sqrt()
 }
 
-/// BFGS with Powell's damping (Nocedal and Wright, procedure 18.2). The criteria bend downwards
-/// along most steps, and a matrix that is positive definite bends too much. So all of it shrinks
-/// first, by the factor that the step shows (Oren and Luenberger, Management Science 20, 1974).
+/// BFGS with Powell's damping (Nocedal and Wright, procedure 18.2). The criteria have negative
+/// curvature along most steps, and a positive definite matrix overestimates it. The matrix is
+/// therefore scaled down first by the factor that the step shows (Oren and Luenberger, Management
+/// Science 20, 1974).
 fn update(hessian: &mut DMatrix<f64>, s: &DVector<f64>, y: &DVector<f64>, fresh: &mut bool) {
     let sy = s.dot(y);
     if *fresh && sy > 0.0 {
-        // The first matrix gets the size that the first step saw.
+        // The first matrix is scaled to the curvature of the first step.
         let n = s.len();
         *hessian = DMatrix::identity(n, n) * (y.norm_squared() / sy).clamp(1e-6, 1e6);
         *fresh = false;
@@ -261,6 +266,6 @@ fn update(hessian: &mut DMatrix<f64>, s: &DVector<f64>, y: &DVector<f64>, fresh:
     }
     hessian.ger(1.0 / sr, &r, &r, 1.0);
     hessian.ger(-1.0 / sbs, &bs, &bs, 1.0);
-    // Both triangles stay the same to the last bit.
+    // Keeps both triangles bit-identical.
     hessian.fill_lower_triangle_with_upper_triangle();
 }

@@ -1,4 +1,5 @@
-//! Start of a run: a posture in the clear, and a random motion about it that keeps the bounds.
+//! Starting point of a run: a collision-free posture, and a random motion about it within the
+//! bounds.
 
 use crate::model::States;
 
@@ -7,7 +8,7 @@ use super::program::Program;
 use super::task::Task;
 use crate::numerics::prng::Random;
 
-/// The posture that keeps most clear of everything, of some thousand.
+/// The posture with the largest clearance of some thousand.
 pub(super) fn home(task: &Task<'_>) -> Result<Vec<f64>, Worst> {
     let (n, len) = (task.dof(), 4096);
     let mut random = Random::stream(7, 0);
@@ -16,7 +17,7 @@ pub(super) fn home(task: &Task<'_>) -> Result<Vec<f64>, Worst> {
         let [low, high] = task.limits[j].position;
         let middle = if low < 0.0 && high > 0.0 { 0.0 } else { 0.5 * (low + high) };
         for s in 0..len {
-            // The first is the middle; the further, the wider.
+            // The first is the middle; later ones spread more widely.
             let share = 0.9 * s as f64 / len as f64;
             states.q[j * len + s] = random.uniform(middle + share * (low - middle), middle + share * (high - middle));
         }
@@ -32,7 +33,7 @@ pub(super) fn home(task: &Task<'_>) -> Result<Vec<f64>, Worst> {
                 (worst, at) = (values[k * len + s], k);
             }
         }
-        // A little clear is clear enough: the earliest then.
+        // Beyond some clearance all are equal, and the earliest is taken.
         let worst = worst.max(-0.3);
         if worst < best.0 {
             best = (worst, s, at);
@@ -45,8 +46,8 @@ pub(super) fn home(task: &Task<'_>) -> Result<Vec<f64>, Worst> {
     Ok((0..n).map(|j| states.q[j * len + best.1]).collect())
 }
 
-/// Random states inside the limits, rest left out: a column that they do not determine, no motion
-/// does.
+/// Random states inside the limits, without regard to rest at the ends: a column that they do not
+/// determine is not determined by any motion.
 pub(super) fn anywhere(task: &Task<'_>) -> States {
     let (n, len) = (task.dof(), 500);
     let mut random = Random::stream(11, 0);
@@ -57,14 +58,14 @@ pub(super) fn anywhere(task: &Task<'_>) -> States {
     States { len, q: draw(0), dq: draw(1), ddq: draw(2) }
 }
 
-/// A random motion about a posture.
+/// Variables of a random motion about a posture.
 pub(super) fn random_motion(task: &Task<'_>, program: &Program<'_>, home: &[f64], seed: u64, stream: u64) -> Vec<f64> {
     let mut random = Random::stream(seed, stream.wrapping_add(100));
     let rest: Vec<f64> = home.iter().flat_map(|&q| task.curve.rest(q)).collect();
     let mut step = vec![0.0; rest.len()];
     let count = task.curve.count();
     for j in 0..task.dof() {
-        // Each joint by itself uses what its bounds allow.
+        // Each joint uses the range that its own bounds allow.
         let mut alone = vec![0.0; rest.len()];
         let [low, high] = task.limits[j].position;
         let wide = (high - low).min(4.0);

@@ -1,27 +1,27 @@
-//! The convex subproblem of one step, by clarabel: `min g d + d B d / 2 + mu s` within bounds, `c +
-//! C d <= s`, `0 <= s`, `|d| <= delta`.
+//! The convex subproblem of one step, solved by clarabel: `min g d + d B d / 2 + mu s` within
+//! bounds, `c + C d <= s`, `0 <= s`, `|d| <= delta`.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{DefaultSettingsBuilder, DefaultSolver, IPSolver, NonnegativeConeT, SolverStatus};
 use nalgebra::DMatrix;
 
-/// A row `values d <= bound`; where it is soft, `<= bound + s`.
+/// A row `values d <= bound`; if soft, `<= bound + s`.
 pub(super) struct Row {
-    /// Index of the first variable that has a weight.
+    /// Index of the first variable with a weight.
     pub(super) first: usize,
     pub(super) values: Vec<f64>,
     pub(super) bound: f64,
     pub(super) soft: bool,
 }
 
-/// Step, slack, multipliers of the rows.
+/// Step, slack and multipliers of the rows.
 pub(super) struct Step {
     pub(super) d: Vec<f64>,
     pub(super) slack: f64,
     pub(super) multipliers: Vec<f64>,
 }
 
-/// Solves it; `None` where the solver finds nothing.
+/// Solves the subproblem; `None` if the solver fails.
 pub(super) fn solve(hessian: &DMatrix<f64>, gradient: &[f64], rows: &[Row], penalty: f64, radius: f64) -> Option<Step> {
     let n = gradient.len();
     // Upper triangle of B, then the slack, whose square keeps the problem strictly convex.

@@ -1,4 +1,4 @@
-//! A task: robot, limits, motion family, columns, criterion, prior.
+//! The design task: robot, limits, family of motions, columns, criterion, prior.
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::Robot;
@@ -29,43 +29,43 @@ pub struct Task<'a> {
     pub missing: Vec<Missing>,
     /// Standard parameters of the nominal model; `None`: torques are not checked.
     pub standard: Option<Vec<f64>>,
-    /// Spheres, ground, boxes.
+    /// Collision bodies: spheres, ground, boxes.
     pub bodies: Bodies,
     /// Family of motions.
     pub curve: Curve,
-    /// Criterion.
+    /// Criterion to minimise.
     pub criterion: Criterion,
-    /// Indices of the base parameters whose columns count.
+    /// Indices of the selected base parameters.
     pub base: Vec<usize>,
-    /// With the ten columns of a body in the tool frame.
+    /// Whether to include the ten columns of a payload in the tool frame.
     pub payload: bool,
-    /// Nominal parameters of that body, `M MSX .. YZ`: those of the file's tool.
+    /// Nominal parameters of the payload, `M MSX .. YZ`: those of the file's tool.
     pub body: Option<[f64; 10]>,
-    /// Further columns.
+    /// Additional columns.
     pub extra: Option<&'a dyn Extra>,
     /// Standard deviation of each joint's torque noise, N m; all 1: plain equation (9).
     pub noise: Vec<f64>,
     /// Factor of each column; empty: 1.
     pub scale: Vec<f64>,
-    /// Information that is there already, in unscaled columns and the noise's units: `W' P W` of
-    /// earlier motions, or one over variances.
+    /// Prior information, in unscaled columns and the noise's units: `W' P W` of earlier motions,
+    /// or reciprocal variances.
     pub prior: Option<DMatrix<f64>>,
-    /// Samples per second that the criterion counts.
+    /// Sampling rate of the criterion, Hz.
     pub rate: f64,
-    /// Share of the torque limits that is kept free.
+    /// Share of the torque limits that is kept as a reserve.
     pub torque_margin: f64,
-    /// Distance that is kept to ground, spheres and boxes, m.
+    /// Distance kept to ground, spheres and boxes, m.
     pub distance_margin: f64,
     /// Share of the limits of position, velocity, acceleration and jerk that is used.
     pub share: f64,
 }
 
 impl<'a> Task<'a> {
-    /// The paper's task for a robot: all base parameters, log det, splines with a way point every
-    /// second.
+    /// Creates the paper's task for a robot: all base parameters, log det, splines with a way point
+    /// every second.
     ///
     /// # Errors
-    /// Where limits are missing that a motion can't be planned without.
+    /// Returns an error if limits required for planning are missing.
     pub fn new(arm: &'a Differentiated, robot: &Robot, duration: f64, speed_up_time: f64) -> Result<Self, LimitsError> {
         let mut missing = Vec::new();
         let still = |row: &usize| robot.joints[*row].limits.velocity.is_none_or(|v| v <= 0.0);
@@ -128,24 +128,25 @@ impl<'a> Task<'a> {
         Ok(task)
     }
 
-    /// Degrees of freedom.
+    /// Number of joints.
     pub fn dof(&self) -> usize {
         self.limits.len()
     }
 
-    /// Leaves the drives' columns out of the criterion: rotor inertia, friction, offsets.
+    /// Removes the drives' columns from the criterion: rotor inertia, friction, offsets.
     pub fn links_only(&mut self) {
         let base = self.arm.base_parameters();
         self.base.retain(|&b| !base[b].leader.is_drive());
     }
 
-    /// Counts the ten parameters of a body in the tool frame alone, the robot being known.
+    /// Selects only the ten parameters of a payload in the tool frame, as if the robot were known.
     pub fn tool_only(&mut self) {
         self.base.clear();
         self.payload = true;
     }
 
-    /// Leaves out what no posture changes: frames on the base axis, spheres that turn about it.
+    /// Removes constraints that do not depend on the posture: frames on the base axis, spheres that
+    /// turn about it.
     fn forget_constant(&mut self) {
         let mut random = Random::stream(1, 1);
         let (n, len) = (self.dof(), 200);
@@ -185,13 +186,13 @@ impl<'a> Task<'a> {
         }
     }
 
-    /// The columns that count.
+    /// The selected columns.
     pub fn columns(&self) -> Columns<'a> {
         Columns::new(self.arm, &self.base, self.payload, self.extra)
     }
 
-    /// The columns with a smooth sign of Coulomb: over two percent of the largest speed, and over
-    /// half of the change of speed between two samples, so that no reversal falls between them.
+    /// The columns with a smooth Coulomb sign: over two percent of the largest speed, and over half
+    /// of the change of speed between two samples, so that no reversal falls between them.
     pub(super) fn smooth_columns(&self, rate: f64) -> Columns<'a> {
         let turn = |l: &JointLimits| (0.02 * l.velocity).max(0.5 * l.acceleration / rate);
         self.columns().smooth(self.limits.iter().map(turn).collect())

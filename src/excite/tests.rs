@@ -1,4 +1,5 @@
-//! Gradients against differences, motions against the checker, criteria against each other.
+//! Tests of gradients against differences, of motions against the checker, and of criteria against
+//! each other.
 
 use std::sync::atomic::AtomicBool;
 
@@ -18,7 +19,7 @@ fn robot(name: &str) -> Robot {
     Robot::from_yaml(&text, &no_files).unwrap().robot
 }
 
-/// The robots whose files have speed limits.
+/// Robots whose files have speed limits.
 const ROBOTS: [&str; 5] = ["kuka-lwr4", "franka-panda", "ur10e", "kinova-gen3", "staubli-tx40"];
 
 const CRITERIA: [Criterion; 5] =
@@ -177,12 +178,10 @@ fn the_checker_sees_what_is_broken() {
     assert!(check(&robot, &Written::default(), None).is_err());
 }
 
-/// Columns that nearly repeat each other: `log det` from products loses everything, from the factor
-/// it does not.
+/// Nearly identical columns: `log det` from products is meaningless, from the factor it is not.
 #[test]
 fn log_det_is_meaningful_at_condition_numbers_of_1e8() {
-    /// `1e-8 x` beside what the base regressor has: a column that differs from `sin q1` by next to
-    /// nothing.
+    /// Adds a column that differs from `sin q1` by `1e-8 x`, next to nothing.
     struct Nearly {
         share: f64,
         pattern: [(usize, usize); 2],
@@ -245,7 +244,7 @@ fn a_second_motion_complements_the_first_and_knowledge_counts() {
     }
 }
 
-/// Against the textbook: the covariance of least squares on the stacked regressor.
+/// Comparison with the textbook: the covariance of least squares on the stacked regressor.
 #[test]
 fn expected_precision_is_that_of_least_squares() {
     let robot = robot("planar2r");
@@ -271,7 +270,7 @@ fn expected_precision_is_that_of_least_squares() {
     for (k, e) in expected(&task, &states).iter().enumerate() {
         assert!((e.std / covariance[(k, k)].sqrt() - 1.0).abs() < 1e-8, "{}", e.name);
     }
-    // And the plain numbers of equation (9), by another route.
+    // The plain numbers of equation (9) as well, by another method.
     task.noise = vec![1.0, 1.0];
     for (i, row) in [(0, 0.2), (1, 0.7)] {
         (0..len).for_each(|s| (0..b).for_each(|k| w[(2 * s + i, k)] *= row));
@@ -285,8 +284,7 @@ fn expected_precision_is_that_of_least_squares() {
     assert!((conditions.hadamard - hadamard).abs() < 1e-9);
 }
 
-/// A spring in q1 and a friction cubic in dq1 are separated better by the motion that is made for
-/// it.
+/// A spring in q1 and a cubic friction in dq1 are separated better by the motion designed for it.
 #[test]
 fn a_discriminating_motion_separates_hypotheses() {
     struct Own(fn(f64, f64) -> f64);
@@ -329,8 +327,8 @@ fn what_cannot_be_is_said() {
 }
 
 /// The problem of `benches/excite_slsqp.py`. Of five starts each, SLSQP with finite differences
-/// ends at 11.25 (condition number, 41 s of processor) and -499.6 (log det, 26 s) in the middle,
-/// past the limits between its times.
+/// reaches a median of 11.25 (condition number, 41 s of processor time) and -499.6 (log det, 26 s),
+/// and violates limits between its times.
 #[test]
 fn a_few_steps_reach_what_a_general_solver_does() {
     let mut robot = robot("kuka-lwr4");
@@ -350,8 +348,8 @@ fn a_few_steps_reach_what_a_general_solver_does() {
     }
 }
 
-/// The torque that holds a posture, against limits just above and just below it, as constraint and
-/// as the checker sees it.
+/// The torque that holds a posture against limits just above and just below it, in the constraint
+/// and in the checker.
 #[test]
 fn a_torque_is_within_its_limit_or_not() {
     use crate::model::rigid_body::Numeric;
@@ -385,7 +383,7 @@ fn a_torque_is_within_its_limit_or_not() {
     }
 }
 
-/// To either side, with the limit that is broken.
+/// Violations on either side, with the violated limit.
 #[test]
 fn a_position_is_within_its_range_or_not() {
     let mut robot = robot("kuka-lwr4");
@@ -400,7 +398,7 @@ fn a_position_is_within_its_range_or_not() {
     }
 }
 
-/// Balls come nearer by what each of the two is larger.
+/// The distance of a pair decreases by the increase of either radius.
 #[test]
 fn both_balls_of_a_pair_take_room() {
     let robot = robot("kuka-lwr4");
@@ -431,8 +429,8 @@ fn both_balls_of_a_pair_take_room() {
     }
 }
 
-/// Positions, speeds and accelerations of a sine that is sampled eight times a turn belong together:
-/// the trapezium alone would miss the positions by a twentieth.
+/// Positions, speeds and accelerations of a sine that is sampled eight times per period are
+/// consistent: the trapezoidal rule alone would miss the positions by a twentieth.
 #[test]
 fn coarse_rows_of_a_sine_are_consistent() {
     let robot = robot("kuka-lwr4");

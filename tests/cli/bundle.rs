@@ -1,10 +1,10 @@
-//! `denavit bundle` and `denavit replay`.
+//! Tests of `denavit bundle` and `denavit replay`.
 
 use std::io::{Cursor, Read, Write};
 
 use super::*;
 
-/// A run of two joints, and its folder.
+/// A simulated log of two joints, and its folder.
 fn log(name: &str) -> (PathBuf, String) {
     let folder = folder(name);
     let motion: Vec<Vec<f64>> =
@@ -16,7 +16,7 @@ fn log(name: &str) -> (PathBuf, String) {
     (folder, log)
 }
 
-/// The files of a zip.
+/// Files of a zip.
 fn unzipped(path: &str) -> Vec<(String, Vec<u8>)> {
     let mut zip = zip::ZipArchive::new(Cursor::new(std::fs::read(path).unwrap())).unwrap();
     (0..zip.len())
@@ -47,7 +47,7 @@ fn a_run_is_repeated_bit_by_bit_from_its_bundle_alone() {
     let verb = ["identify", "robots/planar2r.yaml", &log, "--out", out, "--json", "i.json"];
     let run = denavit(&[&["bundle", &archive, "--"][..], &verb].concat());
     assert_eq!(run.status, Some(0), "{}", run.err);
-    // The results are in the bundle, not where the command line says.
+    // The results are in the bundle, not at the paths of the command line.
     assert!(!std::path::Path::new(out).exists());
     std::fs::remove_file(&log).unwrap();
     let names: Vec<String> = unzipped(&archive).into_iter().map(|(name, _)| name).collect();
@@ -102,7 +102,7 @@ fn other_results_are_named_and_foreign_archives_refused() {
     let put = |from: &str, to: &str, bytes: &mut Vec<u8>| {
         *bytes = String::from_utf8(bytes.clone()).unwrap().replace(from, to).into_bytes();
     };
-    // Another command than the one that the results are of.
+    // A command other than that of the results.
     let (status, err) = replayed(&|name, bytes| {
         if name == "bundle.json" {
             put("\"inspect\"", "\"convert\"", bytes);

@@ -1,4 +1,5 @@
-//! `denavit calibrate` on a real recording: the excerpt in `data/`, and what the source says of it.
+//! Tests of `denavit calibrate` on a real recording: the excerpt in `data/`, against published
+//! values.
 
 use std::sync::OnceLock;
 
@@ -38,7 +39,7 @@ fn story() -> &'static Story {
     })
 }
 
-/// Numbers of a text, with the unit of the last digit of each.
+/// Numbers in a text, with the unit of the last digit of each.
 fn figures(text: &str) -> Vec<(f64, f64)> {
     let words = text.split_whitespace().map(|word| word.trim_end_matches(['.', ',', ';', ':']));
     let digits = |word: &str| word.split_once('.').map_or(0, |(_, digits)| digits.len() as i32);
@@ -46,7 +47,7 @@ fn figures(text: &str) -> Vec<(f64, f64)> {
 }
 
 /// Each figure is within one unit of its last digit: processors differ in the last bits, and a
-/// figure that moves by more is another one.
+/// larger change is significant.
 #[test]
 fn the_story_of_the_readme_has_the_figures_of_its_command() {
     let Story { said, text: [before, after], .. } = story();
@@ -55,7 +56,7 @@ fn the_story_of_the_readme_has_the_figures_of_its_command() {
     };
     let (baseline, extended) = (&said["baseline"], &said["extended"]);
     let cause = likeliest(said);
-    // Coulomb friction of the shared motor may stand in an entry of its own.
+    // Coulomb friction of the shared motor may be in an entry of its own.
     let couplings = || said["causes"].as_array().unwrap().iter().filter(|c| c["cause"] == "gear_coupling");
     let value = |key: &str| {
         let of = |joint: u32| couplings().find_map(|c| c["parameters"][format!("{key}{joint}")].as_f64());
@@ -63,7 +64,7 @@ fn the_story_of_the_readme_has_the_figures_of_its_command() {
     };
     let mut joints = numbers(&cause["joints"]);
     joints.sort_by(f64::total_cmp);
-    // As data/README.md has them from the source.
+    // Published values, from data/README.md.
     let published = [0.0077, 0.616, 1.956];
     let wanted = [
         &[5.0, error(baseline, 5), 6.0, error(baseline, 6), error(extended, 5), error(extended, 6)][..],
@@ -76,18 +77,18 @@ fn the_story_of_the_readme_has_the_figures_of_its_command() {
     check(after, &wanted);
     let rust = env!("CARGO_PKG_RUST_VERSION").parse().unwrap();
     let [first, second, last] = [FIRST, SECOND, LAST].map(seconds);
-    // What is left out: how long the command takes.
+    // The computing time is not checked.
     check(before.split(", then takes").next().unwrap(), &[first + second, last, rust]);
 }
 
-/// The cause that the text's first line names.
+/// The most probable cause, which the text's first line names.
 fn likeliest(said: &serde_json::Value) -> &serde_json::Value {
     let probability = |cause: &serde_json::Value| cause["probability"].as_f64().unwrap();
     let all = said["causes"].as_array().unwrap();
     all.iter().max_by(|a, b| probability(a).total_cmp(&probability(b))).unwrap()
 }
 
-/// From the first sample of a packed log to its last.
+/// Duration of a packed log, s.
 fn seconds(path: &str) -> f64 {
     let file = std::fs::File::open(std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(path)).unwrap();
     let text = std::io::read_to_string(flate2::read::GzDecoder::new(file)).unwrap();
@@ -107,7 +108,7 @@ fn check(text: &str, wanted: &[f64]) {
 fn a_recording_becomes_a_model_with_the_coupling_of_the_wrist() {
     let Story { run, said, out, page, .. } = story();
 
-    // The motor of joint 6 turns with joint 5, and the robot file does not say so (data/README.md).
+    // The motor of joint 6 turns with joint 5, which is not in the robot file (data/README.md).
     let first = likeliest(said);
     assert_eq!(first["cause"], "gear_coupling");
     let mut joints = numbers(&first["joints"]);
@@ -115,13 +116,13 @@ fn a_recording_becomes_a_model_with_the_coupling_of_the_wrist() {
     assert_eq!(joints, [5.0, 6.0]);
     // The source publishes 0.616 N m s/rad and 1.956 N m.
     let viscous = first["parameters"]["FVM6"].as_f64().unwrap();
-    // Coulomb friction of the shared motor may stand in an entry of its own.
+    // Coulomb friction of the shared motor may be in an entry of its own.
     let couplings = said["causes"].as_array().unwrap().iter().filter(|c| c["cause"] == "gear_coupling");
     let dry = couplings.flat_map(|c| ["FCM6", "FCM5"].map(|key| c["parameters"][key].as_f64()));
     let dry = dry.flatten().next().unwrap();
     assert!((viscous - 0.616).abs() < 0.1 && (dry - 1.956).abs() < 0.4, "{viscous} {dry}");
 
-    // Measured on a part of the run to which nothing was fitted.
+    // Errors on a part of the run to which nothing was fitted.
     let [before, after] = ["baseline", "extended"].map(|model| numbers(&said[model]["rms"]["validate"]));
     for joint in [4, 5] {
         assert!(after[joint] < 0.5 * before[joint], "joint {}: {before:?} {after:?}", joint + 1);
@@ -130,7 +131,7 @@ fn a_recording_becomes_a_model_with_the_coupling_of_the_wrist() {
     let identified = numbers(&said["identified"]["rms"]["validate"]);
     assert!((identified[4] / before[4] - 1.0).abs() < 0.1, "{identified:?} {before:?}");
 
-    // The text says the same, and the file is a robot with the cause in it.
+    // The text agrees, and the file is a robot with the cause in it.
     assert!(run.out.contains("gear_coupling on joints 6, 5") && run.out.contains("identified"), "{}", run.out);
     assert!(read_robot(out).has_effects());
     assert!(std::fs::read_to_string(out).unwrap().contains("gear_coupling"));
@@ -138,7 +139,7 @@ fn a_recording_becomes_a_model_with_the_coupling_of_the_wrist() {
     assert_eq!(checked.status, Some(0), "{}", checked.err);
     let page = std::fs::read_to_string(page).unwrap();
     assert!(page.contains("gear coupling") && page.contains("</html>"));
-    // Each warning stands at the top, before the causes.
+    // Each warning is at the top, before the causes.
     let (top, _) = page.split_once(">Causes</h2>").expect("a heading of the causes");
     for warning in run.out.lines().filter_map(|line| line.strip_prefix("warning of the identification: ")) {
         let shown = warning.replace('&', "&amp;").replace('<', "&lt;").replace('\'', "&#39;");
@@ -154,7 +155,7 @@ fn what_was_fitted_is_not_measured_on() {
     let run = denavit(&["calibrate", ROBOT, FIRST]);
     assert_eq!(run.status, Some(2));
     assert!(run.err.contains("--validate"), "{}", run.err);
-    // An output in the place of an input.
+    // An output with the path of an input.
     let run = denavit(&["calibrate", ROBOT, FIRST, "--validate", LAST, "--out", FIRST]);
     assert_eq!(run.status, Some(2));
 }

@@ -1,4 +1,4 @@
-//! `denavit diagnose` on logs of the simulated robot: files in, verdict out.
+//! Tests of `denavit diagnose` on logs of the simulated robot.
 
 use std::fmt::Write;
 use std::fs;
@@ -16,7 +16,7 @@ fn folder(name: &str) -> PathBuf {
     path
 }
 
-/// Sums of sines, all joints, starting at rest.
+/// Writes a motion: sums of sines on all joints, starting at rest.
 fn motion(path: &Path, dof: usize, seconds: f64, seed: f64) {
     let mut text = String::from("t");
     (1..=dof).for_each(|j| write!(text, ",q{j}").unwrap());
@@ -24,7 +24,7 @@ fn motion(path: &Path, dof: usize, seconds: f64, seed: f64) {
     let rate = 100.0;
     for k in 0..(seconds * rate) as usize {
         let t = k as f64 / rate;
-        // Grows from nothing, so that the controller need not jump.
+        // Grows from zero, so that the controller does not have to jump.
         let s = (t / 1.5).min(1.0);
         let grow = s * s * s * (10.0 - 15.0 * s + 6.0 * s * s);
         write!(text, "{t}").unwrap();
@@ -83,7 +83,7 @@ fn nothing_hidden_is_nothing_wrong() {
     for j in 0..7 {
         let (noise, error) =
             (found["noise_floor"][j].as_f64().unwrap(), found["extended"]["rms"]["validate"][j].as_f64().unwrap());
-        // Every sample counts, reversals too, where the file's law takes the sign of a velocity
+        // Every sample counts, also at reversals, where the file's law takes the sign of a velocity
         // within its noise.
         assert!((0.8..1.2).contains(&(noise / 0.05)) && error < 1.5 * noise, "joint {}: {noise} {error}", j + 1);
     }
@@ -105,7 +105,7 @@ fn one_core_gives_the_bits_of_all() {
         .args(arguments)
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output();
-    // Not every machine has it, or lets processes choose.
+    // Not every machine has `taskset` or lets processes use it.
     let Some(one) = one.ok().filter(|run| run.status.success()) else { return };
     assert_eq!(all.status, Some(0), "{}", all.err);
     assert_eq!(String::from_utf8(one.stdout).unwrap(), all.out);
@@ -125,7 +125,7 @@ fn a_hidden_ripple_comes_back_in_the_robot_file() {
     let gain = &first["gain"];
     assert!(gain["rms_after"][3].as_f64().unwrap() < 0.3 * gain["rms_before"][3].as_f64().unwrap());
     assert!(fs::read_to_string(&out).unwrap().contains("torque_ripple"));
-    // Read back, the file is the model that is offered.
+    // Read back, the file is the proposed model.
     let written = &found["written"];
     assert_eq!(written["is_the_offered_model"], true, "{written}");
     for j in 0..7 {
@@ -145,12 +145,12 @@ fn a_hidden_payload_is_the_whole_robots() {
     let first = &found["causes"][0];
     assert_eq!((first["cause"].as_str(), &first["joints"]), (Some("payload"), &serde_json::json!([])), "{found:#}");
     assert!(first["not_distinguished_from"].as_array().unwrap().contains(&"link_inertia_error".into()));
-    // No motion separates those two, so none is written.
+    // No motion separates these two, so none is written.
     assert!(found["next_experiment"]["file"].is_null() && !Path::new(&out).with_extension("next.csv").exists());
 }
 
-/// What the gears take, of torques on both sides of them: links that are wrong play no part, friction goes
-/// with the measured load, and the file with what was found has nothing wrong.
+/// Diagnosis of gear torques from torques on both sides: wrong links have no influence,
+/// load-dependent friction uses the measured load, and no error is found in the written file.
 #[test]
 fn gears_are_diagnosed_by_the_torques_on_both_sides() {
     let place = folder("gears");
@@ -181,18 +181,19 @@ sensors: { rate: 250, torque_noise: 0.05, torque: link }\n";
     }
     assert_eq!((&found["transmission"], &found["links_refitted"]), (&Value::Bool(true), &Value::Bool(false)));
     assert_eq!(diagnosis(out, &["--transmission"])["verdict"], "nothing_wrong");
-    // Its links are those of the file.
+    // Its links are those of the original file.
     let links = |path: &str| {
         let text = fs::read_to_string(path).unwrap();
         text.split("\nlinks:").nth(1).unwrap().split("\n#").next().unwrap().lines().nth(1).unwrap().to_string()
     };
     assert_eq!(links(out), links("robots/kuka-lwr4.yaml"));
-    // A log with both says so where one of them is diagnosed.
+    // A log with both torques gives a hint if only one of them is diagnosed.
     let warnings = diagnosis("robots/kuka-lwr4.yaml", &[])["warnings"].to_string();
     assert!(warnings.contains("--transmission"), "{warnings}");
 }
 
-/// Torque columns in another order or unit are named, and nothing else is concluded from them.
+/// Torque columns in another order or unit are reported, and no other conclusion is drawn from
+/// them.
 #[test]
 fn misread_torque_columns_are_named_before_any_cause() {
     let place = folder("misread");

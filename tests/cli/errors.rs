@@ -1,9 +1,10 @@
-//! A wrong use ends with 2 and one paragraph: what, where, how to mend it.
+//! Tests of wrong uses: status 2 and one paragraph with what is wrong, where, and how to correct
+//! it.
 
 use super::*;
 
-/// The command must end with `status`, print nothing on standard output, and say all of `parts` in
-/// one paragraph.
+/// Checks that the command ends with `status`, prints nothing on standard output, and has all of
+/// `parts` in one paragraph.
 fn fails(status: i32, arguments: &[&str], parts: &[&str]) {
     let run = denavit(arguments);
     assert_eq!(run.status, Some(status), "{arguments:?}: {}", run.err);
@@ -32,7 +33,7 @@ fn of_the_command_line() {
     fails(2, &["identify", PLANAR, "x.csv", "--order", "0"], &["--order 0", "1 to 12"]);
 }
 
-/// A negative number is a value, whatever the option.
+/// A negative number is accepted as a value of every option.
 #[test]
 fn of_negative_numbers() {
     let paint = ["paint", "run", "robots/kuka-lwr4.yaml", "--plan", "x.json"];
@@ -54,7 +55,7 @@ fn of_paths() {
     fails(2, &eval(PLANAR, "gravity", "robots"), &["robots", "name a file"]);
     fails(2, &["identify", PLANAR, "no/such.csv"], &["no/such.csv", "check the path"]);
     fails(2, &["identify", PLANAR, "robots"], &["robots", "name a file"]);
-    // Not the input's fault: the place to write to.
+    // Not the input's fault: the output's path.
     let folder = folder("errors-paths");
     let out = folder.display().to_string();
     fails(1, &["check", PLANAR, "--json", &out], &[&out, "can't be written"]);
@@ -116,7 +117,7 @@ fn of_logs() {
     fails(2, &["identify", "robots/ur10e.yaml", &file(&folder, "two.csv", csv(&header, &log(500)))], &["two.csv", "6"]);
 }
 
-/// Verbs that read or drive every joint refuse one without a motor; the others take it.
+/// Verbs that read or drive every joint refuse one without a motor; the others accept it.
 #[test]
 fn a_joint_without_a_motor_is_refused_where_it_counts() {
     let folder = folder("motors");
@@ -165,7 +166,7 @@ fn a_joint_without_a_motor_is_refused_where_it_counts() {
     assert!(exported.out.contains("that `elbow` has no motor"), "{}", exported.out);
 }
 
-/// Tables of states and poses: what would be read otherwise than it was meant is refused.
+/// Tables of states and poses that could be misread are refused.
 #[test]
 fn tables_say_what_they_mean() {
     let folder = folder("tables");
@@ -180,7 +181,7 @@ fn tables_say_what_they_mean() {
     run("more.csv", "q1,q2,q3\n0,0,0\n", "there is a column q3, and the robot has 2 joints");
 }
 
-/// `--prior none` leaves links out; where there are none it would change nothing.
+/// `--prior none` omits links; if there are none it would have no effect.
 #[test]
 fn a_prior_that_changes_nothing_is_refused() {
     let folder = folder("prior");
@@ -196,7 +197,7 @@ fn a_prior_that_changes_nothing_is_refused() {
 fn a_log_in_place_of_a_robot_file_does_not_fill_the_memory() {
     let place = folder("long-text");
     let path = place.join("endless.yaml");
-    // A file of holes: it takes no room on the disk.
+    // A sparse file, which takes no room on the disk.
     std::fs::File::create(&path).unwrap().set_len(1 << 40).unwrap();
     for verb in ["check", "import"] {
         let run = denavit(&[verb, &path.display().to_string()]);

@@ -1,4 +1,5 @@
-//! All nine quantities against the numeric recursion, which shares no code with what is run here.
+//! Tests of `denavit eval`: all nine quantities against the numeric recursion, which shares no code
+//! with it.
 
 use denavit::model::rigid_body::Numeric;
 use denavit::numerics::prng::Random;
@@ -9,7 +10,7 @@ use super::*;
 
 const STATES: usize = 4;
 
-/// A robot file with links, states and torques, and the oracle with the answers.
+/// A robot file with links, states and torques, and the oracle for the results.
 struct Bench {
     robot: String,
     states: String,
@@ -19,7 +20,7 @@ struct Bench {
 }
 
 impl Bench {
-    /// Of a robot in the repository; where the file has no links, some bodies are given to it.
+    /// Uses a robot of the repository; if its file has no links, bodies are added.
     fn new(name: &str) -> Self {
         let folder = folder(&format!("eval-{name}"));
         let mut random = Random::new(7);
@@ -50,7 +51,7 @@ impl Bench {
         json(&["eval", &self.robot, "--quantity", quantity, "--states", &self.states, "--json", "-"])
     }
 
-    /// The values of a quantity, after a look at the shape.
+    /// Values of a quantity, with a check of its shape.
     fn values(&self, quantity: &str, [rows, cols]: [usize; 2]) -> Vec<DMatrix<f64>> {
         let said = self.eval(quantity);
         assert_eq!(said["quantity"], quantity);
@@ -94,8 +95,8 @@ fn all_quantities(name: &str) {
         .map(|base| standard.iter().position(|s| *s == base.strip_suffix('R').unwrap_or(base)).unwrap())
         .collect();
     bench.agrees("base_regressor", |[q, dq, ddq, _]| arm.regressor(q, dq, ddq).select_columns(&leaders));
-    // Forward dynamics takes the torques of inverse dynamics back to the accelerations, as far as
-    // the mass matrix's condition lets it.
+    // Forward dynamics maps the torques of inverse dynamics back to the accelerations, as
+    // accurately as the mass matrix's condition permits.
     for (found, [.., ddq, _]) in bench.values("forward_dynamics", [arm.dof(), 1]).iter().zip(&bench.rows) {
         for (a, b) in found.iter().zip(ddq) {
             assert!((a - b).abs() < 1e-8, "{name}: {a} is not {b}");

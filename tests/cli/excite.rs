@@ -1,5 +1,5 @@
-//! Motions as files: fixed formats, the numeric oracle's results about them, and the ends of wrong
-//! uses.
+//! Tests of `denavit excite`: file formats, comparison of results with the numeric oracle, and
+//! wrong uses.
 
 use denavit::model::rigid_body::Numeric;
 use dh_codegen::arm::param;
@@ -33,7 +33,7 @@ fn the_written_motion_is_what_the_json_says() {
     assert_eq!(header, [vec!["t".into()], names("q"), names("dq"), names("ddq")].concat());
     assert_eq!(rows.len(), 401);
 
-    // The condition number of equation (9) by the oracle: leaders' own columns of the numeric
+    // Condition number of equation (9) by the oracle: the leaders' own columns of the numeric
     // regressor.
     let robot = read_robot(ROBOT);
     let numeric = Numeric::new(&robot);
@@ -59,7 +59,7 @@ fn the_written_motion_is_what_the_json_says() {
     assert!((found["condition_number"].as_f64().unwrap() / condition - 1.0).abs() < 1e-3, "{condition} {found}");
     assert!((found["value"].as_f64().unwrap() / condition - 1.0).abs() < 1e-3);
 
-    // The same motion from its coefficients, by the checker, and as ROS reads it.
+    // The same motion from its coefficients, in the checker, and in ROS's format.
     let value = serde_json::from_str(&std::fs::read_to_string(&coefficients).unwrap()).unwrap();
     let motion = denavit::report::trajectory_of_json(&value).unwrap();
     for row in rows.iter().step_by(37) {
@@ -76,7 +76,7 @@ fn the_written_motion_is_what_the_json_says() {
     assert!(!page.contains("http://") || page.matches("http://").count() == page.matches("http://www.w3.org").count());
     assert!(!page.contains("NaN"));
 
-    // The same seed, the same bytes.
+    // The same seed gives the same bytes.
     let again = path("again.csv");
     let run = denavit(
         &[&["excite", ROBOT, "--criterion", "cond", "--threads", "1"], &QUICK[..], &["--out", &again]].concat(),
@@ -136,7 +136,7 @@ fn what_the_file_does_not_say_is_said_once() {
         "{}",
         run.err
     );
-    // The same in JSON and page.
+    // The same warning in JSON and page.
     let page = folder.join("m.html").display().to_string();
     let found = json(&[&["excite", ROBOT, "--report", &page, "--json", "-"], &quick[..]].concat());
     let warnings = strings(&found["warnings"]);
@@ -169,8 +169,8 @@ fn options_without_effect_are_refused() {
     }
 }
 
-/// `--target-std` is kept: errors of what is identified from the motion, played with that noise,
-/// are as large as was promised.
+/// `--target-std` is met: errors of the parameters identified from the motion, played with that
+/// noise, are as large as predicted.
 #[test]
 fn what_is_promised_is_found_again() {
     let folder = folder("excite_promise");

@@ -1,4 +1,4 @@
-//! Factors of recordings as a table, and what is found from it.
+//! Tests of `denavit factor`: factors of recordings as a table, and identification from it.
 
 use denavit::identify::{IdentifySettings, KeyedFactors, RecordingFactor, solve};
 use denavit::model::interpreted::Interpreted;
@@ -15,7 +15,7 @@ fn rows(path: &str) -> Vec<Row> {
     file.get_row_iter(None).unwrap().map(Result::unwrap).collect()
 }
 
-/// Column of the table.
+/// Index of a column of the table.
 fn at(name: &str) -> usize {
     let names = ["robot", "day", "file", "sha256", "samples", "seconds", "verdict", "temperature", "factor", "why"];
     names.iter().position(|n| *n == name).unwrap()
@@ -66,7 +66,7 @@ fn nothing_but_damaged_logs_ends_with_2_and_still_has_a_table() {
     assert_eq!(rows(&out).len(), 2);
 }
 
-/// A log with the time of a calendar has a day, and the mean of its temperatures.
+/// A log with calendar times has a day, and the mean of its temperatures.
 #[test]
 fn day_temperature_and_json() {
     let folder = folder("factor-day");

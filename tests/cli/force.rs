@@ -1,4 +1,4 @@
-//! A push on the hand of an arm that was just identified.
+//! Tests of `denavit force`: a push on the tool of an arm that was just identified.
 
 use std::path::Path;
 use std::sync::OnceLock;
@@ -14,8 +14,8 @@ use super::*;
 const ROBOT: &str = "robots/kuka-lwr4.yaml";
 const NOISE: f64 = 0.2; // N m, half the width of an even distribution, white at 250 Hz
 
-/// 12 s at 250 Hz; from the fourth to the ninth second this wrench is on the tool, rising and
-/// falling as a sine.
+/// A log of 12 s at 250 Hz; from the fourth to the ninth second this wrench acts on the tool, with
+/// a sine-shaped course.
 fn record(wrench: [f64; 6], seed: u64) -> String {
     let robot = read_robot(ROBOT);
     let (arm, phi, mut random) = (Numeric::new(&robot), param::standard_values(&robot).unwrap(), Random::new(seed));
@@ -27,8 +27,8 @@ fn record(wrench: [f64; 6], seed: u64) -> String {
             let tau = arm.inverse_dynamics(&q, &dq, &ddq, &phi);
             let share = if (4.0..9.0).contains(&t) { (std::f64::consts::PI * (t - 4.0) / 5.0).sin() } else { 0.0 };
             let f = wrench.map(|f| f * share);
-            // The power of the wrench, joint by joint: its force on the tool's origin and its
-            // moment, in the tool's axes.
+            // Power of the wrench, joint by joint: its force at the tool's origin and its moment,
+            // in the tool's axes.
             let (last, tool, jacobian) = (arm.frames(&q).pop().unwrap(), arm.tool(&q), arm.jacobian(&q));
             let turn: Matrix3<f64> = tool.fixed_view::<3, 3>(0, 0).into();
             let lever: Vector3<f64> = tool.fixed_view::<3, 1>(0, 3) - last.fixed_view::<3, 1>(0, 3);
@@ -160,21 +160,21 @@ fn where_nothing_touches_the_force_is_a_phantom() {
     for name in ["fx", "fy", "fz", "mx", "my", "mz"] {
         assert!(log["phantom"][name]["inside"].as_f64().unwrap() > 0.8, "{log}");
     }
-    // A model that is wrong is found out: the same arm with other links.
+    // A wrong model is detected: the same arm with another gravity.
     let other =
         std::fs::read_to_string(&logs.identified).unwrap().replace("gravity: [0, 0, -9.81]", "gravity: [0, 0, -9.3]");
     let other = file(&logs.folder, "other.yaml", other);
     let run = denavit(&["force", &other, &logs.free, "--identified", &logs.json, "--against", "nothing"]);
     assert!(run.out.contains("too wrong for the bands to hold"), "{}", run.out);
-    // Noise from the log itself.
+    // Noise estimated from the log itself.
     let run = denavit(&["force", &logs.identified, &logs.free, "--against", "nothing"]);
     assert!(run.status == Some(0) && run.out.contains("give --identified"), "{} {}", run.out, run.err);
     let run = denavit(&["force", &logs.identified, &logs.push]);
     assert!(run.status == Some(0) && run.out.contains("in no band"), "{} {}", run.out, run.err);
 }
 
-/// A model that holds where nothing touches and is contradicted by the spare joint elsewhere: one
-/// verdict in text, JSON and page.
+/// A model that is consistent without contact but contradicted by the redundant joint elsewhere:
+/// the same verdict in text, JSON and page.
 #[test]
 fn one_verdict_wherever_it_is_printed() {
     let logs = logs();
@@ -213,7 +213,7 @@ fn one_verdict_wherever_it_is_printed() {
     }
 }
 
-/// A robot file with these Coulomb levels.
+/// A copy of a robot file with these Coulomb levels, N m.
 fn with_friction(folder: &Path, robot: &str, levels: &[f64]) -> String {
     let mut text = std::fs::read_to_string(robot).unwrap();
     let mut from = 0;
@@ -226,8 +226,8 @@ fn with_friction(folder: &Path, robot: &str, levels: &[f64]) -> String {
     file(folder, &format!("friction-{}", Path::new(robot).file_name().unwrap().to_str().unwrap()), text)
 }
 
-/// 16 s at 100 Hz of an arm that stands: encoders with noise, friction that holds `share` of its
-/// level. From 6 to 9 s there is a push on the tool, and after it friction that holds another
+/// A log of 16 s at 100 Hz of an arm at rest, with encoder noise and static friction at a share of
+/// its level. From 6 to 9 s there is a push on the tool, and after it static friction at another
 /// share.
 fn standing(robot: &str, q: &[f64], push: [f64; 6], encoder: f64, noise: f64, seed: u64) -> String {
     let read = read_robot(robot);
@@ -262,7 +262,7 @@ fn standing(robot: &str, q: &[f64], push: [f64; 6], encoder: f64, noise: f64, se
     csv(&[vec!["t".to_string()], columns(&["q", "tau"], n)].concat(), &rows)
 }
 
-/// Contact and undecided, shares of the samples in a stretch, of a written wrench.
+/// Shares of samples with contact and undecided ones, between two times, s, of a written wrench.
 fn shares(path: &str, from: f64, to: f64) -> [f64; 2] {
     let text = std::fs::read_to_string(path).unwrap();
     let head: Vec<&str> = text.lines().next().unwrap().split(',').collect();
@@ -298,19 +298,19 @@ fn at_rest_friction_is_an_interval() {
             assert!(during > 0.98, "{robot} {estimator} {during}");
             assert!(undecided > 0.8 && run.out.contains("can't be told apart"), "{estimator} {undecided} {}", run.out);
         }
-        // The dead zone decides what counts as rest: with none the sign of the noise is friction.
+        // The dead zone defines rest: without one the sign of the noise acts as friction.
         let run = denavit(&["force", robot, &log, "--dead-zone", "0", "--out", &out]);
         assert_eq!(run.status, Some(0), "{}", run.err);
         assert!(shares(&out, 0.5, 5.5)[0] > 0.5, "{robot}");
     }
-    // A file without dry friction says so.
+    // A file without dry friction gives a warning.
     let log =
         file(&folder, "standing.csv", standing(&ur, &[0.03, -1.1, 2.33, -1.25, -1.05, -0.5], [0.0; 6], 3e-5, 0.5, 7));
     let found = json(&["force", "robots/ur10e.yaml", &log, "--json", "-"]);
     assert_eq!(found["logs"][0]["touching"], 0, "{found}");
     assert!(found["logs"][0]["undecided"].as_f64().unwrap() > 1000.0, "{found}");
     assert_eq!(found["logs"][0]["assumed_static_friction"][1]["at_most"], 16.5, "{found}");
-    // One list of warnings in text, JSON and page.
+    // The same warnings in text, JSON and page.
     let page = folder.join("standing.html").display().to_string();
     let run = denavit(&["force", "robots/ur10e.yaml", &log, "--report", &page]);
     let page = std::fs::read_to_string(page).unwrap();

@@ -46,7 +46,7 @@ fn adjoints_are_written_when_asked_for() {
     assert!(plain.status == Some(1) && plain.err.contains("src/lib.rs"), "another crate: {}", plain.err);
 }
 
-/// Every file below a folder, with its bytes.
+/// All files below a folder, with their bytes.
 fn contents(folder: &std::path::Path) -> Vec<(std::path::PathBuf, Vec<u8>)> {
     let mut all = Vec::new();
     for entry in std::fs::read_dir(folder).unwrap() {
@@ -95,7 +95,7 @@ fn empty_and_generated_folders_are_written_to() {
     assert_eq!(std::fs::read_to_string(own.join("notes.txt")).unwrap(), "mine");
 }
 
-/// A file that can't be written stops the update in its middle.
+/// A file that can't be written stops the update midway.
 #[test]
 fn an_interrupted_update_does_not_compile_and_is_finished_by_the_next() {
     let own = folder("generate_interrupted");
@@ -113,7 +113,7 @@ fn an_interrupted_update_does_not_compile_and_is_finished_by_the_next() {
     assert!(!std::fs::read_to_string(own.join("src/lib.rs")).unwrap().contains("compile_error!"));
 }
 
-/// Files that the crate no longer has are removed; everything else in the folder stays.
+/// Files that the crate no longer has are removed; everything else in the folder is kept.
 #[test]
 fn files_of_an_earlier_run_are_removed() {
     let own = folder("generate_again");
@@ -133,7 +133,7 @@ fn files_of_an_earlier_run_are_removed() {
     assert!(!adjoint.exists());
     assert_eq!(run(&["--check"]).status, Some(0));
 
-    // On the runtime crate the copy of the runtime goes, but not the file beside it.
+    // With the runtime crate the copy of the runtime is removed, but not the files beside it.
     assert_eq!(run(&["--runtime", "crate"]).status, Some(0));
     assert!(!own.join("src/runtime").exists() && !own.join("src/ik.rs").exists());
     for kept in ["src/kernel/frames_mine.rs", "src/ik/mine.rs"] {
@@ -141,7 +141,7 @@ fn files_of_an_earlier_run_are_removed() {
     }
 }
 
-/// A list that names files outside the folder is not followed there.
+/// A list that names files outside the folder has no effect there.
 #[test]
 fn nothing_outside_the_folder_is_removed() {
     let own = folder("generate_outside");
@@ -173,7 +173,8 @@ fn a_new_crate_is_whole_or_absent() {
     assert!(run.status == Some(2) && run.err.contains("name a folder"), "{}", run.err);
 }
 
-/// On `denavit-runtime` a crate ships no runtime of its own; a repeated check uses its options.
+/// With `denavit-runtime` a crate contains no runtime of its own; a repeated check uses its
+/// options.
 #[test]
 fn a_crate_on_the_runtime_crate_names_it() {
     let folder = folder("generate_runtime");
@@ -202,7 +203,7 @@ fn a_crate_on_the_runtime_crate_names_it() {
     assert!(early.status == Some(0) && early.err.contains("no crate in"), "{}", early.err);
 }
 
-/// A drop-in crate has the family of its robot and no other.
+/// A drop-in crate contains the family of its robot and no other.
 #[test]
 fn a_drop_in_crate_ships_one_family() {
     let files = |robot: &str| {

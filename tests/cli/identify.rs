@@ -1,4 +1,4 @@
-//! Logs of a robot whose parameters are known: what goes in must come out.
+//! Tests of `denavit identify` on logs of a robot with known parameters.
 
 use std::io::Write;
 use std::sync::OnceLock;
@@ -13,13 +13,13 @@ use super::*;
 const ROBOT: &str = "robots/kuka-lwr4.yaml";
 const NOISE: f64 = 0.005; // N m, standard deviation of the torque signal
 
-/// Records the robot in a periodic motion (five harmonics of 0.1 Hz per joint, within a rad or so),
-/// 250 samples per second.
+/// A log of the robot in a periodic motion (five harmonics of 0.1 Hz per joint, within a rad or
+/// so), 250 samples per second.
 pub(super) fn record(seconds: usize, seed: u64) -> String {
     record_with(seconds, seed, |_, _, _| {})
 }
 
-/// The same, with what else the motors see: velocities, accelerations, torques to be changed.
+/// The same with additional motor torques, as a function of velocities and accelerations.
 fn record_with(seconds: usize, seed: u64, more: impl Fn(&[f64], &[f64], &mut [f64])) -> String {
     let robot = read_robot(ROBOT);
     let (arm, phi) = (Numeric::new(&robot), param::standard_values(&robot).unwrap());
@@ -42,7 +42,7 @@ fn record_with(seconds: usize, seed: u64, more: impl Fn(&[f64], &[f64], &mut [f6
             let [dq, ddq] = [1, 2].map(|k| waves.iter().map(|joint| sum(joint, k)).collect::<Vec<f64>>());
             let mut tau: Vec<f64> = arm.inverse_dynamics(&q, &dq, &ddq, &phi).iter().copied().collect();
             more(&dq, &ddq, &mut tau);
-            // The sum of three even draws is bell-shaped enough; each has the variance 1/3.
+            // The sum of three uniform draws is near enough to normal; each has the variance 1/3.
             let noisy = tau.iter().map(|tau| tau + NOISE * (random.even(1.0) + random.even(1.0) + random.even(1.0)));
             std::iter::once(t).chain(q.iter().copied()).chain(noisy).collect()
         })
@@ -50,7 +50,7 @@ fn record_with(seconds: usize, seed: u64, more: impl Fn(&[f64], &[f64], &mut [f6
     csv(&[vec!["t".to_string()], columns(&["q", "tau"], n)].concat(), &rows)
 }
 
-/// One run of the command that all tests look at: it takes seconds.
+/// One run of the command for all tests, as it takes seconds.
 struct Identified {
     folder: PathBuf,
     fit: String,
@@ -108,21 +108,21 @@ fn the_parameters_of_the_robot_are_found() {
         assert_eq!(parameter["name"], base.name);
         let [value, std] = ["value", "std"].map(|key| parameter[key].as_f64().unwrap());
         let error = (value - truth).abs();
-        // A bias of the filter and the differences is allowed for beside the scatter: half a per
-        // cent, or 2e-4 of a parameter that is next to nothing.
+        // Allows for the bias of filter and differences in addition to the scatter: half a per
+        // cent, or 2e-4 of a nearly zero parameter.
         assert!(error < 5.0 * std + 0.005 * truth.abs() + 2e-4, "{}: {value} +- {std}, is {truth}", base.name);
         if std < 0.003 * value.abs() {
             assert!(error < 0.01 * truth.abs(), "{}: {value} +- {std}, is {truth}", base.name);
             sharp += 1;
         }
     }
-    // The others are next to nothing in this arm: products of inertia of symmetric links, and the
+    // The others are nearly zero in this arm: products of inertia of symmetric links, and the
     // hand's.
     assert!(sharp >= 22, "only {sharp} are sharp");
 }
 
-/// The motor of joint 7 turns with joint 6: its own three parameters are found, and written where
-/// the file names the coupling.
+/// The motor of joint 7 turns with joint 6: its three parameters are found, and written where the
+/// file names the coupling.
 #[test]
 fn a_coupled_motor_is_identified() {
     let folder = folder("identify-coupled");
@@ -143,8 +143,8 @@ fn a_coupled_motor_is_identified() {
     for (name, truth) in [("IAM7", iam), ("FVM7", fvm), ("FCM7", fcm)] {
         let parameter = found.iter().find(|p| p["name"] == name).unwrap();
         let [value, std] = ["value", "std"].map(|key| parameter[key].as_f64().unwrap());
-        // The sign of the motor's speed goes through the low-pass of the torques, as a joint's own
-        // does: else a fifth would be missing.
+        // The sign of the motor's speed passes through the low-pass of the torques, as a joint's
+        // own does; otherwise a fifth would be missing.
         assert!((value - truth).abs() < 3.0 * std + 0.02 * truth, "{name}: {value} +- {std}, is {truth}");
         assert!(std < 0.1 * truth, "{name}: {value} +- {std}");
     }
@@ -175,8 +175,8 @@ fn the_json_has_what_the_contract_lists() {
     assert!(low <= percent && percent <= high && against["stretches"].as_u64().unwrap() > 3, "{against}");
     assert!(said["condition_number"].as_f64().unwrap() > 1.0);
     assert!(said["samples"].as_u64().unwrap() > 7000);
-    // The low-pass takes most of the noise; its own error and that of the differences grow with the
-    // torque.
+    // The low-pass removes most of the noise; its own error and that of the differences grow with
+    // the torque.
     for set in ["fit", "validate"] {
         for (rms, torque) in numbers(&said["rms"][set]).iter().zip(numbers(&said["torque_rms"][set])) {
             assert!(*rms < NOISE + 0.0005 * torque, "{set}: {rms} of {torque}");
@@ -184,8 +184,8 @@ fn the_json_has_what_the_contract_lists() {
     }
 }
 
-/// Base parameters of what was written: the plain ones where they are possible, else those of the
-/// possible bodies.
+/// Base parameters of the written file: the plain ones if they are possible, else those of the
+/// consistent bodies.
 fn written(said: &Value) -> Vec<f64> {
     assert_eq!(said["consistent"]["written"], true);
     if said["consistent"]["written_is_plain"] == true { values(said) } else { values(&said["consistent"]) }
@@ -251,7 +251,7 @@ fn without_json_the_result_is_told_in_words() {
     assert!(told.out.contains("ZZ1R") && told.out.contains("FC7"), "{}", told.out);
 }
 
-/// The first rows of a log.
+/// First rows of a log.
 fn head(log: &str, rows: usize) -> String {
     log.lines().take(rows + 1).map(|line| format!("{line}\n")).collect()
 }
@@ -287,7 +287,7 @@ fn fewer_independent_equations_than_unknowns_are_underdetermined_and_write_nothi
         let [link, prior] = [link.to_array(), prior.to_array()];
         assert!((link[0] - prior[0]).abs() < 2.0 * prior[0] + 0.1, "{link:?} {prior:?}");
     }
-    // Long ones are not.
+    // Long ones are not underdetermined.
     assert_eq!(identified().said["verdict"], "determined");
 }
 
@@ -317,12 +317,12 @@ fn currents_with_torque_constants_are_torques() {
     for (a, b) in numbers(&plain["rms"]["fit"]).iter().zip(numbers(&currents["rms"]["fit"])) {
         assert!((a - b).abs() < 1e-6, "{a} {b}");
     }
-    // Every verb that reads logs has them.
+    // Every verb that reads logs supports them.
     let forced = denavit(&["force", &robot, &log, "--json", "-"]);
     assert_eq!(forced.status, Some(0), "{}", forced.err);
     let tool = denavit(&["tool", &robot, "--loaded", &log, "--json", "-"]);
     assert_eq!(tool.status, Some(0), "{}", tool.err);
-    // Neither torques nor currents: both ways are named.
+    // With neither torques nor currents, both options are named.
     let neither = file(&folder, "neither.csv", text.replace("tau", "x"));
     let neither = denavit(&["identify", ROBOT, &neither]);
     assert_eq!(neither.status, Some(2));
@@ -331,7 +331,7 @@ fn currents_with_torque_constants_are_torques() {
     }
 }
 
-/// Every warning of the terminal stands on the page and in the JSON.
+/// Every warning of the terminal is on the page and in the JSON.
 #[test]
 fn the_page_and_the_json_have_every_warning_of_the_terminal() {
     let folder = folder("identify-warnings");
@@ -349,7 +349,7 @@ fn the_page_and_the_json_have_every_warning_of_the_terminal() {
     assert!(page.find(">Warnings</h2>") < page.find(">Torque error per joint</h2>"));
 }
 
-/// Friction of the other sign is no drive's.
+/// Friction of the wrong sign is impossible.
 #[test]
 fn impossible_drives_and_bodies_are_not_written() {
     let folder = folder("identify-impossible");
@@ -389,8 +389,8 @@ fn assert_links_could_be_built(robot: &str) {
     }
 }
 
-/// The plain values of a log: links that could be built and have them are written, and none where
-/// the torques are those of a negative inertia.
+/// Plain values are written with links that have them and could be built. None are written if the
+/// torques are those of a negative inertia.
 #[test]
 fn plain_values_are_written_with_links_that_could_be_built_or_not_at_all() {
     let folder = folder("identify-plain");
@@ -404,7 +404,7 @@ fn plain_values_are_written_with_links_that_could_be_built_or_not_at_all() {
     }
     let wrong = record_with(20, 32, |_, ddq, tau| tau[6] -= 0.5 * ddq[6]);
     let wrong = file(&folder, "wrong.csv", wrong);
-    // With weights the other joints would say what link 7 is, and joint 7 would be a noisy one.
+    // With weights, the other joints would determine link 7, and joint 7 would count as noisy.
     let run = denavit(&["identify", ROBOT, &wrong, "--consistent=never", "--ordinary", "--out", &none]);
     assert_eq!(run.status, Some(1), "{}{}", run.out, run.err);
     assert!(run.err.contains("no links that could be built have the plain values"), "{}", run.err);
@@ -412,7 +412,7 @@ fn plain_values_are_written_with_links_that_could_be_built_or_not_at_all() {
     assert!(!std::path::Path::new(&none).exists());
 }
 
-/// A spring on joint 2 in the file: the fit is beside it, and it stays in the file.
+/// A spring on joint 2 in the file: it is subtracted before the fit, and kept in the file.
 #[test]
 fn effects_of_the_file_are_taken_as_known() {
     let folder = folder("identify-effects");
@@ -425,7 +425,7 @@ fn effects_of_the_file_are_taken_as_known() {
     let out = folder.join("out.yaml").display().to_string();
     let said = json(&["identify", &robot, &log, "--out", &out, "--json", "-"]);
     assert!(said["warnings"].to_string().contains("taken as known: joint_spring of joint 2"), "{}", said["warnings"]);
-    // The file is right, and the fit is no worse than that of the same arm without.
+    // The file is right, and the fit is as good as that of the arm without the spring.
     let [before, after] = ["fit_before", "fit"].map(|which| numbers(&said["rms"][which]));
     let plain = json(&["identify", ROBOT, &file(&folder, "plain.csv", record(12, 31)), "--json", "-"]);
     let plain = numbers(&plain["rms"]["fit"]);
@@ -446,7 +446,7 @@ fn effects_of_the_file_are_taken_as_known() {
     assert!(run.out.contains("not used: base_tilt"), "{}{}", run.out, run.err);
 }
 
-/// A log with the torque of a spring on joint 2 in it.
+/// The log with the torque of a spring on joint 2 added.
 fn sprung(log: String, stiffness: f64) -> String {
     let mut lines = log.lines();
     let header = lines.next().unwrap();
@@ -460,7 +460,7 @@ fn sprung(log: String, stiffness: f64) -> String {
     std::iter::once(header.to_string()).chain(rows).collect::<Vec<_>>().join("\n") + "\n"
 }
 
-/// Torques of joints 2 and 4 exchanged: no sign is to be turned about.
+/// Torques of joints 2 and 4 exchanged: no sign change is advised.
 #[test]
 fn exchanged_torque_columns_are_named_and_no_negation_is_advised() {
     let folder = folder("identify-exchanged");
@@ -490,7 +490,7 @@ fn options_that_would_change_nothing_are_refused() {
     }
 }
 
-/// A validating log that was fitted when the file was made is no validation.
+/// A validating log that was fitted when the file was made is reported.
 #[test]
 fn a_log_that_was_fitted_before_is_called_so() {
     let folder = folder("identify-before");
@@ -503,8 +503,8 @@ fn a_log_that_was_fitted_before_is_called_so() {
     assert!(!said["warnings"].to_string().contains("was fitted"), "{}", said["warnings"]);
 }
 
-/// A robot file with the geometry alone leaves most of a real arm's torque, whose columns are
-/// right: friction is what it lacks, and no exchange of columns is advised.
+/// A robot file with only the geometry does not explain most of a real arm's torque, whose columns
+/// are right. The missing friction is reported, and no exchange of columns is advised.
 #[test]
 fn a_file_without_friction_is_told_what_it_lacks() {
     let place = folder("identify-geometry");
@@ -517,7 +517,7 @@ fn a_file_without_friction_is_told_what_it_lacks() {
     assert!(run.out.contains("of the torque unexplained"), "{}\n{}", run.out, run.err);
     assert!(run.out.contains("has no friction of this joint"), "{}", run.out);
     assert!(!run.out.contains("swapped"), "{}", run.out);
-    // With friction the coupling of the wrist is missing: the columns were tried, and that is said.
+    // With friction only the wrist's coupling is missing; the trial of the columns is reported.
     let run = denavit(&["identify", "robots/staubli-tx40.yaml", log, "--stride", "4"]);
     assert!(!run.out.contains("swapped"), "{}", run.out);
 }

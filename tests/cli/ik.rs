@@ -1,4 +1,4 @@
-//! `denavit ik`: columns, JSON and exit status.
+//! Tests of `denavit ik`: columns, JSON and exit status.
 
 use denavit::model::rigid_body::Numeric;
 use denavit::numerics::prng::Random;
@@ -13,7 +13,7 @@ fn row(m: &nalgebra::Matrix4<f64>) -> Vec<f64> {
     (0..12).map(|k| m[(k / 4, k % 4)]).collect()
 }
 
-/// Poses of random postures; every solution reaches its pose and one is the posture.
+/// Poses of random postures: every solution reaches its pose, and one is the posture.
 #[test]
 fn solutions_reach_their_poses() {
     for (name, class) in [("puma560", "6r-spherical-wrist"), ("ur10e", "6r-three-parallel"), ("stanford", "stanford")] {
@@ -44,7 +44,7 @@ fn solutions_reach_their_poses() {
     }
 }
 
-/// The swivel column turns the elbow and leaves the pose; without it the angle is zero.
+/// The swivel column rotates the elbow and keeps the pose; without it the angle is zero.
 #[test]
 fn a_redundant_arm_takes_its_swivel_from_the_file() {
     let robot = read_robot("robots/kuka-iiwa14.yaml");
@@ -67,8 +67,7 @@ fn a_redundant_arm_takes_its_swivel_from_the_file() {
     }
 }
 
-/// Without a column `swivel` the angle is chosen: by the limits, or after the posture that is
-/// named.
+/// Without a column `swivel` the angle is chosen by the limits, or near the given posture.
 #[test]
 fn a_swivel_angle_is_chosen() {
     for (name, q) in [
@@ -91,7 +90,7 @@ fn a_swivel_angle_is_chosen() {
             json(&["ik", &path, "--poses", &poses, "--json", "-"])
         };
         let chosen = run("chosen.csv", &[], &[]);
-        // The Panda has no swivel angle: a joint's position stands in its place.
+        // The Panda has no swivel angle; the position of a locked joint replaces it.
         let locked = chosen["poses"][0]["locked_joint"].as_u64();
         assert_eq!(locked, (name == "franka-panda").then_some(7), "{name}");
         let most = margin(&chosen);
@@ -108,8 +107,8 @@ fn a_swivel_angle_is_chosen() {
     }
 }
 
-/// Inside its interval a branch respects the limits, just outside it doesn't; the best angle keeps
-/// the margin it says.
+/// A branch keeps the limits inside its interval and violates them just outside; the best angle has
+/// the margin reported.
 #[test]
 fn swivel_intervals_are_printed() {
     let path = "robots/kuka-iiwa14.yaml";
@@ -119,7 +118,7 @@ fn swivel_intervals_are_printed() {
     let said = json(&["ik", path, "--poses", &poses, "--json", "-"]);
     let ranges = said["poses"][0]["swivel_intervals"].as_array().unwrap();
     assert_eq!(ranges.len(), 8);
-    // Ask again at angles inside and outside, all in one file.
+    // A second query at angles inside and outside, all in one file.
     let mut header = pose_columns();
     header.push("swivel".into());
     let (mut rows, mut expected) = (Vec::new(), Vec::new());
@@ -172,7 +171,7 @@ fn the_tool_counts_when_asked() {
     assert!(!met(&["ik", "robots/planar2r.yaml", "--poses", &poses, "--json", "-"]));
 }
 
-/// Lines of a robot without a closed form: six joints, none parallel, none meeting.
+/// A robot without a closed form: six joints, none of their axes parallel or intersecting.
 const GENERAL: &str = "name: general\nconvention: modified\njoints:
   - { type: revolute, r: 0.3 }
   - { type: revolute, alpha: 1.2, d: 0.1, r: 0.11 }
@@ -193,7 +192,8 @@ fn some_poses(folder: &std::path::Path, robot: &str) -> String {
     file(folder, "poses.csv", csv(&pose_columns(), &rows))
 }
 
-/// Six turning joints in general position: all postures, and a proof that there is none.
+/// Six revolute joints in general position: all postures are found, or it is proved that there is
+/// none.
 #[test]
 fn a_general_arm_is_solved_exactly() {
     let folder = folder("ik-general");
@@ -213,7 +213,7 @@ fn a_general_arm_is_solved_exactly() {
     assert!(text.contains("polynomial of degree 16") && text.contains("pose 5: unreachable, by"), "{text}");
 }
 
-/// One, two and three of the joints slide.
+/// One, two and three of the joints are prismatic.
 #[test]
 fn general_arms_with_joints_that_slide_are_solved_exactly() {
     let folder = folder("ik-sliding");
@@ -233,7 +233,7 @@ fn general_arms_with_joints_that_slide_are_solved_exactly() {
     }
 }
 
-/// Seven turning joints: at which positions of the locked one the limits hold.
+/// Seven revolute joints: intervals of the locked joint within the limits.
 #[test]
 fn positions_of_a_locked_joint_are_printed() {
     let folder = folder("ik-seven");
@@ -246,7 +246,7 @@ fn positions_of_a_locked_joint_are_printed() {
     for pose in said["poses"].as_array().unwrap().iter().take(4) {
         let ranges = &pose["locked_intervals"];
         assert!(!ranges["intervals"].as_array().unwrap().is_empty(), "{pose}");
-        // Without a column `swivel` the best is taken.
+        // Without a column `swivel` the best position is used.
         assert_eq!(ranges["best"]["position"], pose["swivel"], "{pose}");
         let best = ranges["best"]["limit_margin"].as_f64().unwrap();
         let margins = pose["solutions"].as_array().unwrap().iter().map(|s| s["limit_margin"].as_f64().unwrap());
@@ -256,11 +256,11 @@ fn positions_of_a_locked_joint_are_printed() {
     assert!(text.contains("positions of q7 at which a posture respects the limits"), "{text}");
 }
 
-/// A numerical search never says that it has every posture, nor that there is none.
+/// A numerical search does not claim that it has every posture, nor that there is none.
 #[test]
 fn a_search_does_not_say_that_it_has_all() {
     let folder = folder("ik-search");
-    // Eight joints: not for the elimination.
+    // Eight joints: too many for the elimination.
     let more = "  - { type: revolute, alpha: -1.0, d: 0.07, r: 0.1 }\n";
     let robot = file(&folder, "eight.yaml", format!("{GENERAL}{more}{more}"));
     let poses = some_poses(&folder, &robot);
@@ -283,7 +283,7 @@ fn a_search_does_not_say_that_it_has_all() {
     assert_eq!((&exact["method"], &exact["poses"][4]["not_found"]), (&"closed form".into(), &false.into()));
 }
 
-/// A mistake is reported with its place, and the status is 2.
+/// A mistake is reported with its place and status 2.
 #[test]
 fn wrong_poses_are_told() {
     let folder = folder("ik-wrong");

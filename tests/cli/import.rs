@@ -36,7 +36,7 @@ fn wrong_use_says_how_to_go_on() {
     }
 }
 
-/// A gripper stands within the range of its joint.
+/// A held position must be within the range of its joint.
 #[test]
 fn a_position_beside_the_arm_is_one_that_it_has() {
     let beyond = denavit(&["import", ARM, "--tip", "flange", "--at", "grip=5"]);

@@ -1,5 +1,5 @@
-//! A torque in closed form in the robot file, in every verb that uses the file's model. Torques are
-//! computed here, by the numeric recursion and the formula written in Rust.
+//! Tests of a closed-form torque law in the robot file, in every verb that uses the file's model.
+//! Reference torques are computed here, by the numeric recursion and the formula in Rust.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -19,7 +19,7 @@ fn law(q: &[f64], dq: &[f64], t: f64, temp: f64) -> f64 {
     0.8 * (3.0 * q[0]).sin() + 0.4 * (dq[1] / 0.2).tanh() * q[1].cos() + 0.5 * (-t / 5.0).exp() + 0.02 * (temp - 25.0)
 }
 
-/// The planar arm with the law at its elbow, as a file; `unit` and `law` stand beside the drive.
+/// The planar arm with the law at its elbow, as a file.
 fn lawful(folder: &Path) -> String {
     let text = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join(PLAIN)).unwrap();
     let text = text.replace("constants: { L1: 0.5,", "constants: { a: 0.8, L1: 0.5,");
@@ -30,7 +30,7 @@ fn lawful(folder: &Path) -> String {
     )
 }
 
-/// Rigid torque and plain friction, by the recursion.
+/// Rigid torque and plain friction by the recursion.
 struct Plain {
     arm: Numeric,
     phi: Vec<f64>,
@@ -51,7 +51,7 @@ fn temperature(t: f64) -> f64 {
     25.0 + 0.5 * t
 }
 
-/// 16 s at 200 Hz with the law; `push`: further torque of the elbow.
+/// A log of 16 s at 200 Hz with the law; `push` is an additional torque of the elbow, N m.
 fn record(seed: u64, push: impl Fn(f64) -> f64) -> String {
     let (plain, mut random) = (Plain::new(), Random::new(seed));
     let waves = Waves::random(&read_robot(PLAIN), 16.0, &mut random);
@@ -98,7 +98,7 @@ fn eval_has_it_with_and_without_a_clock() {
     }
 }
 
-/// Of a log: its columns by name.
+/// Columns of a log by name.
 fn columns(path: &str) -> impl Fn(&str) -> Vec<f64> {
     let text = std::fs::read_to_string(path).unwrap();
     move |name: &str| {
@@ -107,7 +107,8 @@ fn columns(path: &str) -> impl Fn(&str) -> Vec<f64> {
     }
 }
 
-/// With the law in the robot file, in the file of effects, and there in place of the file's.
+/// The law is simulated from the robot file, from the file of effects, and from the latter instead
+/// of the former.
 #[test]
 fn simulate_plays_it() {
     let folder = folder("law-simulate");
@@ -151,7 +152,7 @@ fn simulate_plays_it() {
             })
             .collect();
         errors.sort_by(f64::total_cmp);
-        // At reversals bristles turn about; with friction that the loop does not know, the joint sticks.
+        // At reversals bristles reverse; friction not modelled in the loop makes the joint stick.
         let share = if smooth { 95 } else { 80 };
         let (most, rms) = (errors[errors.len() * share / 100], 0.3);
         println!("exact {exact}, smooth {smooth}: {share} % of errors below {most:.2e} N m");
@@ -184,7 +185,7 @@ fn simulate_plays_it() {
     );
 }
 
-/// `identify` takes it out: the parameters are those of the recursion.
+/// `identify` subtracts the law: the parameters are those of the recursion.
 #[test]
 fn identify_takes_it_out() {
     let folder = folder("law-identify");
@@ -212,7 +213,7 @@ fn identify_takes_it_out() {
     }
 }
 
-/// A file that has it predicts the log; one that does not has something wrong at the elbow.
+/// A file with the law predicts the log; for one without it, an error at the elbow is found.
 #[test]
 fn diagnose_knows_it() {
     let folder = folder("law-diagnose");
@@ -226,8 +227,8 @@ fn diagnose_knows_it() {
     assert!(error(&with) < 0.05 * error(&without), "{} {}", error(&with), error(&without));
 }
 
-/// A torque that no cause of the vocabulary makes comes back as a formula in the written file, which
-/// predicts logs that were not used as well as the diagnosis says.
+/// A torque that no cause of the vocabulary produces is written to the file as a formula. The file
+/// predicts unused logs as accurately as the diagnosis reports.
 #[test]
 fn diagnose_writes_what_it_finds() {
     let folder = folder("law-found");
@@ -259,7 +260,7 @@ fn diagnose_writes_what_it_finds() {
     );
     assert_eq!(found["written"]["is_the_offered_model"], true, "{found}");
     assert!(std::fs::read_to_string(&out).unwrap().contains(&format!("law: \"{law}\"")));
-    // On a log of which neither knew.
+    // On a log that neither used.
     let again = |robot: &str| {
         let found = json(&["diagnose", robot, &third, "--json", "-"]);
         (found["verdict"].clone(), numbers(&found["baseline"]["rms"]["validate"])[0])
@@ -268,8 +269,7 @@ fn diagnose_writes_what_it_finds() {
     assert!(after.1 < 0.2 * before.1 && after.0 == "nothing_wrong", "{before:?} {after:?}");
 }
 
-/// A hand that pushes on the elbow for a while: without the law in the file its torque is taken for
-/// a push.
+/// A temporary push on the elbow: without the law in the file its torque is mistaken for a push.
 #[test]
 fn force_knows_it() {
     let folder = folder("law-force");

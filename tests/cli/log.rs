@@ -1,4 +1,4 @@
-//! `denavit log`, and the mapping of a robot file.
+//! Tests of `denavit log`, and of the mapping of a robot file.
 
 use super::{denavit, folder};
 
@@ -26,14 +26,14 @@ fn the_mapping_of_the_robot_file_is_used_unless_another_is_given() {
     assert_eq!(first, format!("0,{},0,1,-0.5", std::f64::consts::FRAC_PI_2));
     std::fs::write(path("map.yaml"), MAPPING.replace("unit: N mm", "gain: 2")).unwrap();
     assert!(convert(&["--map", &path("map.yaml")]).lines().nth(1).unwrap().ends_with(",2000,-1000"));
-    // A file of a mapping has its mistakes reported by line and column, as the robot file has.
+    // Mistakes in a mapping file are reported by line and column, as in the robot file.
     std::fs::write(path("map.yaml"), MAPPING.replace("unit: ms", "unit: m")).unwrap();
     let run = denavit(&["log", "convert", &path("export.csv"), "--map", &path("map.yaml"), "--out", &path("no.csv")]);
     assert_eq!(run.status, Some(2));
     assert!(run.err.contains("map.yaml:2:") && run.err.contains("`m` is no unit of `t`"), "{}", run.err);
 }
 
-/// What holds no numbers is no log.
+/// A file without numbers is no log.
 #[test]
 fn a_file_without_numbers_is_refused() {
     let path = folder("log-nothing").join("header.csv").display().to_string();

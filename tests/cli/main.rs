@@ -1,4 +1,4 @@
-//! The command itself, as a process: what it prints, what it writes, how it ends.
+//! Tests of the command as a process: printed output, written files, exit status.
 
 mod bundle;
 mod calibrate;
@@ -32,14 +32,14 @@ use std::process::Command;
 
 use dh_codegen::robot::{Robot, no_files};
 
-/// How a run ended and what it said.
+/// Exit status and output of a run.
 struct Run {
     status: Option<i32>,
     out: String,
     err: String,
 }
 
-/// Runs the command at the root of the repository, so that `robots/..` is found.
+/// Runs the command at the root of the repository, so that paths `robots/..` are valid.
 fn denavit(arguments: &[&str]) -> Run {
     let run = Command::new(env!("CARGO_BIN_EXE_denavit"))
         .args(arguments)
@@ -57,7 +57,7 @@ fn json(arguments: &[&str]) -> serde_json::Value {
     serde_json::from_str(&run.out).unwrap()
 }
 
-/// An empty folder of a test's own.
+/// An empty folder for one test.
 fn folder(name: &str) -> PathBuf {
     let path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("cli").join(name);
     let _ = std::fs::remove_dir_all(&path);
@@ -65,7 +65,7 @@ fn folder(name: &str) -> PathBuf {
     path
 }
 
-/// Writes a file and gives its path as an argument.
+/// Writes a file and returns its path as an argument.
 fn file(folder: &std::path::Path, name: &str, text: impl AsRef<[u8]>) -> String {
     let path = folder.join(name);
     std::fs::write(&path, text).unwrap();
@@ -85,14 +85,14 @@ fn strings(value: &serde_json::Value) -> Vec<&str> {
     value.as_array().unwrap().iter().map(|v| v.as_str().unwrap()).collect()
 }
 
-/// Columns with a header.
+/// CSV of columns with a header.
 fn csv(header: &[String], rows: &[Vec<f64>]) -> String {
     let line = |row: &Vec<f64>| row.iter().map(f64::to_string).collect::<Vec<_>>().join(",");
     let lines: Vec<String> = std::iter::once(header.join(",")).chain(rows.iter().map(line)).collect();
     lines.join("\n") + "\n"
 }
 
-/// `q1..qn` and the like.
+/// Names such as `q1..qn`.
 fn columns(prefixes: &[&str], n: usize) -> Vec<String> {
     prefixes.iter().flat_map(|p| (1..=n).map(move |j| format!("{p}{j}"))).collect()
 }

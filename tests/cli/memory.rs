@@ -13,8 +13,8 @@ use super::{columns, folder, read_robot};
 
 const ROBOT: &str = "robots/kuka-lwr4.yaml";
 
-/// A log of the LWR, `rows` of them at `rate`: sums of sines and the file's torques, with a scatter of a
-/// twentieth N m, and more load-dependent friction on joint 2 than the file has.
+/// Writes a log of the LWR with `rows` rows at `rate`: sums of sines and the file's torques, with
+/// noise of a twentieth N m and more load-dependent friction on joint 2 than in the file.
 fn log(path: &Path, rate: f64, rows: usize, seed: usize) {
     let plant = PerturbableRobot::new(&read_robot(ROBOT));
     let wave = |k: usize, j: usize, order: i32| -> f64 {
@@ -37,7 +37,7 @@ fn log(path: &Path, rate: f64, rows: usize, seed: usize) {
         write!(out, "{:.4}", k as f64 / rate).unwrap();
         (0..7).for_each(|j| write!(out, ",{:.7}", states.q[j * rows + k]).unwrap());
         for j in 0..7 {
-            // Knuth's linear congruences; the sum of their high bits scatters enough.
+            // Knuth's linear congruential generator; its high bits are random enough.
             state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
             let scatter = 0.17 * ((state >> 33) as f64 / f64::from(1_u32 << 31) - 0.5);
             let at = j * rows + k;
@@ -48,7 +48,7 @@ fn log(path: &Path, rate: f64, rows: usize, seed: usize) {
     }
 }
 
-/// The most memory that the kernel counted for a run, MB.
+/// Peak memory of a run as counted by the kernel, MB.
 fn run(arguments: &[String]) -> f64 {
     let mut child = Command::new(env!("CARGO_BIN_EXE_denavit"))
         .args(arguments)

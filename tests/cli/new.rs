@@ -1,4 +1,4 @@
-//! A robot file to fill in is a robot file.
+//! Tests of `denavit new`: the robot file to fill in is valid.
 
 use super::{denavit, folder, json};
 use dh_codegen::robot::{JointKind, Robot, no_files};
@@ -31,7 +31,7 @@ fn a_new_file_is_valid_and_has_the_joints_that_were_asked_for() {
     }
 }
 
-/// The optional keys stand in comments: taken out of them they are read, too.
+/// The optional keys in comments are valid when uncommented.
 #[test]
 fn its_comments_are_true() {
     let run = denavit(&["new", "my-arm", "--joints", "2", "--out", "-"]);

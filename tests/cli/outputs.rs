@@ -1,4 +1,4 @@
-//! Destinations of results: files are whole or absent, and nothing is destroyed that was not named.
+//! Tests of outputs: files are complete or absent, and nothing is destroyed that was not named.
 
 use std::fs;
 use std::path::Path;
@@ -28,7 +28,7 @@ fn refused(status: i32, arguments: &[&str], parts: &[&str]) {
 fn folders_are_not_made() {
     let folder = folder("outputs-folders");
     let page = folder.join("missing/x.html").display().to_string();
-    // Before the long work: the experiments of an hour are not begun.
+    // Checked before the long work: experiments of an hour are not started.
     refused(1, &["reproduce", "--report", &page], &["missing", "create it"]);
     let out = folder.join("missing/x.json").display().to_string();
     refused(1, &["check", PLANAR, "--json", &out], &["missing", "create it"]);
@@ -71,7 +71,7 @@ mod unix {
         assert!(fs::read_to_string(&old).unwrap().contains("base_parameters"));
         assert_eq!(fs::metadata(&old).unwrap().permissions().mode() & 0o777, 0o600);
         assert_eq!(fs::read_to_string(folder.join("old.json.tmp")).unwrap(), "somebody's");
-        // A link to a file that is not there yet makes that file.
+        // A dangling link creates its target.
         let dangling = folder.join("dangling.json");
         symlink("new.json", &dangling).unwrap();
         assert_eq!(denavit(&["check", PLANAR, "--json", dangling.to_str().unwrap()]).status, Some(0));
@@ -138,7 +138,7 @@ mod unix {
             assert_eq!(out.status.code(), Some(1), "{arguments:?}: {said}");
             assert!(said.contains("standard output can't be written"), "{said}");
         }
-        // Without standard error nothing panics, either.
+        // Without standard error nothing panics either.
         let gone = command(&["check", "none.yaml"]).stderr(full()).output().unwrap();
         assert_eq!(gone.status.code(), Some(2));
     }

@@ -1,4 +1,4 @@
-//! `denavit paint plan` and `denavit paint run`: files, figures, wrong uses.
+//! Tests of `denavit paint plan` and `denavit paint run`: files, figures, wrong uses.
 
 use denavit::model::rigid_body::Numeric;
 
@@ -61,7 +61,7 @@ fn the_files_are_the_plan() {
         let contact = matches!(place[column("phase")].as_str(), "stroke" | "shift");
         assert!(if contact { (x + 0.85).abs() < 1e-9 } else { x >= -0.85 - 1e-9 });
     }
-    // A motion as any other: the checker of motions finds nothing broken.
+    // A motion like any other: the checker of motions finds no violation.
     let judged = json(&["excite", ROBOT, "--check", &out, "--json", "-"]);
     assert_eq!(judged["feasible"], true, "{judged}");
 
@@ -133,7 +133,7 @@ fn a_run_presses_as_asked_and_shows_it() {
         assert!(found["rms"][key].as_f64().unwrap() < most, "{found}");
     }
     assert!(found["tracking"].as_f64().unwrap() < 0.005, "{found}");
-    // The CSV is where the figures come from.
+    // The figures are those of the CSV.
     let (header, samples) = rows(&out);
     assert_eq!(header[..4], ["t", "estimated", "measured", "true"]);
     let number = |row: &Vec<String>, k: usize| row[k].parse::<f64>().unwrap();
@@ -167,7 +167,7 @@ fn a_run_presses_as_asked_and_shows_it() {
 
 #[test]
 fn a_direction_out_of_reach_is_told_in_radians() {
-    // A SCARA's last axis is upright: it can't point a roller at a wall.
+    // A SCARA's last axis is vertical: it can't point a roller at a wall.
     let wall = ["--tool", QUICK[1], "--center=0.2,0.3,0", "--width", "0.2", "--height", "0.1", "--ground=-2"];
     let run = denavit(&[&["paint", "plan", "robots/scara.yaml"], &wall[..]].concat());
     assert_eq!(run.status, Some(1));

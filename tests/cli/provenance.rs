@@ -1,4 +1,4 @@
-//! The provenance of a result stands in it, and repeats it.
+//! Tests of the provenance: it is part of a result, and its command repeats the result.
 
 use std::fs;
 
@@ -18,7 +18,7 @@ fn log(folder: &std::path::Path, name: &str, seed: &str) -> String {
 
 const ROBOT: &str = "robots/planar2r.yaml";
 
-/// Runs a command line as a shell does.
+/// Runs a command line in a shell.
 fn shell(line: &str, further: &str) -> Run {
     let program = env!("CARGO_BIN_EXE_denavit");
     let line = format!("{} {further}", line.replacen("denavit", &format!("'{program}'"), 1));

@@ -1,4 +1,4 @@
-//! `denavit reproduce`: wrong uses here; the whole runs in release, on request.
+//! Tests of `denavit reproduce`: wrong uses here; the complete run in release, on request.
 
 use super::denavit;
 use super::folder;
@@ -52,7 +52,7 @@ fn painting_in_brief() {
         assert!(of("seconds_off") == 0.0 && of("aside") < 0.02, "{row}");
         assert_eq!(row["roller"], "large-roller");
     }
-    // The effects are not in the model, and it shows.
+    // The model lacks the effects, and the errors show it.
     let error = |k: usize| part["torque_error"][k]["rms"].as_f64().unwrap();
     assert!(error(1) > 2.0 * error(0), "{part}");
     let page = std::fs::read_to_string(page).unwrap();

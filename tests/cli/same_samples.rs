@@ -1,4 +1,5 @@
-//! Samples that were fitted do not validate, and none counts twice, whatever their file looks like.
+//! Tests that fitted samples do not validate, and that none counts twice, whatever their file's
+//! format.
 
 use denavit::numerics::prng::Random;
 
@@ -35,14 +36,14 @@ fn equal_samples_are_refused() {
     let one = rows(30, 1);
     let log = file(&folder, "one.csv", csv(&header(), &one));
     let other = file(&folder, "other.csv", csv(&header(), &rows(30, 2)));
-    // Other order of columns, another column, other digits, and packed.
+    // Other order of columns, an additional column, other digits, and compressed.
     let mixed: Vec<String> =
         one.iter().map(|r| format!("{:e},{:.17},7,{:e},{:+e},{:e}", r[4], r[2], r[0], r[1], r[3])).collect();
     let mixed = format!("tau2,q2,dq_note,t,q1,tau1\n{}\n", mixed.join("\n"));
     let mut packed = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
     std::io::Write::write_all(&mut packed, mixed.as_bytes()).unwrap();
     let mixed = file(&folder, "mixed.csv.gz", packed.finish().unwrap());
-    // A stretch, later, with every second row left out.
+    // A later part, with every second row left out.
     let part: Vec<Vec<f64>> = one[1000..2200].iter().step_by(2).map(|r| [&[r[0] + 1e4], &r[1..]].concat()).collect();
     let part = file(&folder, "part.csv", csv(&header(), &part));
     // Fewer digits.
@@ -80,7 +81,7 @@ fn equal_samples_are_refused() {
     assert!(run.err.contains("the same samples") && !run.out.contains("not used"), "{}", run.err);
 }
 
-/// The same motion again, with other noise; rest at the same posture; coarse sensors: none of it is
+/// A repeated motion with other noise, rest in the same posture, and coarse sensors: none of it is
 /// a copy.
 #[test]
 fn motions_that_resemble_each_other_are_apart() {
@@ -93,7 +94,7 @@ fn motions_that_resemble_each_other_are_apart() {
                 *x = ((*x + random.even(step)) / step).round() * step;
             }
         }
-        // Three seconds of rest before it moves.
+        // Three seconds of rest before the motion.
         let first = rows[0].clone();
         let still = |k: usize| [&[k as f64 / 100.0], &first[1..]].concat();
         let moved = rows.iter().map(|r| [&[r[0] + 3.0], &r[1..]].concat());

@@ -1,4 +1,4 @@
-//! Completions, manual pages, standard input, and what wrong arguments are answered.
+//! Tests of completions, manual pages, standard input, and messages for wrong arguments.
 
 use std::io::Write;
 use std::process::{Command, Stdio};
@@ -47,13 +47,13 @@ fn a_robot_comes_from_standard_input() {
     let run = feed(&["check", "-"], b"<robot name=\"a\"/>");
     let said = String::from_utf8_lossy(&run.stderr).into_owned();
     assert!(said.contains("standard input is XML") && said.contains("import - --out robot.yaml"), "{said}");
-    // Once: there is no second robot file in it.
+    // Read once: there is no second robot file in it.
     let run = feed(&["eval", "-", "--quantity", "gravity", "--states", "-"], &robot);
     assert_eq!(run.status.code(), Some(2));
     assert!(String::from_utf8_lossy(&run.stderr).contains("read once"), "{}", String::from_utf8_lossy(&run.stderr));
 }
 
-/// One paragraph, with clap's lines in it.
+/// One paragraph that contains clap's lines.
 #[test]
 fn wrong_arguments_are_answered_line_by_line() {
     let run = denavit(&["identify", "robots/planar2r.yaml", "a.csv", "--valdate", "b.csv"]);

@@ -1,11 +1,11 @@
-//! `denavit simulate`: logs that `identify` takes, the same for the same seed, and mistakes that
-//! are explained.
+//! Tests of `denavit simulate`: logs for `identify`, identical for the same seed, and messages for
+//! mistakes.
 
 use super::*;
 
 const ROBOT: &str = "robots/planar2r.yaml";
 
-/// Two joints that swing for some seconds, at rest at both ends.
+/// A motion of two joints, at rest at both ends.
 fn motion(folder: &std::path::Path, seconds: f64) -> String {
     let rows = (seconds / 0.02).round() as usize;
     let mut text = String::from("t,q1,q2\n");
@@ -29,7 +29,7 @@ fn a_simulated_log_identifies_without_a_warning() {
     let other = folder.join("other.csv").display().to_string();
     assert_eq!(denavit(&["simulate", ROBOT, "--trajectory", &motion, "--out", &other, "--seed", "4"]).status, Some(0));
     let found = json(&["identify", ROBOT, &log, "--validate", &other, "--json", "-"]);
-    // The file's own friction comes out again.
+    // The file's own friction is identified again.
     for (name, expected) in [("FV1", 0.1), ("FC1", 0.2), ("FV2", 0.05), ("FC2", 0.1)] {
         let list = found["parameters"].as_array().unwrap();
         let value = list.iter().find(|p| p["name"] == name).unwrap()["value"].as_f64().unwrap();
@@ -78,7 +78,7 @@ fn a_free_swing_needs_no_trajectory() {
     assert!(run.err.contains("--trajectory has no effect here"), "{}", run.err);
 }
 
-/// Notes on a motion stand in the JSON, too.
+/// Warnings about a motion are in the JSON too.
 #[test]
 fn doubts_are_in_the_json() {
     let folder = folder("simulate-doubts");
@@ -96,7 +96,7 @@ fn doubts_are_in_the_json() {
     }
 }
 
-/// A joint that slides: the SCARA arm's own links, from a file to a log and back.
+/// A prismatic joint: the SCARA arm's own links, from a file to a log and back.
 #[test]
 fn a_scara_arm_is_simulated_and_identified() {
     let folder = folder("simulate-scara");
@@ -250,7 +250,7 @@ fn coefficients_are_the_motion() {
     let run = denavit(&["simulate", ROBOT, "--trajectory", &other, "--out", &path("log.csv")]);
     assert_eq!(run.status, Some(2));
     assert!(run.err.contains("other.json") && run.err.contains("excite --coefficients"), "{}", run.err);
-    // A period in ms, and one that no number of rows holds.
+    // A period in ms, and one too long for any number of rows.
     for period in ["10000", "1e300"] {
         let zeros = "[[0],[0],[0],[0],[0],[0],[0]]";
         let text = format!(

@@ -1,4 +1,4 @@
-//! A tool in the hand of an arm that is known: what it is must come out.
+//! Tests of `denavit tool`: recognition of a tool on a known arm.
 
 use std::sync::OnceLock;
 
@@ -16,7 +16,7 @@ const ROBOT: &str = "robots/kuka-lwr4.yaml";
 const TOOLS: &str = "robots/tools";
 const NOISE: f64 = 0.05; // N m, half the width of an even distribution, white at 250 Hz
 
-/// 12 s at 250 Hz of the arm with this in its hand.
+/// A log of 12 s at 250 Hz of the arm with this tool.
 fn record(tool: Option<&Tool>, seed: u64) -> String {
     let mut robot = read_robot(ROBOT);
     robot.tool = tool.cloned();
@@ -38,7 +38,7 @@ fn tool(name: &str) -> Tool {
     catalogue().into_iter().find(|t| t.name == name).unwrap()
 }
 
-/// The ten in the last frame.
+/// Ten parameters of the tool in the last frame.
 fn truth(tool: &Tool) -> [f64; 10] {
     tool.inertia.unwrap().moved(&tool.rotation(), &tool.xyz).to_array()
 }
@@ -100,7 +100,7 @@ fn the_large_roller_is_found_from_both_logs() {
     assert_eq!(recognised["name"], "large-roller");
     assert_eq!(recognised["rejected"], false);
     assert!(recognised["distance"].as_f64().unwrap() < recognised["limit"].as_f64().unwrap());
-    // Its own frame is the table's; mass and centre are there what the file says.
+    // Its own frame is the table's; mass and centre in it are those of the file.
     let frame = &said["tool_frame"];
     assert_eq!(frame["tool"], "large-roller");
     assert!((frame["MS"][2].as_f64().unwrap() - 0.0484).abs() < 0.002, "{frame}");
@@ -149,8 +149,8 @@ fn a_known_robot_and_a_scale_say_more() {
         assert_eq!(said["recognised"]["name"], "large-roller");
         assert_eq!(said["robot_identified"], false);
     }
-    // A scale that is good to so much is weighed against the logs: between the two, and surer than
-    // either.
+    // A scale of this accuracy is combined with the logs: the result is between the two, and more
+    // accurate than either.
     let [mass, std] =
         [0, 1].map(|k| if k == 0 { free["M"].as_f64().unwrap() } else { free["std"][0].as_f64().unwrap() });
     let reads = mass + 2.0 * std;
@@ -158,15 +158,15 @@ fn a_known_robot_and_a_scale_say_more() {
     assert!((rough["M"].as_f64().unwrap() - (mass + std)).abs() < 1e-3 * std, "{rough}");
     assert!((rough["std"][0].as_f64().unwrap() / std - 0.5f64.sqrt()).abs() < 1e-6);
     assert!((rough["mass_of_logs"]["M"].as_f64().unwrap() - mass).abs() < 1e-12);
-    // Grams in place of kilograms contradict the logs, and the result says so; so does a hand that
-    // was loaded in the other log.
+    // Grams in place of kilograms contradict the logs and are reported; so is an unloaded log that
+    // has a load.
     let said = |arguments: &[&str]| denavit(&[&["tool", ROBOT], arguments].concat()).out;
     assert!(said(&["--loaded", &logs.large, "--known-mass", "200"]).contains("contradict the logs"));
     assert!(said(&["--unloaded", &logs.large, "--loaded", &logs.empty]).contains("exchanged"));
     assert_eq!(weighed["M"], 0.2);
     assert_eq!(weighed["relative_std_percent"][0], 0.0);
     let std = |said: &Value, k: usize| said["std"][k].as_f64().unwrap();
-    // Weights are estimated again each time, so a tolerance of a twentieth is allowed.
+    // Weights are estimated each time, so a tolerance of a twentieth is allowed.
     assert!(std(&weighed, 4) <= 1.05 * std(&free, 4) && std(&free, 4) <= 1.05 * std(&refreshed, 4));
 }
 
@@ -190,7 +190,7 @@ fn an_unknown_roller_is_rejected_and_measured() {
     assert!(told.out.contains("none of the 28 tools") && told.out.contains("mini-roller"), "{}", told.out);
 }
 
-/// A table of one's own: another pose, turned about, and the robot file has the tool's pose.
+/// A user's table: another pose, rotated, and a robot file with the tool's pose.
 #[test]
 fn a_tool_in_a_turned_frame() {
     let logs = logs();
@@ -210,8 +210,8 @@ fn a_tool_in_a_turned_frame() {
     for (k, (inside, file)) in numbers(&said["tool_frame"]["MS"]).iter().zip([0.04, 0.0, 0.08]).enumerate() {
         assert!((inside - file).abs() < 0.004, "{k}: {inside} {file}");
     }
-    // The same arm with the probe in its file: it counts as taken off, so it is found again; on top
-    // of it there is nothing.
+    // The same arm with the probe in its file: the file's tool counts as removed, so the probe is
+    // found again.
     let robot = std::fs::read_to_string(ROBOT).unwrap() + &format!("tool: {}\n", "probe.yaml");
     let robot = file(&mine, "robot.txt", robot);
     assert!(std::path::Path::new(&probe).exists());
@@ -223,7 +223,7 @@ fn a_tool_in_a_turned_frame() {
     assert!(on_top["recognised"].is_null());
 }
 
-/// An empty hand twice: a mass within its deviation, and no centre.
+/// Two unloaded logs: a mass within its deviation, and no centre.
 #[test]
 fn of_an_empty_hand() {
     let logs = logs();
@@ -235,7 +235,7 @@ fn of_an_empty_hand() {
     assert!(run.out.contains("nothing in the hand") && !run.out.contains("It is none"), "{}", run.out);
 }
 
-/// Two torque columns of the loaded log exchanged: said so, and nothing else advised.
+/// Two torque columns of the loaded log exchanged: this is reported, and nothing else advised.
 #[test]
 fn exchanged_columns_are_named() {
     let logs = logs();
@@ -278,7 +278,7 @@ fn of_wrong_use() {
     without("--refresh-friction");
     fails(&[ROBOT, "--loaded", large, "--tools", "robots/tools", "--tolerance", "1,2"], &["--tolerance", "give three"]);
     fails(&[ROBOT, "--loaded", "no.csv"], &["no.csv", "check the path"]);
-    // A robot whose links are not known needs the unloaded log.
+    // A robot with unknown links needs the unloaded log.
     fails(&["robots/kuka-lbr-med7.yaml", "--loaded", large], &["--unloaded", "identify"]);
     let bad = folder("tool-bad");
     file(&bad, "bad.yaml", "name: bad\nM: 1\n");

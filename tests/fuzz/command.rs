@@ -1,5 +1,5 @@
-//! Hostile files for the command, as a process of 2 GB at most: states, poses, motions, bundles. It ends
-//! with 0, 1 or 2 and within time, and says why where it fails.
+//! Hostile files for the command, as a process with at most 2 GB: states, poses, motions, bundles.
+//! It must end with 0, 1 or 2 and in time, with a message if it fails.
 
 use std::path::Path;
 use std::process::Command;
@@ -19,7 +19,7 @@ fn table(header: &str, rows: u32) -> Vec<u8> {
     format!("{header}\n{}\n", rows.join("\n")).into_bytes()
 }
 
-/// Feeds mutations of a table to a verb. The table stands where `TABLE` does.
+/// Runs a verb on mutations of a table, whose path replaces `TABLE`.
 fn feed(name: &str, arguments: &str, seed: &[u8], count: u64) {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("fuzz-{name}"));
     fs::create_dir_all(&folder).unwrap();
@@ -42,7 +42,7 @@ fn feed(name: &str, arguments: &str, seed: &[u8], count: u64) {
         let said = String::from_utf8_lossy(&run.stderr);
         let status = run.status.code();
         assert!(matches!(status, Some(0..=2)), "{name}: {:?}: {said}\n{}", run.status, input.display());
-        // Notes may stand before the error.
+        // Notes may precede the error.
         let told = said.lines().any(|line| line.starts_with("denavit: "));
         assert!(status == Some(0) || told, "{name}: {said}\n{}", input.display());
         assert!(!said.contains("panicked"), "{name}: {said}\n{}", input.display());
@@ -78,7 +78,7 @@ fn checked_motions() {
     feed("checked", verb, &table("t,q1,q2,dq1,dq2,ddq1,ddq2", 12), 60);
 }
 
-/// Archives: a run that is packed by itself, and what the bytes of that may become.
+/// Mutations of an archive packed by the command itself.
 #[test]
 fn bundles() {
     let archive = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fuzz-bundle-seed.zip");

@@ -1,4 +1,4 @@
-//! Two routes to the same, on random arms: inverse kinematics against the numeric recursion, printed
+//! Differential tests on random arms: inverse kinematics against the numeric recursion, printed
 //! crates against the interpreter.
 
 use std::path::Path;
@@ -14,8 +14,8 @@ use dh_codegen::interpret::{Interpreter, State};
 
 use crate::variable;
 
-/// Difference between a posture's pose and the pose that was asked for, as it says itself; beside
-/// it the rounding of two ways to compute it, over lengths of some metres.
+/// Tolerance between a posture's reported pose error and the recomputed one: rounding of two
+/// computations over lengths of some metres.
 const ROUNDING: f64 = 1e-11;
 
 #[test]
@@ -52,11 +52,11 @@ fn postures_of_random_arms_reach_their_poses() {
         }
     }
     println!("fuzz postures: {asked} poses of {arms} arms, {found} solved");
-    // Most arms have a closed form or are searched; each pose is one that the arm has.
+    // Most arms have a closed form or are searched; each pose can be reached by its arm.
     assert!(2 * found > asked, "{found} of {asked}");
 }
 
-/// Functions, as a generated crate is asked for them; which parameters they take.
+/// Functions with their parameters and their call in a generated crate.
 const PRINTED: [(Function, &str, &str); 18] = [
     (Function::Frames, "", "frames(&q).as_flattened().as_flattened()"),
     (Function::ForwardKinematics, "", "forward_kinematics(&q).as_flattened()"),
@@ -77,10 +77,10 @@ const PRINTED: [(Function, &str, &str); 18] = [
     (Function::PotentialEnergyRegressor, "", "potential_energy_regressor(&q)"),
     (Function::PayloadRegressor, "", "payload_regressor(&q, &dq, &ddq).as_flattened()"),
 ];
-/// States of each arm.
+/// Number of states for each arm.
 const STATES: usize = 10;
 
-/// A program that asks the crate `name` for each function at each state, and prints the bits.
+/// A program that calls each function of the crate `name` at each state, and prints the bits.
 fn asking(name: &str, states: &[Vec<f64>]) -> String {
     let rows: Vec<String> = states
         .iter()
@@ -106,13 +106,13 @@ let say = |values: &[f64]| println!(\"{{}}\", values.iter().map(|x| format!(\"{{
     )
 }
 
-/// To the bit, on every function.
+/// Compares every function to the bit.
 #[test]
 fn printed_crates_are_what_is_interpreted() {
     let arms = 3 * variable("DENAVIT_FUZZ_ROUNDS", 1).min(20);
     let mut random = Random::new(variable("DENAVIT_FUZZ_SEED", 1) ^ 77);
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fuzz-printed");
-    // Each of the crates is a workspace of its own: the program stands beside them.
+    // Each of the crates is a workspace of its own: the program is beside them.
     let home = folder.join("program");
     let _ = fs::remove_dir_all(folder.join("arms"));
     let (mut asked, mut program, mut crates) = (Vec::new(), String::new(), String::new());
@@ -162,7 +162,7 @@ fn printed_crates_are_what_is_interpreted() {
                 let interpreted = interpreter.one(function, &State { q, dq, ddq, tau, parameters });
                 let bits = |word: &str| f64::from_bits(u64::from_str_radix(word, 16).unwrap());
                 let printed: Vec<f64> = lines.next().unwrap().split_whitespace().map(bits).collect();
-                // A structural zero of the dense form is +0 whatever the sign a product would give it.
+                // A structural zero of the dense form is +0 whatever sign a product would give it.
                 let same = |(a, b): (&f64, &f64)| a.to_bits() == b.to_bits() || (*a == 0.0 && *b == 0.0);
                 assert!(
                     printed.len() == interpreted.len() && printed.iter().zip(&interpreted).all(same),

@@ -1,9 +1,9 @@
-//! Hostile inputs for every reader: no panic, at most 5 s and 200 MB for any of them.
+//! Hostile inputs for every reader: no panic, at most 5 s and 200 MB for each.
 //!
-//! Mutations of good files, deterministic by seed. An input to which a reader says something new is
-//! kept and mutated further. By default some seconds for each target; `DENAVIT_FUZZ_ROUNDS=100`
-//! multiplies the inputs, `DENAVIT_FUZZ_SEED` changes them (`scripts/fuzz`). `corpus/` holds what
-//! was once a problem. The same targets run under libFuzzer in `fuzz/`.
+//! Mutations of good files, deterministic by seed. An input with a new kind of result is kept and
+//! mutated further. By default each target takes some seconds; `DENAVIT_FUZZ_ROUNDS=100` multiplies
+//! the inputs, `DENAVIT_FUZZ_SEED` changes them (`scripts/fuzz`). `corpus/` contains inputs that
+//! were once a problem. The same targets run under libFuzzer in `fuzz/`.
 
 #[cfg(unix)]
 mod command;
@@ -26,9 +26,9 @@ static ALLOCATOR: memory::Counting = memory::Counting;
 
 /// Longest time for one input, without optimisation, on a busy machine.
 const LONGEST: Duration = Duration::from_secs(5);
-/// Most memory for one input, bytes.
+/// Largest memory for one input, bytes.
 const MOST_MEMORY: i64 = 200 << 20;
-/// Inputs that are mutated further, at most.
+/// Largest number of inputs that are mutated further.
 const POOL: usize = 400;
 
 type Run = fn(&[u8]) -> String;
@@ -41,7 +41,7 @@ fn variable(name: &str, default: u64) -> u64 {
     env::var(name).ok().map_or(default, |text| text.parse().unwrap_or_else(|_| panic!("{name}: {text}")))
 }
 
-/// Files of a folder with one of these endings, in order.
+/// Files of a folder with one of these endings, sorted.
 fn seeds(folder: &str, endings: &[&str]) -> Vec<Vec<u8>> {
     let mut paths: Vec<PathBuf> = fs::read_dir(root().join(folder)).unwrap().map(|e| e.unwrap().path()).collect();
     paths.retain(|p| p.is_file() && p.extension().is_some_and(|e| endings.iter().any(|ending| e == *ending)));
@@ -50,7 +50,7 @@ fn seeds(folder: &str, endings: &[&str]) -> Vec<Vec<u8>> {
     paths.iter().map(|p| fs::read(p).unwrap()).collect()
 }
 
-/// Words that stand in the seeds: keys, names, types.
+/// Words in the seeds: keys, names, types.
 fn words(seeds: &[Vec<u8>]) -> Vec<String> {
     let text: Vec<&str> = seeds.iter().filter_map(|s| std::str::from_utf8(s).ok()).collect();
     let mut found: Vec<String> = text
@@ -64,14 +64,14 @@ fn words(seeds: &[Vec<u8>]) -> Vec<String> {
     found
 }
 
-/// The longest time and the most memory of any input.
+/// Longest time and largest memory of any input.
 #[derive(Default)]
 struct Worst {
     time: Duration,
     memory: i64,
 }
 
-/// One input, measured. The input stands in a file while it runs, should the process end with it.
+/// Runs one input and measures it. The input is kept in a file meanwhile, in case the process ends.
 fn feed(name: &str, run: Run, input: &[u8], current: &Path, worst: &mut Worst) -> String {
     fs::write(current, input).unwrap();
     let start = Instant::now();
@@ -84,7 +84,7 @@ fn feed(name: &str, run: Run, input: &[u8], current: &Path, worst: &mut Worst) -
     said
 }
 
-/// What was said, without its numbers and quotations.
+/// Kind of a message: without its numbers and quotations.
 fn kind(said: &str) -> String {
     let mut quoted = false;
     let keep = |c: &char| {
@@ -94,7 +94,7 @@ fn kind(said: &str) -> String {
     said.chars().filter(keep).collect()
 }
 
-/// Feeds seeds, their mutations and the corpus to a target.
+/// Runs a target on seeds, their mutations and the corpus.
 fn fuzz(name: &str, run: Run, mutate: Mutator, seeds: Vec<Vec<u8>>, count: u64) {
     let current = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("fuzz-{name}.bin"));
     let words = words(&seeds);
@@ -182,7 +182,7 @@ fn mappings() {
     fuzz("mapping", targets::mapping, mutated, seeds("tests/fuzz/seeds/mapping", &["yaml"]), 15000);
 }
 
-/// The first lines of a CSV in every dialect.
+/// First lines of a CSV in every dialect.
 fn csv() -> Vec<Vec<u8>> {
     let rows = |separator: &str, comma: bool, header: &str| {
         let mut text = format!("{header}\n");

@@ -1,6 +1,6 @@
-//! An allocator that counts, for each thread: bytes held now, and the most since it was asked.
+//! An allocator that counts per thread: bytes held now, and their peak since the last query.
 //!
-//! `unsafe`, as an allocator is; it hands every call on to the system's.
+//! Contains `unsafe`, as every allocator; forwards every call to the system's.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
@@ -10,7 +10,8 @@ thread_local! {
     static MOST: Cell<i64> = const { Cell::new(0) };
 }
 
-/// Nothing may ask for more at once: the process ends with a message in place of the machine.
+/// Largest single allocation: beyond it the process ends with a message, rather than exhausting the
+/// machine.
 const MOST_AT_ONCE: usize = 4 << 30;
 
 pub struct Counting;
@@ -61,8 +62,7 @@ unsafe impl GlobalAlloc for Counting {
     }
 }
 
-/// What `work` returns, and the most memory that this thread held beyond what it held before,
-/// bytes.
+/// Result of `work`, and the peak memory of this thread above its initial value, bytes.
 pub fn peak<T>(work: impl FnOnce() -> T) -> (T, i64) {
     let before = HELD.with(Cell::get);
     MOST.with(|most| most.set(before));

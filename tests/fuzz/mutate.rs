@@ -1,6 +1,6 @@
 //! Mutations of inputs: bytes, words of a text, and numbers. Deterministic by seed.
 
-/// SplitMix64.
+/// The SplitMix64 generator.
 pub struct Random(u64);
 
 impl Random {
@@ -16,7 +16,7 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Below `n`; 0 where `n` is 0.
+    /// A number below `n`; 0 if `n` is 0.
     pub fn below(&mut self, n: usize) -> usize {
         (self.next() % n.max(1) as u64) as usize
     }
@@ -25,7 +25,7 @@ impl Random {
         of[self.below(of.len())]
     }
 
-    /// A stretch within `len`, short ones more often.
+    /// A range within `len`, short ones more often.
     fn stretch(&mut self, len: usize) -> std::ops::Range<usize> {
         let from = self.below(len + 1);
         let most = if self.below(4) == 0 { len } else { 16 };
@@ -33,7 +33,7 @@ impl Random {
     }
 }
 
-/// Numbers on which arithmetic and conversions break.
+/// Numbers that break arithmetic and conversions.
 pub const NUMBERS: [&str; 30] = [
     "nan",
     "NaN",
@@ -67,7 +67,7 @@ pub const NUMBERS: [&str; 30] = [
     "99999999999999999999999999999999999999999",
 ];
 
-/// Lengths and counts of binary formats.
+/// Critical lengths and counts for binary formats.
 const INTEGERS: [u64; 16] = [
     0,
     1,
@@ -87,7 +87,7 @@ const INTEGERS: [u64; 16] = [
     u64::MAX,
 ];
 
-/// Pieces of the texts that are read.
+/// Tokens of the text formats.
 const PIECES: [&str; 44] = [
     ":",
     "- ",
@@ -145,7 +145,7 @@ pub fn mutated(input: &[u8], other: &[u8], words: &[&str], random: &mut Random) 
     out
 }
 
-/// Longest input, bytes: all limits of length have tests of their own.
+/// Longest input, bytes: limits of length have tests of their own.
 const LONGEST: usize = 1 << 17;
 
 fn once(mut bytes: Vec<u8>, other: &[u8], words: &[&str], random: &mut Random) -> Vec<u8> {
@@ -158,7 +158,7 @@ fn once(mut bytes: Vec<u8>, other: &[u8], words: &[&str], random: &mut Random) -
             splice(&mut bytes, &piece, random);
         }
         3 => {
-            // Twice, here or elsewhere.
+            // Duplicates a piece, here or elsewhere.
             let piece = bytes[random.stretch(bytes.len())].to_vec();
             let at = random.below(bytes.len() + 1);
             bytes.splice(at..at, piece);
@@ -197,13 +197,13 @@ fn flip(bytes: &mut [u8], random: &mut Random) {
     }
 }
 
-/// Puts a piece in place of a stretch.
+/// Replaces a range by a piece.
 fn splice(bytes: &mut Vec<u8>, piece: &[u8], random: &mut Random) {
     let range = random.stretch(bytes.len());
     bytes.splice(range, piece.iter().copied());
 }
 
-/// Overwrites a number of 1 to 8 bytes.
+/// Overwrites an integer of 1 to 8 bytes.
 fn integer(bytes: &mut [u8], random: &mut Random) {
     let size = [1, 2, 4, 8][random.below(4)].min(bytes.len());
     let value = INTEGERS[random.below(INTEGERS.len())].wrapping_sub(random.below(3) as u64).to_le_bytes();
@@ -215,7 +215,7 @@ fn integer(bytes: &mut [u8], random: &mut Random) {
     bytes[at..at + size].copy_from_slice(&value);
 }
 
-/// Puts one of `words` where a token stands, or swaps two tokens.
+/// Replaces a token by one of `words`, or swaps two tokens.
 fn replace_token(bytes: &mut Vec<u8>, inside: impl Fn(u8) -> bool, words: &[&str], random: &mut Random) {
     let token = |bytes: &[u8], random: &mut Random| {
         let start = random.below(bytes.len());
@@ -232,7 +232,7 @@ fn replace_token(bytes: &mut Vec<u8>, inside: impl Fn(u8) -> bool, words: &[&str
     bytes.splice(range, with);
 }
 
-/// Deletes, doubles, swaps or indents lines.
+/// Deletes, duplicates, swaps or indents lines.
 fn lines(bytes: &mut Vec<u8>, random: &mut Random) {
     let mut all: Vec<Vec<u8>> = bytes.split_inclusive(|&b| b == b'\n').map(<[u8]>::to_vec).collect();
     let (a, b) = (random.below(all.len()), random.below(all.len()));

@@ -1,13 +1,13 @@
-//! Mutations behind checksums and compression, where mutated bytes alone would not get.
+//! Mutations inside checksums and compression, where mutated bytes alone would be rejected.
 
 use std::io::{Cursor, Read, Write};
 
 use crate::mutate::{Random, mutated};
 
-/// Mutates an input; the same kind of input comes out.
+/// Mutates an input to one of the same kind.
 pub type Mutator = fn(&[u8], &[u8], &[&str], &mut Random) -> Vec<u8>;
 
-/// Half of all mutations are those of bytes.
+/// Uses the structured mutation half of the time, and a mutation of bytes otherwise.
 fn or_bytes(made: Option<Vec<u8>>, input: &[u8], other: &[u8], words: &[&str], random: &mut Random) -> Vec<u8> {
     match made {
         Some(made) if random.below(2) == 0 => made,
@@ -15,7 +15,7 @@ fn or_bytes(made: Option<Vec<u8>>, input: &[u8], other: &[u8], words: &[&str], r
     }
 }
 
-/// A text, packed.
+/// Mutates a compressed text.
 pub fn gzip(input: &[u8], other: &[u8], words: &[&str], random: &mut Random) -> Vec<u8> {
     let unpack = |bytes: &[u8]| {
         let mut text = Vec::new();
@@ -30,7 +30,7 @@ pub fn gzip(input: &[u8], other: &[u8], words: &[&str], random: &mut Random) -> 
     or_bytes(made, input, other, words, random)
 }
 
-/// The directory at the end of a Parquet file, and its length.
+/// Mutates the directory at the end of a Parquet file, and its length.
 pub fn parquet(input: &[u8], other: &[u8], words: &[&str], random: &mut Random) -> Vec<u8> {
     let made = input.len().checked_sub(8).and_then(|end| {
         let length = u32::from_le_bytes(input[end..end + 4].try_into().ok()?) as usize;
@@ -51,7 +51,7 @@ pub fn parquet(input: &[u8], other: &[u8], words: &[&str], random: &mut Random) 
     or_bytes(made, input, other, words, random)
 }
 
-/// Records of an MCAP stretch: opcode and data.
+/// Records of a part of an MCAP file: opcode and data.
 fn records(mut bytes: &[u8]) -> Vec<(u8, Vec<u8>)> {
     let mut all = Vec::new();
     while let Some((head, rest)) = bytes.split_first_chunk::<9>() {
@@ -68,7 +68,7 @@ fn written(records: &[(u8, Vec<u8>)]) -> Vec<u8> {
     records.iter().flat_map(one).collect()
 }
 
-/// A chunk's records unpacked, and its first 16 bytes.
+/// Uncompressed records of a chunk.
 fn chunk(data: &[u8]) -> Option<Vec<u8>> {
     let name = u32::from_le_bytes(data.get(28..32)?.try_into().ok()?) as usize;
     let packed = data.get(32 + name + 8..)?;
@@ -89,7 +89,7 @@ fn chunk(data: &[u8]) -> Option<Vec<u8>> {
     }
 }
 
-/// One record of an MCAP file, in a chunk or outside; lengths and checksums fit.
+/// Mutates one record of an MCAP file, in a chunk or outside; lengths and checksums are corrected.
 pub fn mcap(input: &[u8], other: &[u8], words: &[&str], random: &mut Random) -> Vec<u8> {
     let made = input.strip_prefix(b"\x89MCAP0\r\n").and_then(|rest| {
         let mut all = records(rest);
@@ -97,7 +97,7 @@ pub fn mcap(input: &[u8], other: &[u8], words: &[&str], random: &mut Random) -> 
         let (opcode, data) = all.get_mut(k)?;
         if *opcode == 6 {
             let mut inner = records(&chunk(data)?);
-            // Schemas and channels stand first, and matter more than a message.
+            // Schemas and channels come first, and matter more than messages.
             let most = if random.below(2) == 0 { 4.min(inner.len()) } else { inner.len() };
             let at = random.below(most);
             let (_, record) = inner.get_mut(at)?;
@@ -113,7 +113,7 @@ pub fn mcap(input: &[u8], other: &[u8], words: &[&str], random: &mut Random) -> 
     or_bytes(made, input, other, words, random)
 }
 
-/// One array of an npz archive.
+/// Mutates one array of an npz archive.
 pub fn npz(input: &[u8], other: &[u8], words: &[&str], random: &mut Random) -> Vec<u8> {
     let made = zip::ZipArchive::new(Cursor::new(input)).ok().and_then(|mut archive| {
         let mut out = zip::ZipWriter::new(Cursor::new(Vec::new()));
@@ -123,7 +123,7 @@ pub fn npz(input: &[u8], other: &[u8], words: &[&str], random: &mut Random) -> V
             let (name, mut bytes) = (member.name().ok()?.into_owned(), Vec::new());
             member.by_ref().take(1 << 20).read_to_end(&mut bytes).ok()?;
             if k == hurt {
-                // The header says type and shape.
+                // The header has type and shape.
                 let head = bytes.len().min(128);
                 let from = if random.below(4) == 0 { bytes.len() } else { head };
                 bytes = [&mutated(&bytes[..from], other, words, random), &bytes[from..]].concat();
@@ -136,7 +136,7 @@ pub fn npz(input: &[u8], other: &[u8], words: &[&str], random: &mut Random) -> V
     or_bytes(made, input, other, words, random)
 }
 
-/// A packed variable of a MATLAB file.
+/// Mutates a compressed variable of a MATLAB file.
 pub fn mat(input: &[u8], other: &[u8], words: &[&str], random: &mut Random) -> Vec<u8> {
     let made = input.get(128..136).and_then(|tag| {
         let kind = u32::from_le_bytes(tag[..4].try_into().ok()?);

@@ -1,5 +1,5 @@
-//! What is fed with hostile bytes: one function for each reader. Each panics where a promise is
-//! broken and returns what the reader said, by which new behaviour is recognised.
+//! Fuzz targets: one function for each reader. Each panics where a promise is broken, and returns
+//! the reader's message, by which new behaviour is recognised.
 
 use std::fmt::Write;
 use std::sync::LazyLock;
@@ -16,7 +16,7 @@ use denavit::report::{plan_of_json, trajectory_of_json, uncertainty_of_json};
 use denavit::simulate::{Request, SimulationFile};
 use dh_codegen::robot::{Problems, Robot, Tool, files_of_runs, no_files};
 
-/// Most that is kept of what a reader said.
+/// Largest length kept of a reader's message.
 const SAID: usize = 400;
 
 fn said(of: impl std::fmt::Display) -> String {
@@ -34,15 +34,15 @@ fn problems(problems: &Problems) -> String {
     said(&problems.0[0].what)
 }
 
-/// A robot without the blanks in its expressions, which the writer takes out.
+/// A robot without the blanks in its expressions, which the writer removes.
 fn same(robot: &Robot) -> String {
     let blanks = [" ", "\\t", "\\n", "\\r"];
     blanks.iter().fold(format!("{robot:?}"), |text, blank| text.replace(blank, ""))
 }
 
-/// A robot file; what can be read is written, and read again as it was.
+/// A robot file; if it can be read, it is written and read back unchanged.
 pub fn robot(bytes: &[u8]) -> String {
-    // A name stands for a file that is there, has rows of tools, and is read like any other.
+    // Every name refers to an existing file with rows of tools.
     let files = |_: &str| Ok(include_str!("../../robots/tools/gripper.yaml").to_string());
     let reading = match Robot::from_bytes(bytes, &files) {
         Ok(reading) => reading,
@@ -62,7 +62,7 @@ pub fn robot(bytes: &[u8]) -> String {
     format!("read: {} {} {}", again.joints.len(), again.constants.len(), reading.notes.len())
 }
 
-/// A tool file; what can be read is written, and read again as it was.
+/// A tool file; if it can be read, it is written and read back unchanged.
 pub fn tool(bytes: &[u8]) -> String {
     let Ok(text) = std::str::from_utf8(bytes) else { return "no text".into() };
     match Tool::from_yaml(text, "tool") {
@@ -105,7 +105,7 @@ pub fn expression(bytes: &[u8]) -> String {
     [number, law].map(|file| robot(file.as_bytes())).join(" ")
 }
 
-/// A mapping of channels, for a file with some.
+/// A mapping of channels, applied to a file with some.
 pub fn mapping(bytes: &[u8]) -> String {
     let Ok(text) = std::str::from_utf8(bytes) else { return "no text".into() };
     match Mapping::from_yaml(text) {
@@ -124,7 +124,7 @@ fn joints() -> Vec<SourceJoint> {
     ["shoulder", "elbow"].map(|n| SourceJoint { name: n.into(), sign: 1.0, offset: 0.0 }).to_vec()
 }
 
-/// A log in any format, as each verb reads it: its channels, its rows, and the motion of its
+/// A log in any format, read as each verb does: its channels, its rows, and the motion of its
 /// joints.
 pub fn log(bytes: &[u8]) -> String {
     let mut all = String::new();
@@ -162,7 +162,7 @@ pub fn log(bytes: &[u8]) -> String {
     all
 }
 
-/// Rows of a table that came so far without a block of more rows than were asked for.
+/// Rows of a table, with a check that no block has more rows than requested.
 pub fn table(bytes: &[u8]) -> String {
     let mut table = match open_table("log", bytes, &Reading::default()) {
         Ok(table) => table,
@@ -185,7 +185,7 @@ pub fn table(bytes: &[u8]) -> String {
     }
 }
 
-/// URDF or MJCF; the robot of it is written, and read again.
+/// URDF or MJCF; the imported robot is written and read back.
 pub fn model(bytes: &[u8]) -> String {
     let Ok(text) = std::str::from_utf8(bytes) else { return "no text".into() };
     let made = match import(text, &ImportOptions { at_zero: true, ..ImportOptions::default() }) {
@@ -200,7 +200,7 @@ pub fn model(bytes: &[u8]) -> String {
     format!("read: {} {}", made.robot.joints.len(), made.notes.len())
 }
 
-/// A motion as coefficients.
+/// A motion given by coefficients.
 pub fn trajectory(bytes: &[u8]) -> String {
     let Ok(value) = serde_json::from_slice(bytes) else { return "no JSON".into() };
     match trajectory_of_json(&value) {
@@ -222,8 +222,8 @@ pub fn plan(bytes: &[u8]) -> String {
 
 static PLANAR_ARM: LazyLock<Interpreted> = LazyLock::new(|| Interpreted::new(&PLANAR, &[]));
 
-/// What an identification says of its uncertainty. What can be read is a covariance: finite, its
-/// diagonal not negative, no entry larger than the two on the diagonal allow.
+/// Uncertainty from an identification. If it can be read it is a covariance: finite, with a
+/// non-negative diagonal, and no entry larger than the two on the diagonal permit.
 pub fn identified(bytes: &[u8]) -> String {
     let Ok(value) = serde_json::from_slice(bytes) else { return "no JSON".into() };
     let base = PLANAR_ARM.base_parameters();
@@ -241,7 +241,7 @@ pub fn identified(bytes: &[u8]) -> String {
     }
 }
 
-/// The factors of a recording; what can be read is written as it was.
+/// Factors of a recording; if they can be read, they are written unchanged.
 pub fn factor(bytes: &[u8]) -> String {
     match RecordingFactor::from_bytes("factor", bytes) {
         Ok(factor) => {

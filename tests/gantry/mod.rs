@@ -1,4 +1,4 @@
-//! A gantry of unit masses before a wall: everything is known by heart.
+//! A gantry of unit masses before a wall, with exactly known dynamics.
 
 #![allow(dead_code, reason = "each test takes the part that it needs")]
 
@@ -8,17 +8,17 @@ use denavit::control::law::{
 
 pub const T: f64 = 1e-3;
 
-/// Three sliding joints along the axes and three that turn about them, of unit mass: everything is
-/// known by heart.
+/// Three prismatic joints along the axes and three revolute ones about them, of unit mass, with
+/// exactly known dynamics.
 #[derive(Clone, Default)]
 pub struct Gantry {
-    /// No posture and no point of contact.
+    /// Returns no posture and no point of contact.
     pub lost: bool,
-    /// No numbers for gravity.
+    /// Returns NaN for gravity.
     pub dumb: bool,
-    /// Numbers for gravity that no drive could hold.
+    /// Returns gravity that no drive could hold.
     pub wild: bool,
-    /// Another branch of the inverse: joint 4 half a turn on.
+    /// Returns another branch of the inverse kinematics: joint 4 turned by half a turn.
     pub flipped: bool,
 }
 
@@ -100,14 +100,13 @@ pub fn settings() -> Settings<6> {
     }
 }
 
-/// The gantry of unit masses before a wall at x = 0 of 5 kN/m, integrated in 20 small steps a
-/// period.
+/// The gantry before a wall at x = 0 of 5 kN/m, integrated in 20 small steps per period.
 pub struct World {
     pub q: [f64; 6],
     pub v: [f64; 6],
     pub t: f64,
     pub wall: bool,
-    /// Force that holds the tool back along y, N.
+    /// Force that resists the tool along y, N.
     pub drag: f64,
 }
 
@@ -120,7 +119,7 @@ impl World {
         if self.wall { (5e3 * self.q[0]).max(0.0) } else { 0.0 }
     }
 
-    /// On the wall, and on whatever else is in its way.
+    /// Force of the tool on the wall and on any other obstacle, N.
     pub fn push(&self) -> [f64; 3] {
         [self.force(), self.drag, 0.0]
     }

@@ -1,9 +1,10 @@
-//! Inverse kinematics beside other crates, in one run: median time per pose for all branches.
+//! Inverse kinematics compared with other crates, in one run: median time per pose for all
+//! branches.
 //!
 //! `RUSTFLAGS="-C target-cpu=native" cargo run --release` in this folder. It needs cmake and a C
-//! compiler, for nlopt (ik-geo). ik-geo gets the same lines and poses as we do. rs-opw-kinematics
-//! gets an arm of the same lengths and poses of its own forward kinematics, because its zero
-//! posture differs.
+//! compiler, for nlopt (ik-geo). ik-geo gets the same axes and poses as our solver.
+//! rs-opw-kinematics gets an arm of the same lengths and poses of its own forward kinematics,
+//! because its zero posture differs.
 
 #[path = "../../ik/measure.rs"]
 mod measure;
@@ -22,7 +23,7 @@ fn sub(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [0, 1, 2].map(|i| a[i] - b[i])
 }
 
-/// Our lines as ik-geo's product of exponentials; `points`: one on each axis.
+/// Our axes as ik-geo's product of exponentials; `points`: one on each axis.
 fn geo(bench: &Bench<6>, points: [[f64; 3]; 6], make: fn(&[Vector3<f64>; 6], &[Vector3<f64>; 7]) -> Robot) -> f64 {
     let h = bench.arm.axes.map(|a| Vector3::from(a.h));
     let tip = bench.arm.home.shift;
@@ -41,7 +42,7 @@ fn geo(bench: &Bench<6>, points: [[f64; 3]; 6], make: fn(&[Vector3<f64>; 6], &[V
             (r * rows(&home).transpose(), Vector3::new(pose[0][3], pose[1][3], pose[2][3]))
         })
         .collect();
-    // Does it solve what it is asked?
+    // Checks that it solves the given poses.
     let mut met = 0;
     for (r, t) in &poses {
         let reached = robot.ik(*r, *t).iter().any(|(q, _)| {
@@ -90,7 +91,7 @@ fn row<const N: usize>(name: &str, bench: &Bench<N>, geo: Option<f64>, opw: Opti
     );
 }
 
-/// Intersection of the last three axes.
+/// Points for an intersection of the last three axes in `center`.
 fn wrist(axes: &[Axis; 6], center: [f64; 3]) -> [[f64; 3]; 6] {
     core::array::from_fn(|k| if k < 3 { axes[k].c } else { center })
 }
@@ -104,7 +105,7 @@ fn main() {
     row("franka-panda", &Bench::<7>::new("franka-panda"), None, None);
     let ur = Bench::<6>::new("ur10e");
     let mut points = ur.arm.axes.map(|a| a.c);
-    // Axes 5 and 6 meet; axes 1 and 2 as well.
+    // Axes 5 and 6 intersect; axes 1 and 2 as well.
     let meet = |a: &Axis, b: &Axis| {
         let d = sub(b.c, a.c);
         let c: f64 = (0..3).map(|i| a.h[i] * b.h[i]).sum();

@@ -1,5 +1,5 @@
-//! Clearance while painting: the arm against itself, the ground, boxes, and the wall with anything
-//! but the roller.
+//! Clearance while painting: of the arm from itself, the ground and boxes, and of everything but
+//! the roller from the wall.
 
 use crate::excite::Bodies;
 use crate::model::{FrameKinematics, States};
@@ -7,7 +7,7 @@ use crate::model::{FrameKinematics, States};
 use super::surface::Surface;
 use super::vector::dot;
 
-/// A distance that is watched.
+/// A monitored distance.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Watch {
     Ground(usize),
@@ -16,18 +16,18 @@ enum Watch {
     Wall(usize),
 }
 
-/// All that is watched.
+/// All monitored distances.
 #[derive(Debug, Clone)]
 pub(super) struct Clearance {
     bodies: Bodies,
     surface: Surface,
-    /// Distance that is kept, m.
+    /// Required distance, m.
     margin: f64,
     list: Vec<Watch>,
 }
 
 impl Clearance {
-    /// Leaves out what no posture changes.
+    /// Collects the distances, without those that do not depend on the posture.
     pub(super) fn new(arm: &dyn FrameKinematics, bodies: Bodies, surface: Surface, margin: f64) -> Self {
         let mut list: Vec<Watch> = Vec::new();
         if let Some((_, frames)) = &bodies.ground {
@@ -53,8 +53,8 @@ impl Clearance {
         all
     }
 
-    /// The least distance at a sample beyond the margin, m, and its place in the list; `None` where
-    /// nothing is watched.
+    /// Smallest distance at sample `s` minus the margin, m, and its index in the list; `None` if no
+    /// distance is monitored.
     pub(super) fn least(&self, frames: &[f64], len: usize, s: usize) -> Option<(f64, usize)> {
         let gaps = self.list.iter().enumerate().map(|(k, w)| (self.gap(*w, frames, len, s) - self.margin, k));
         gaps.min_by(|a, b| a.0.total_cmp(&b.0))
@@ -88,7 +88,7 @@ impl Clearance {
         self.bodies.balls[ball].placed(frames, len, s)
     }
 
-    /// In words.
+    /// Describes a distance for a message.
     pub(super) fn describe(&self, which: usize) -> String {
         let ball = |k: usize| match self.bodies.balls[k].frame {
             Some(f) => format!("sphere {} (link {})", k + 1, f + 1),

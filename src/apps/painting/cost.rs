@@ -1,4 +1,5 @@
-//! One candidate of equation (12): lanes and swivel angles in, cost and broken limits out.
+//! Evaluation of one candidate of equation (12): from lanes and swivel angles to cost and violated
+//! limits.
 
 use super::strokes::{Phase, Strokes};
 use super::surface::Roller;
@@ -10,37 +11,38 @@ use crate::apps::painting::leg_timing::{Bound, Broken, Grid, Leg, share_out};
 /// Start of a candidate's postures.
 #[derive(Clone, Copy)]
 pub(super) enum From<'a> {
-    /// Every posture of the first way point.
+    /// All postures of the first way point.
     All,
-    /// The one nearest to this.
+    /// The posture nearest to this one.
     Near(&'a [f64]),
 }
 
-/// A candidate on one branch.
+/// An evaluated candidate on one branch of the inverse kinematics.
 #[derive(Debug, Clone)]
 pub(super) struct Scored {
     pub strokes: Strokes,
-    /// Swivel angle of each way point in contact; one: all the same.
+    /// Swivel angle at each way point in contact, rad; a single value holds for all.
     pub angles: Vec<f64>,
     pub roller: Roller,
-    /// Posture at the start.
+    /// Posture at the start, rad or m.
     pub start: Vec<f64>,
-    /// Sum of what is broken; zero: feasible.
+    /// Sum of the violations' weights; zero if the candidate is feasible.
     pub weight: f64,
     pub broken: Vec<Broken>,
-    /// Equation (12), s; infinite where it is not known.
+    /// Cost of equation (12), s; infinite if unknown.
     pub cost: f64,
-    /// Legs on this branch; empty where it was lost.
+    /// Legs on this branch; empty if the branch was lost.
     pub legs: Vec<Leg>,
-    /// Time of each leg, s, and what keeps it from being shorter.
+    /// Time of each leg, s, and the limit that determines it.
     pub times: Vec<(f64, Bound)>,
-    /// `T_C`, s, and the integral of the squared jerks, rad^2/s^5, over the time in contact.
+    /// Time in contact `T_C`, s; `jerk` is the integral of the squared jerks over it, rad^2/s^5.
     pub contact: f64,
     pub jerk: f64,
 }
 
 impl Scored {
-    /// Is this better than another, in cost by this share of it? What is broken counts first.
+    /// Whether this is better than `other`, by at least `share`. Violations are compared before the
+    /// cost.
     pub(super) fn beats(&self, other: &Self, share: f64) -> bool {
         let slack = 1e-9 + share * other.weight;
         if self.weight < other.weight - slack || self.weight == 0.0 && other.weight > 0.0 {
@@ -53,17 +55,17 @@ impl Scored {
         self.weight == 0.0 && self.cost.is_finite()
     }
 
-    /// The limit that is broken most.
+    /// Limit with the largest violation.
     pub(super) fn worst(&self) -> Option<Broken> {
         self.broken.iter().copied().max_by(|a, b| a.weight.total_cmp(&b.weight))
     }
 }
 
-/// Added where a branch can't be followed at all, so that limits which are broken by a hair count
+/// Penalty for a branch that cannot be followed at all, so that marginally violated limits count
 /// less.
 const LOST: f64 = 10.0;
 
-/// A task with what is computed once.
+/// A task with quantities that are computed once.
 pub(super) struct Judge<'a> {
     pub task: &'a Task<'a>,
     pub around: Clearance,
@@ -75,7 +77,7 @@ impl<'a> Judge<'a> {
         Self { task, around }
     }
 
-    /// Legs with their swivel angles: one angle, or one per way point in contact.
+    /// Lines of the legs with their swivel angles: one angle, or one per way point in contact.
     pub(super) fn lines(&self, strokes: &Strokes, angles: &[f64]) -> Vec<Line> {
         let legs = strokes.legs(self.task.standoff);
         let way = |p: [f64; 3], k: usize| [p[0], p[1], p[2], angles.get(k).or(angles.last()).copied().unwrap_or(0.0)];
@@ -94,7 +96,7 @@ impl<'a> Judge<'a> {
         1 + strokes.legs(self.task.standoff).iter().filter(|l| l.phase.contact()).count()
     }
 
-    /// All branches that begin where it is asked for; never empty.
+    /// Evaluates all branches that begin at `from`; never empty.
     pub(super) fn cost(
         &self,
         grid: &Grid,
@@ -129,8 +131,8 @@ impl<'a> Judge<'a> {
             .zip(&all)
             .filter(|(_, p)| p.distance[0] + p.distance[1] > 0.0)
             .map(|(line, p)| {
-                // m and rad are weighed against each other as in the weight; the heavier one is
-                // reported, in its own unit.
+                // Relative size of m and rad as in the weight; the larger violation is reported in
+                // its own unit.
                 let [place, turn] = [p.distance[0] / 0.1, p.distance[1]];
                 let (bound, amount) =
                     if place >= turn { (Bound::OutOfReach, p.distance[0]) } else { (Bound::Direction, p.distance[1]) };
@@ -188,7 +190,7 @@ impl<'a> Judge<'a> {
         scored
     }
 
-    /// Times of the legs, and the cost.
+    /// Determines the times of the legs and the cost.
     fn time(&self, grid: &Grid, scored: &mut Scored) {
         let task = self.task;
         let legs = &scored.legs;
@@ -198,8 +200,8 @@ impl<'a> Judge<'a> {
         let pick = |least: &[(f64, Bound)]| contact.iter().map(|&k| least[k].0).collect::<Vec<f64>>();
         let jerks: Vec<f64> = contact.iter().map(|&k| legs[k].jerk).collect();
         let mut times = vec![(0.0, false); legs.len()];
-        // Torques are looked at where a leg's time is short; slower legs leave less to the others
-        // where the whole is given.
+        // Torques are checked at a leg's shortest time; slower legs leave less time to the others
+        // if the total is given.
         for _ in 0..6 {
             for k in 0..legs.len() {
                 if !legs[k].line.phase.contact() {
@@ -256,7 +258,7 @@ fn reversed(all: &Postures) -> Postures {
     Postures { farthest: lists.len() - 1 - all.farthest, lists, distance: all.distance }
 }
 
-/// A line's phase, for those who ask whether it is in contact.
+/// Whether a line is in contact with the wall.
 impl Line {
     pub(super) fn contact(&self) -> bool {
         self.phase.contact() && self.phase != Phase::Approach

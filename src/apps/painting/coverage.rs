@@ -1,15 +1,15 @@
-//! Coverage of a painting motion: the roller's line of contact, swept over the wall, counted in
+//! Coverage of a painting motion: the roller's line of contact, swept over the wall and counted in
 //! cells.
 
 use super::strokes::Strokes;
 use super::surface::Surface;
 
-/// The wall in cells.
+/// Number of passes over each cell of the wall.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Coverage {
-    /// Cells across and along.
+    /// Number of cells across and along the strokes.
     pub cells: [usize; 2],
-    /// How often each is passed: `[k * across + i]`, from the lower left.
+    /// Number of passes over each cell: `[k * across + i]`, from the lower left.
     pub passes: Vec<u16>,
     /// Share of the wall that is painted.
     pub painted: f64,
@@ -17,20 +17,20 @@ pub struct Coverage {
     pub overlapped: f64,
 }
 
-/// Size of a cell, m; larger walls have larger cells.
+/// Size of a cell, m; walls with more than [`MOST`] cells to a side have larger ones.
 const CELL: f64 = 0.005;
-/// The most cells to a side.
+/// Maximum number of cells to a side.
 const MOST: f64 = 400.0;
 
 impl Coverage {
-    /// Of lanes, with a roller of this width.
+    /// Computes the coverage of the lanes with a roller of this width, m.
     pub fn new(surface: &Surface, strokes: &Strokes, width: f64) -> Self {
         let count = |extent: f64| (extent / CELL).ceil().clamp(1.0, MOST) as usize;
         let cells = [count(surface.width), count(surface.height)];
         let ([left, _], [low, _]) = (surface.sides(), surface.ends());
         let mut passes = vec![0u16; cells[0] * cells[1]];
         let mut lanes = vec![0u16; cells[0] * cells[1]];
-        // A cell counts where its middle is passed; on the seam of two lanes it belongs to both.
+        // A cell counts if its middle is passed; on the seam of two lanes it belongs to both.
         let slack = 1e-9;
         let inside = |x: f64, a: f64, b: f64| x >= a.min(b) - slack && x <= a.max(b) + slack;
         let legs: Vec<_> = strokes.legs(0.0).into_iter().filter(|l| l.phase.contact()).collect();

@@ -1,22 +1,24 @@
-//! A short wipe along the roller's axis, from which the controller learns how the roller drags
-//! before it matters.
+//! A short stroke along the roller's axis, from which the controller learns the roller's drag
+//! before painting.
 
 use crate::control::law::Model;
 use crate::control::robot::RobotModel;
 use crate::simulate::Trajectory;
 
-/// How far, m: joints of some hundred N m/rad give way by a centimetre before the roller slides.
-/// How long it takes there and back, and how long it then rests before the painting begins, s.
+/// Length of the stroke, m: joints of some hundred N m/rad yield by a centimetre before the roller
+/// slides. `TIME` is the time there and back, and `REST` that of the rest before painting begins,
+/// s.
 const FAR: f64 = 0.04;
 const TIME: f64 = 1.5;
 const REST: f64 = 0.6;
-/// Part of the settling time in which the force comes up first, s.
+/// Time at the beginning of settling in which the force rises, s.
 const BEFORE: f64 = 0.9;
-/// Knots, 1/s.
+/// Number of knots per second.
 const RATE: f64 = 100.0;
 
-/// The wipe from a posture in contact and back to it, in the last seconds of a settling time;
-/// towards where the plan goes. `None` where there is no time for it, or no posture.
+/// The stroke from a posture in contact and back to it, in the last seconds of the settling time
+/// `settle`, s, first in the direction of the plan. `None` if there is not enough time or no
+/// posture.
 pub(super) fn calibration_stroke<const N: usize>(
     model: &mut RobotModel<'_>,
     first: &[f64; N],
@@ -40,7 +42,7 @@ pub(super) fn calibration_stroke<const N: usize>(
     let (mut t, mut rows, mut near) = (Vec::new(), Vec::new(), *first);
     for k in 0..=count {
         let s = k as f64 / count as f64;
-        // There and back, at rest and without acceleration at both ends.
+        // There and back, with zero velocity and acceleration at both ends.
         let way = FAR.copysign(ahead) * 64.0 * (s * (1.0 - s)).powi(3);
         near = model.displaced(first, &axis.map(|a| a * way), &near)?;
         t.push(settle - REST - TIME + TIME * s);

@@ -1,11 +1,11 @@
-//! Torques of a plan's motion, with the wall's push.
+//! Joint torques of a plan's motion and of the wall's contact force.
 
 use super::Moment;
 use super::task::Task;
 use crate::model::States;
 
-/// Torques of the joints at these moments, joint-major, N m: of the motion, and of the force on the
-/// wall while the roller is in contact. Zero where the robot file has not the bodies for it.
+/// Joint torques at these moments, joint-major, N m: of the motion, and of the force on the wall
+/// while the roller is in contact. Zero if the robot file lacks link parameters.
 pub fn joint_torques(task: &Task<'_>, moments: &[Moment]) -> Vec<f64> {
     let (n, len) = (task.dof(), moments.len());
     let mut out = vec![0.0; n * len];
@@ -19,8 +19,8 @@ pub fn joint_torques(task: &Task<'_>, moments: &[Moment]) -> Vec<f64> {
     out
 }
 
-/// Joint torques due to the wall's push: minus `J'` times the wrench on the last frame, N m, `n *
-/// len`, at the samples in contact.
+/// Joint torques due to the wall's contact force, `n x len`, N m: minus `J'` times the wrench on
+/// the last frame, at the samples in contact.
 pub(super) fn push(task: &Task<'_>, states: &States, frames: &[f64], in_contact: impl Fn(usize) -> bool) -> Vec<f64> {
     let (n, len) = (task.dof(), states.len);
     let mut out = vec![0.0; n * len];
@@ -35,7 +35,7 @@ pub(super) fn push(task: &Task<'_>, states: &States, frames: &[f64], in_contact:
     for s in (0..len).filter(|&s| in_contact(s)) {
         let at = |f: usize, i: usize, k: usize| frames[((f * 3 + i) * 4 + k) * len + s];
         let last = if has_tool { count - 2 } else { count - 1 };
-        // The middle of the roller's face: `length` along z of the tool, which points into the
+        // Middle of the roller's face: `length` along z of the tool, which points into the
         // wall.
         let lever: [f64; 3] =
             std::array::from_fn(|i| at(count - 1, i, 3) - at(last, i, 3) - task.roller.length * task.surface.normal[i]);

@@ -1,9 +1,9 @@
-//! How fast a leg can be, what its jerk costs, and which limit it breaks.
+//! Shortest time of a leg, the cost of its jerk, and the limits that it violates.
 //!
-//! Way points are passed at rest, so legs share nothing but their ends. With a leg's time `tau`,
-//! speeds go with `1/tau`, accelerations with `1/tau^2`, and the integral of the squared jerk is `J
-//! / tau^5`. The best `tau` of a leg is the larger of the time that its limits need and `(5 w
-//! J)^(1/6)`, where the derivative of `tau + w J / tau^5` vanishes. `T_C` of equation (12)
+//! Way points are passed at rest, so that legs are coupled only at their ends. With a leg's time
+//! `tau`, speeds scale with `1/tau`, accelerations with `1/tau^2`, and the integral of the squared
+//! jerk is `J / tau^5`. The optimal `tau` is the larger of the time that the limits require and
+//! `(5 w J)^(1/6)`, where the derivative of `tau + w J / tau^5` vanishes. `T_C` of equation (12)
 //! therefore needs no search.
 
 use nalgebra::DMatrix;
@@ -17,14 +17,14 @@ use super::track::Line;
 use crate::apps::painting::clearance::Clearance;
 use crate::numerics::chebyshev::Chebyshev;
 
-/// A limit that binds, or is broken.
+/// A binding or violated limit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Bound {
-    /// No posture holds the roller there.
+    /// No posture reaches this position of the roller.
     OutOfReach,
-    /// The arm can't hold the roller in this direction there.
+    /// The arm cannot hold the roller in this direction there.
     Direction,
-    /// The branch of the inverse ends or is not smooth: a singularity.
+    /// The branch of the inverse kinematics ends or is not smooth: a singularity.
     Singular,
     /// Travel of a joint (from 0).
     Position(usize),
@@ -36,30 +36,30 @@ pub(super) enum Bound {
     Jerk(usize),
     /// Torque of a joint.
     Torque(usize),
-    /// A distance, by its place in the list that is watched.
+    /// A distance, by its index in [`Clearance`].
     Clearance(usize),
-    /// The duration that was given.
+    /// The given duration.
     Duration,
     /// No limit: the weight of the jerk.
     Weight,
-    /// No limit: the duration that was given and the least jerk within it.
+    /// No limit: the given duration, shared out for the least jerk.
     Shared,
 }
 
-/// A broken limit.
+/// A violated limit.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Broken {
     /// The limit.
     pub bound: Bound,
-    /// By how much: m, rad, N m, s by its kind.
+    /// Size of the violation: m, rad, N m or s, depending on the limit.
     pub amount: f64,
-    /// Number that makes different kinds comparable; over zero.
+    /// Size of the violation on a common scale; positive.
     pub weight: f64,
     /// Position of the roller: wall coordinates and distance, m.
     pub at: [f64; 3],
 }
 
-/// Samples of a leg and the matrices that give them.
+/// Sampling grid of a leg and the matrices that evaluate it.
 pub(super) struct Grid {
     pub chebyshev: Chebyshev,
     rows: [DMatrix<f64>; 4],
@@ -68,7 +68,7 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// `order + 1` postures carry a leg, `samples` instants are looked at.
+    /// Creates a grid: `order + 1` postures define a leg, `samples` instants are checked.
     pub(super) fn new(order: usize, samples: usize) -> Self {
         let times: Vec<f64> = (0..samples).map(|k| k as f64 / (samples - 1) as f64).collect();
         let speeds: Vec<[f64; 4]> = times.iter().map(|&u| rest_to_rest(u)).collect();
@@ -84,26 +84,26 @@ pub(super) struct Leg {
     pub line: Line,
     /// Postures at the Chebyshev points.
     pub q: DMatrix<f64>,
-    /// `J`, rad^2.
+    /// Integral of the squared jerk `J`, rad^2.
     pub jerk: f64,
-    /// Shortest time by speed, acceleration and jerk, s, and what binds.
+    /// Shortest time by speed, acceleration and jerk, s, and the binding limit.
     pub fastest: (f64, Bound),
-    /// Limits that are broken whatever the time.
+    /// Limits violated at any leg time.
     pub broken: Vec<Broken>,
     states: States,
-    /// Torques of the contact, `n * len`.
+    /// Joint torques of the contact force, `n x len`, N m.
     load: Vec<f64>,
 }
 
-/// The shortest time that is given to a leg, s.
+/// Shortest leg time, s.
 const LEAST: f64 = 0.05;
-/// A leg that needs longer is not possible, s.
+/// Longest leg time, s; a leg that needs longer is infeasible.
 const LONGEST: f64 = 1e4;
-/// Truncation error of a polynomial on a smooth branch, rad or m.
+/// Largest truncation error of a polynomial on a smooth branch, rad or m.
 const SMOOTH: f64 = 2e-3;
 
 impl Leg {
-    /// From the postures at the grid's Chebyshev points.
+    /// Builds a leg from the postures at the grid's Chebyshev points.
     pub(super) fn new(task: &Task<'_>, around: &Clearance, grid: &Grid, line: Line, q: DMatrix<f64>) -> Self {
         let (n, len) = (task.dof(), grid.shares.len());
         let by_share = [0, 1, 2, 3].map(|d| &grid.rows[d] * &q);
@@ -165,8 +165,8 @@ impl Leg {
         Self { line, q, jerk, fastest, broken, states, load }
     }
 
-    /// Torque over its limit, at worst, when the leg takes `tau` seconds: ratio, joint, sample.
-    /// Zero where nothing is known.
+    /// Largest ratio of torque to limit for a leg time `tau`, s: ratio, joint, sample. Zero if link
+    /// parameters are unknown.
     fn torque(&self, task: &Task<'_>, tau: f64) -> (f64, usize, usize) {
         let Some(standard) = &task.standard else { return (0.0, 0, 0) };
         let (n, len) = (task.dof(), self.states.len);
@@ -189,7 +189,8 @@ impl Leg {
         worst
     }
 
-    /// The shortest time from `tau` on that the torques allow, and the joint that asks for it.
+    /// Shortest time, at least `tau`, that the torque limits allow, and the joint that determines
+    /// it.
     pub(super) fn slower(&self, task: &Task<'_>, grid: &Grid, tau: f64) -> Result<(f64, Option<usize>), Broken> {
         let (ratio, joint, _) = self.torque(task, tau);
         if ratio <= 1.0 {
@@ -217,9 +218,10 @@ impl Leg {
     }
 }
 
-/// Times of legs: each at least its own. With `duration` they sum to it, with the least sum of `J /
-/// tau^5` (equal marginal gain: `tau` in proportion to `J^(1/6)`). Without it `tau + w J / tau^5`
-/// is least for each. True: the leg is as fast as it can be.
+/// Times of the legs, each at least its own minimum. With `duration` they sum to it and minimise
+/// the sum of `J / tau^5` (equal marginal gain: `tau` in proportion to `J^(1/6)`). Without it
+/// `tau + w J / tau^5` is minimised for each leg. The flag is true if the leg takes its minimum
+/// time.
 pub(super) fn share_out(least: &[f64], jerk: &[f64], weight: f64, duration: Option<f64>) -> Vec<(f64, bool)> {
     let at = |scale: f64| -> Vec<(f64, bool)> {
         least
@@ -244,7 +246,7 @@ pub(super) fn share_out(least: &[f64], jerk: &[f64], weight: f64, duration: Opti
         let middle = 0.5 * (low + high);
         if total(middle) < duration { low = middle } else { high = middle }
     }
-    // The rounding remainder goes to the legs that have time.
+    // The rounding remainder goes to a leg above its minimum.
     let mut times = at(high);
     let rest = duration - times.iter().map(|t| t.0).sum::<f64>();
     if let Some(longest) = times.iter_mut().filter(|t| !t.1).max_by(|a, b| a.0.total_cmp(&b.0)) {

@@ -1,4 +1,4 @@
-//! The joint motion as a piecewise quintic, stored as position, velocity and acceleration at knots.
+//! Joint motion as a piecewise quintic, stored as position, velocity and acceleration at knots.
 
 use nalgebra::DMatrix;
 
@@ -10,33 +10,32 @@ use super::track::Line;
 use crate::apps::painting::cost::Scored;
 use crate::numerics::chebyshev::Chebyshev;
 
-/// A quintic spline with continuous acceleration: between two knots the one polynomial of fifth
-/// order through position, velocity and acceleration at both (a B-spline whose inner knots count
-/// three times).
+/// A quintic spline with continuous acceleration. Between two knots it is the polynomial of fifth
+/// order through position, velocity and acceleration at both (a B-spline with triple inner knots).
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct PaintingMotion {
     /// Knots, s, ascending from 0.
     pub times: Vec<f64>,
-    /// Positions at the knots, rad or m: one row per knot.
+    /// Positions at the knots, rad or m, one row per knot.
     pub q: Vec<Vec<f64>>,
-    /// Velocities there.
+    /// Velocities at the knots, rad/s or m/s.
     pub dq: Vec<Vec<f64>>,
-    /// Accelerations there.
+    /// Accelerations at the knots, rad/s^2 or m/s^2.
     pub ddq: Vec<Vec<f64>>,
 }
 
-/// Why a branch is not smooth enough to be written down.
+/// Reason why a branch is not smooth enough for a spline.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub(super) enum RoughBranch {
-    /// No posture near the last one.
+    /// No posture near the previous one.
     #[error("the posture is lost at {0:?} of the wall")]
     Lost([f64; 3]),
-    /// A joint's path is no short series.
+    /// A joint's path does not converge as a polynomial series.
     #[error("a joint's path is not smooth: {tail:.1e} rad are left out at order {ORDER} on {pieces} pieces")]
     Path {
         /// Truncation error, rad or m.
         tail: f64,
-        /// Pieces of the leg.
+        /// Number of pieces of the leg.
         pieces: usize,
     },
 }
@@ -47,12 +46,12 @@ impl PaintingMotion {
         self.q.first().map_or(0, Vec::len)
     }
 
-    /// Length, s.
+    /// Duration, s.
     pub fn duration(&self) -> f64 {
         self.times.last().copied().unwrap_or(0.0)
     }
 
-    /// At a time; before the start and after the end it rests there.
+    /// Evaluates the motion at time `t`, s; it is at rest before the start and after the end.
     pub fn at(&self, t: f64) -> Instant {
         let n = self.dof();
         let mut instant = Instant { q: vec![0.0; n], dq: vec![0.0; n], ddq: vec![0.0; n], dddq: vec![0.0; n] };
@@ -80,10 +79,10 @@ impl PaintingMotion {
         instant
     }
 
-    /// From a candidate on its branch: legs in the order of their times.
+    /// Builds the motion from a candidate on its branch, leg by leg.
     ///
     /// # Errors
-    /// Where the branch is not smooth enough to be written down.
+    /// Returns an error if the branch is not smooth enough for a spline.
     pub(super) fn new(task: &Task<'_>, scored: &Scored) -> Result<Self, RoughBranch> {
         let n = task.dof();
         let mut motion = Self::default();
@@ -108,8 +107,8 @@ impl PaintingMotion {
     }
 }
 
-/// Value and three derivatives by the share `u` of the step, from value and two derivatives (by the
-/// same) at both ends.
+/// Value and three derivatives with respect to the share `u` of the step, from value and two such
+/// derivatives at both ends.
 fn hermite([q0, v0, a0]: [f64; 3], [q1, v1, a1]: [f64; 3], u: f64) -> [f64; 4] {
     let d = q1 - q0;
     let c = [
@@ -128,17 +127,17 @@ fn hermite([q0, v0, a0]: [f64; 3], [q1, v1, a1]: [f64; 3], u: f64) -> [f64; 4] {
     ]
 }
 
-/// A leg's branch as Chebyshev polynomials on equal panels, to rounding.
+/// A leg's branch as Chebyshev polynomials on equal panels, accurate to rounding.
 struct Smooth {
     chebyshev: Chebyshev,
     panels: Vec<DMatrix<f64>>,
 }
 
-/// Order of a panel.
+/// Polynomial order of a panel.
 const ORDER: usize = 20;
-/// Truncation error of a panel, rad or m.
+/// Largest truncation error of a panel, rad or m.
 const TAIL: f64 = 2e-12;
-/// Truncation error of the quintic between knots, rad or m.
+/// Largest error of the quintic between knots, rad or m.
 const BETWEEN: f64 = 1e-11;
 
 impl Smooth {
@@ -169,7 +168,7 @@ impl Smooth {
         }
     }
 
-    /// Position and its first two derivatives by the share of time, at shares of time.
+    /// Position and its first two derivatives with respect to the share of time, at these shares.
     fn at(&self, shares: &[f64]) -> Vec<[Vec<f64>; 3]> {
         let count = self.panels.len() as f64;
         shares
@@ -191,7 +190,7 @@ impl Smooth {
             .collect()
     }
 
-    /// Number of pieces at which the quintics between knots are as good as the branch itself.
+    /// Number of pieces at which the quintics between knots reproduce the branch to [`BETWEEN`].
     fn knots(&self) -> usize {
         let mut knots = 16;
         while knots < 1024 {

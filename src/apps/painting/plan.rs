@@ -1,4 +1,4 @@
-//! The plan: the motion that was found, and everything that is asked of it later.
+//! The painting plan: the motion found, and its evaluation at any instant.
 
 use crate::data::trajectory::times;
 
@@ -18,76 +18,77 @@ pub struct Span {
     /// Action of the roller.
     pub phase: Phase,
     /// Start: wall coordinates and distance from the wall, m, and swivel angle, rad (or position of
-    /// the joint that is given).
+    /// the locked joint).
     pub from: [f64; 4],
-    /// End.
+    /// End, in the same coordinates.
     pub to: [f64; 4],
-    /// From when to when, s.
+    /// Start and end time, s.
     pub time: [f64; 2],
-    /// Limit that keeps it from being shorter, in words.
+    /// Description of the limit that determines its time.
     pub bound: String,
 }
 
-/// A side of the wall that was not reached.
+/// A side of the wall that is not painted to its end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Side {
-    /// `upper`, `lower`, `left` (least y), `right`.
+    /// `upper`, `lower`, `left` (least y) or `right`.
     pub side: &'static str,
     /// Width left unpainted there, m.
     pub gap: f64,
-    /// Limits that break when the lanes are widened by a centimetre to this side, in words.
+    /// Description of the limits that are violated when the lanes are widened by a centimetre to
+    /// this side.
     pub bound: String,
 }
 
 /// A painting motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Plan {
-    /// The robot's name.
+    /// Name of the robot.
     pub robot: String,
     /// The wall.
     pub surface: Surface,
-    /// The roller, and which way it is held.
+    /// The roller with its orientation.
     pub roller: Roller,
     /// The lanes.
     pub strokes: Strokes,
-    /// The legs, in order.
+    /// The legs in order.
     pub spans: Vec<Span>,
-    /// The joints.
+    /// Joint motion.
     pub motion: PaintingMotion,
-    /// `T_C`: time in contact, s.
+    /// Time in contact `T_C`, s.
     pub contact: f64,
-    /// Integral of the squared joint jerks over it, rad^2/s^5.
+    /// Integral of the squared joint jerks over the time in contact, rad^2/s^5.
     pub jerk: f64,
-    /// Equation (12), s.
+    /// Cost of equation (12), s.
     pub cost: f64,
-    /// Equation (12) with the best single swivel angle, where the plan has a spline, s.
+    /// Cost of equation (12) with the best single swivel angle, if the plan has a spline, s.
     pub cost_constant: Option<f64>,
     /// Sides of the wall that are not painted to their end.
     pub sides: Vec<Side>,
 }
 
-/// Everything at an instant.
+/// State of arm and roller at an instant.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Moment {
     /// Positions, rad or m.
     pub q: Vec<f64>,
-    /// Velocities.
+    /// Velocities, rad/s or m/s.
     pub dq: Vec<f64>,
-    /// Accelerations.
+    /// Accelerations, rad/s^2 or m/s^2.
     pub ddq: Vec<f64>,
     /// Top three rows of the tool frame's homogeneous matrix in world axes, row-major, m.
     pub pose: [f64; 12],
     /// Middle of the roller's face, world axes, m.
     pub point: [f64; 3],
-    /// Its velocity, m/s, and acceleration, m/s^2.
+    /// Velocity of that point, world axes, m/s.
     pub velocity: [f64; 3],
-    /// m/s^2
+    /// Acceleration of that point, world axes, m/s^2.
     pub acceleration: [f64; 3],
-    /// The same point on the wall: coordinates and distance, m.
+    /// The same point in wall coordinates, with its distance, m.
     pub place: [f64; 3],
-    /// Out of the wall, world axes.
+    /// Unit normal out of the wall, world axes.
     pub normal: [f64; 3],
-    /// Swivel angle, rad, or position of the joint that is given.
+    /// Swivel angle, rad, or position of the locked joint.
     pub swivel: f64,
     /// Action of the roller.
     pub phase: Phase,
@@ -103,12 +104,12 @@ impl Moment {
     }
 }
 
-/// Why there is no plan.
+/// Reason why there is no plan.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Infeasible {
-    /// Binding limits and by how much, in words; worst first.
+    /// Description of violated limits with figures, worst first.
     pub reasons: Vec<String>,
-    /// Whether the worst of them is a torque that a joint has not even at rest.
+    /// Whether the worst of them is a torque that a joint exceeds even at rest.
     pub too_weak: bool,
 }
 
@@ -123,7 +124,8 @@ impl std::error::Error for Infeasible {}
 /// Solves equation (12).
 ///
 /// # Errors
-/// Says which limit binds, by how much and where, for the candidate that breaks the least.
+/// Describes which limit binds, by how much and where, for the candidate with the smallest
+/// violation.
 pub fn plan(task: &Task<'_>, progress: Progress<'_>) -> Result<Plan, Infeasible> {
     if let Some(reason) = ground_above_the_wall(task) {
         return Err(Infeasible { reasons: vec![reason], too_weak: false });
@@ -179,7 +181,7 @@ pub fn plan(task: &Task<'_>, progress: Progress<'_>) -> Result<Plan, Infeasible>
     })
 }
 
-/// What is to be said of a wall of which nothing is above the ground.
+/// Message for a wall that lies entirely below the ground.
 fn ground_above_the_wall(task: &Task<'_>) -> Option<String> {
     let ground = task.bodies.ground.as_ref()?.0;
     let [sides, ends] = [task.surface.sides(), task.surface.ends()];
@@ -189,7 +191,7 @@ fn ground_above_the_wall(task: &Task<'_>) -> Option<String> {
 }
 
 impl Search<'_> {
-    /// Limits that a candidate breaks.
+    /// Describes the limits that a candidate violates.
     fn infeasible(&self, best: &Scored) -> Infeasible {
         let mut broken = best.broken.clone();
         broken.sort_by(|a, b| b.weight.total_cmp(&a.weight));
@@ -204,7 +206,7 @@ impl Search<'_> {
         Infeasible { reasons, too_weak }
     }
 
-    /// A limit in words.
+    /// Name of a limit in messages.
     fn name(&self, bound: Bound) -> String {
         let joint = |j: usize| self.judge.task.limits[j].name.clone();
         match bound {
@@ -223,7 +225,7 @@ impl Search<'_> {
         }
     }
 
-    /// A broken limit in words, with figures.
+    /// Describes a violated limit with figures.
     fn describe(&self, broken: &Broken) -> String {
         let [y, z, off] = broken.at;
         let place = if off > 1e-9 {
@@ -264,7 +266,7 @@ impl Search<'_> {
         }
     }
 
-    /// Uncovered sides of the wall, and why.
+    /// Uncovered sides of the wall, with reasons.
     fn sides(&self, best: &Scored) -> Vec<Side> {
         let task = self.judge.task;
         let ([left, right], [low, high]) = (task.surface.sides(), task.surface.ends());
@@ -302,12 +304,12 @@ impl Search<'_> {
 }
 
 impl Plan {
-    /// Length with approach and retreat, s.
+    /// Duration with approach and retreat, s.
     pub fn duration(&self) -> f64 {
         self.motion.duration()
     }
 
-    /// When the roller meets the wall, and when it leaves it, s.
+    /// Times at which the roller meets and leaves the wall, s.
     pub fn contact_span(&self) -> [f64; 2] {
         let mut touching = self.spans.iter().filter(|s| s.phase.contact());
         let start = touching.next().map_or(0.0, |s| s.time[0]);
@@ -315,7 +317,7 @@ impl Plan {
         [start, end]
     }
 
-    /// Everything at a time; before the start and after the end the arm rests there.
+    /// Evaluates the plan at time `t`, s; the arm is at rest before the start and after the end.
     pub fn at(&self, t: f64) -> Moment {
         let joints = self.motion.at(t);
         let time = if t.is_finite() { t.clamp(0.0, self.duration()) } else { 0.0 };
@@ -349,12 +351,12 @@ impl Plan {
         }
     }
 
-    /// Times and moments, `rate` per second, the end included.
+    /// Times, s, and moments at `rate` per second, the end included.
     pub fn sampled(&self, rate: f64) -> Vec<(f64, Moment)> {
         times(self.duration(), rate).into_iter().map(|t| (t, self.at(t))).collect()
     }
 
-    /// Painted area.
+    /// Painted area of the wall.
     pub fn coverage(&self) -> Coverage {
         Coverage::new(&self.surface, &self.strokes, self.roller.width)
     }

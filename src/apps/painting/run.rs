@@ -1,7 +1,8 @@
-//! A planned motion against the simulated wall, under the controller of the paper's Fig. 8.
+//! Simulation of a planned motion against the wall, under the controller of the paper's Fig. 8.
 //!
-//! The arm starts 2 cm before the wall, comes to it, and presses at the plan's first point until
-//! the force has settled. If drag is to be predicted it wipes 4 cm there and back. Then it paints.
+//! The arm starts 2 cm before the wall, approaches it, and presses at the plan's first point until
+//! the force has settled. If drag is to be predicted, it makes a stroke of 4 cm there and back.
+//! Then it paints.
 
 mod recorder;
 mod settings;
@@ -29,160 +30,162 @@ use crate::simulate::{
 pub struct Known<'a> {
     /// Geometry, limits and the tool's frame.
     pub robot: &'a Robot,
-    /// Its tapes; with [`Interpreted::BODIES`].
+    /// Interpreted arm; with [`Interpreted::BODIES`].
     pub arm: &'a Interpreted,
-    /// Standard parameters, the tool's included.
+    /// Standard parameters, tool included.
     pub standard: &'a [f64],
-    /// Friction and what else is known of the drives.
+    /// Known friction and other known effects of the drives.
     pub drives: Vec<Drive>,
-    /// Standard deviation of each joint's torque error, N m: weights of the estimate.
+    /// Standard deviation of each joint's torque error, N m: determines the weights of the
+    /// estimate.
     pub spread: Vec<f64>,
-    /// Largest error of each joint's friction just after a reversal, N m; infinite where nothing is
-    /// known of it, 0 where noise explains all torque errors:
+    /// Largest error of each joint's friction just after a reversal, N m; infinite where unknown, 0
+    /// where noise explains all torque errors. See
     /// [`EstimatorSettings::turning`](crate::control::law::EstimatorSettings::turning).
     pub turning: Vec<f64>,
 }
 
-/// Force in the feedback.
+/// Source of the force that is fed back.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Feedback {
     /// Equation (14): Fig. 13a.
     Estimated,
-    /// The sensor in the wall: Fig. 13b.
+    /// Sensor in the wall: Fig. 13b.
     Measured,
 }
 
-/// Additions of the inner loop to equation (13): shares from 0 to 1.
+/// Feed-forward terms of the inner loop in addition to equation (13): shares from 0 to 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Law {
-    /// Of the desired force: see [`Settings::carry`](crate::control::law::Settings::carry).
+    /// Share of the desired force: see [`Settings::carry`](crate::control::law::Settings::carry).
     pub carry: f64,
-    /// Of the planned motion's torques: see
+    /// Share of the planned motion's torques: see
     /// [`Settings::feed`](crate::control::law::Settings::feed).
     pub feed: f64,
-    /// Of the estimated force aside of the normal: see
+    /// Share of the estimated tangential force: see
     /// [`Settings::aside`](crate::control::law::Settings::aside).
     pub aside: f64,
-    /// Of the drag that is predicted: see
-    /// [`Settings::drag`](crate::control::law::Settings::drag). It is learned in a stroke of 4 cm along
-    /// the roller's axis, before the painting, where there are 3 s for it.
+    /// Share of the predicted drag: see [`Settings::drag`](crate::control::law::Settings::drag). It
+    /// is learned in a stroke of 4 cm along the roller's axis before painting, if there are 3 s for
+    /// it.
     pub drag: f64,
 }
 
 impl Law {
     /// Equations (13) and (15) of the paper, without additions.
     pub const PAPER: Self = Self { carry: 0.0, feed: 0.0, aside: 0.0, drag: 0.0 };
-    /// With what is known fed forward.
+    /// With all known terms fed forward.
     pub const FED: Self = Self { carry: 1.0, feed: 1.0, aside: 0.5, drag: 1.0 };
 }
 
-/// The task.
+/// Task of a run.
 #[derive(Debug, Clone)]
 pub struct RunTask<'a> {
-    /// The planned joint motion, along which the tool touches the wall.
+    /// Planned joint motion, along which the tool touches the wall.
     pub motion: &'a Trajectory,
-    /// The wall; its normal says where to press.
+    /// The wall; its normal defines the direction of pressing.
     pub wall: RollerWall,
-    /// Force to press with, N: the paper's 30.
+    /// Desired normal force, N; 30 in the paper.
     pub force: f64,
-    /// Force in the feedback.
+    /// Source of the force that is fed back.
     pub feedback: Feedback,
-    /// How large a moment the estimate allows for at the contact, N m, as a standard deviation: see
-    /// [`EstimatorSettings::moment`](crate::control::law::EstimatorSettings::moment) and [`roller_moment`].
+    /// Standard deviation of the contact moment that the estimate assumes, N m: see
+    /// [`EstimatorSettings::moment`](crate::control::law::EstimatorSettings::moment) and
+    /// [`roller_moment`].
     pub moment: f64,
-    /// Additions of the inner loop to equation (13).
+    /// Feed-forward terms of the inner loop in addition to equation (13).
     pub law: Law,
-    /// Corner of the low-pass of both forces, Hz.
+    /// Corner frequency of the low-pass of both forces, Hz.
     pub corner: f64,
-    /// How long it presses before it paints, s.
+    /// Time of pressing before painting begins, s.
     pub settle: f64,
-    /// Displacement learned from the coat before.
+    /// Displacement learned from the previous coat.
     pub learned: Option<&'a Learned>,
-    /// Sensors of the joints.
+    /// Joint sensors.
     pub sensors: Sensors,
-    /// Of all noise.
+    /// Seed of all noise.
     pub seed: u64,
 }
 
-/// Recording, one entry per sample of the painting proper.
+/// Recording of a run, one entry per sample of the painting itself.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Trace {
-    /// Since the painting began, s.
+    /// Time since painting began, s.
     pub t: Vec<f64>,
     /// Estimated force on the wall along the normal, N.
     pub estimated: Vec<f64>,
-    /// Force of the sensor, through the same low-pass.
+    /// Force of the sensor through the same low-pass, N.
     pub measured: Vec<f64>,
-    /// True force.
+    /// True force, N.
     pub truth: Vec<f64>,
     /// Displacement along the normal, m.
     pub displacement: Vec<f64>,
-    /// Place of the contact, m, world axes: planned and actual.
+    /// Planned position of the contact, world axes, m.
     pub planned: Vec<[f64; 3]>,
-    /// Actual.
+    /// Actual position of the contact, world axes, m.
     pub actual: Vec<[f64; 3]>,
 }
 
-/// Root mean squares of differences, N.
+/// Root mean square force differences, N.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct ForceErrors {
-    /// Estimated less measured.
+    /// Estimated minus measured force.
     pub estimated_measured: f64,
-    /// Estimated less desired.
+    /// Estimated minus desired force.
     pub estimated_desired: f64,
-    /// Measured less desired.
+    /// Measured minus desired force.
     pub measured_desired: f64,
 }
 
-/// A run.
+/// Result of a run.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Run {
-    /// Recording.
+    /// Recorded series.
     pub trace: Trace,
-    /// Table IV.
+    /// Force errors as in Table IV.
     pub accuracy: ForceErrors,
-    /// Distance in the plane of the wall between plan and contact, root mean square, m.
+    /// Root mean square distance in the plane of the wall between plan and contact, m.
     pub tracking: f64,
-    /// Seconds in which it did not press.
+    /// Time without pressing, s.
     pub off: f64,
-    /// How it ended.
+    /// Final status of the controller.
     pub status: Status,
-    /// Gains.
+    /// Gains used.
     pub tuning: Tuning,
-    /// For the next coat; none where this one came to no good end.
+    /// Displacement for the next coat; `None` if this one did not end well.
     pub learned: Option<Learned>,
 }
 
 impl Run {
-    /// Whether it painted to the end of its plan.
+    /// Whether the run painted to the end of its plan.
     pub fn painted(&self) -> bool {
         matches!(self.status, Status::Free | Status::Pressing)
     }
 }
 
-/// Why there is no run.
+/// Reason why there is no run.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum RunError {
-    /// Of an arm that is too large.
+    /// The arm has too many joints.
     #[error("a robot with {0} joints can't be controlled here: at most {MOST}")]
     Joints(usize),
-    /// No posture away from the wall.
+    /// No posture at the distance before the wall.
     #[error("the arm can't stand 2 cm before the wall")]
     Reach,
-    /// Settings of the controller.
+    /// Invalid settings of the controller.
     #[error(transparent)]
     Control(#[from] ControllerError),
-    /// Gains that keep their margins do not exist.
+    /// No gains keep their margins.
     #[error(transparent)]
     Tune(#[from] TuneError),
-    /// The simulation.
+    /// The simulation failed.
     #[error(transparent)]
     Simulate(#[from] SimulateError),
 }
 
-/// Standard deviation of the moment at a roller that presses with a force (N), N m: the pressure's
-/// middle may be anywhere along its face. Infinite for a tool of no known size.
+/// Standard deviation of the moment, N m, at a roller that presses with a force, N: the centre of
+/// pressure may be anywhere along its face. Infinite for a tool of unknown size.
 pub fn roller_moment(tool: Option<&Tool>, force: f64) -> f64 {
     tool.and_then(|t| t.geometry).map_or(f64::INFINITY, |g| force * g.width / 12.0_f64.sqrt())
 }
@@ -190,7 +193,7 @@ pub fn roller_moment(tool: Option<&Tool>, force: f64) -> f64 {
 /// The joint motion of a plan's time in contact.
 ///
 /// # Errors
-/// If the plan has none.
+/// Returns an error if the plan has none.
 pub fn in_contact(plan: &Plan) -> Result<Trajectory, TrajectoryError> {
     const RATE: f64 = 100.0;
     let [start, end] = plan.contact_span();
@@ -207,16 +210,16 @@ pub fn in_contact(plan: &Plan) -> Result<Trajectory, TrajectoryError> {
     Trajectory::new(dof, times, q, Some(dq), Some(ddq))
 }
 
-/// How finely the arm is integrated.
+/// Tolerance of the arm's integration.
 const TOLERANCE: f64 = 1e-5;
-/// How far from the wall it begins, m.
+/// Distance from the wall at the start, m.
 const AWAY: f64 = 0.02;
-/// Between postures in which what is learned has its own linear model, s.
+/// Time between postures that get their own linear model for learning, s.
 const APART: f64 = 1.0;
-/// How long it presses before it paints, s, by default.
+/// Default time of pressing before painting begins, s.
 pub const SETTLE: f64 = 4.0;
 
-/// Runs it. `progress` receives the share that is done.
+/// Simulates the run. `progress` receives the share done, 0 to 1.
 pub fn run(
     known: &Known<'_>,
     real: &Simulator,
@@ -312,7 +315,8 @@ fn run_n<const N: usize>(
     Ok(recorder.finish(tuning, next.flatten()))
 }
 
-/// Of `len` values; no number where there is none: a run that ended before it painted has no error.
+/// Root mean square of `len` values; NaN for none, as a run that ended before painting has no
+/// error.
 pub(super) fn root_mean_square(len: usize, of: &dyn Fn(usize) -> f64) -> f64 {
     let sum: f64 = (0..len).map(|k| of(k).powi(2)).sum();
     (sum / len as f64).sqrt()

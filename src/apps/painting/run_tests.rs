@@ -1,4 +1,4 @@
-//! The prediction of the gains' tool against the simulated arm.
+//! Checks the predictions of `tune` against the simulated arm.
 
 use super::run::{Feedback, Known, Law, Run, RunTask, SETTLE, root_mean_square, run};
 use super::wall::RollerWall;
@@ -10,7 +10,7 @@ use crate::simulate::{Sensors, SimulationFile, Simulator, Trajectory};
 use dh_codegen::arm::param;
 use dh_codegen::robot::{Effects, Robot, no_files};
 
-/// Three joints in a plane, a stick in the hand.
+/// Three joints in a plane, with a stick as the tool.
 pub(super) const FILE: &str = "
 name: planar3r
 convention: modified
@@ -71,8 +71,8 @@ fn it_presses_as_asked() {
     }
 }
 
-/// 0.4 m along the wall in 3 s; the gears of the first two joints ripple, and the controller's
-/// model has no ripple.
+/// Paints 0.4 m along the wall in 3 s. The gears of the first two joints have ripple that the
+/// controller's model lacks.
 fn coats(count: usize) -> Vec<Run> {
     let robot = Robot::from_yaml(FILE, &no_files).unwrap().robot;
     let text = "joints:\n  1: { torque_ripple: { RC: 0.8, RS: 0.3 } }\n  2: { torque_ripple: { RC: 0.5, RS: -0.4 } }\n";
@@ -122,7 +122,7 @@ fn coats(count: usize) -> Vec<Run> {
 fn a_coat_learns_from_the_one_before() {
     let runs = coats(3);
     let left: Vec<f64> = runs.iter().map(|run| run.accuracy.estimated_desired).collect();
-    // The ripple is faster than the loop follows: it is seen on the first coat, and comes again.
+    // The ripple is faster than the loop: it shows on the first coat, and repeats.
     assert!(left[0] > 0.15 && left[2] < 0.6 * left[0] && left[1] < left[0], "{left:?}");
     for run in &runs {
         assert_eq!(run.status, crate::control::law::Status::Pressing);
@@ -133,7 +133,7 @@ fn a_coat_learns_from_the_one_before() {
     assert_eq!(Learned::default().at(0.0), 0.0);
 }
 
-/// A run that ended before it painted has no error: no zero stands for it.
+/// A run that ended before painting has no error: it is not reported as zero.
 #[test]
 fn nothing_painted_is_not_accurate() {
     assert!(root_mean_square(0, &|_| 1.0).is_nan());

@@ -1,9 +1,9 @@
-//! The search of equation (12).
+//! The search for the minimum of equation (12).
 //!
-//! 1. A grid: the whole wall and parts of it, both ways to hold the roller, every branch of the
-//!    inverse, swivel angles all around.
+//! 1. A grid: the whole wall and parts of it, both orientations of the roller, every branch of the
+//!    inverse kinematics, swivel angles all around.
 //! 2. Compass search in swivel, `Z_u`, `Z_l`, `Y_0` and `dY` from the best of them (`T_C` follows
-//!    in closed form, see `pace`).
+//!    in closed form, see `leg_timing`).
 //! 3. Beyond the paper: the angle at each way point, by dynamic programming over a grid, then
 //!    pattern search in all variables. A leg depends only on its two ends, so the grid's optimum is
 //!    exact.
@@ -15,14 +15,14 @@ use crate::apps::painting::cost::{From, Judge, Scored};
 use crate::apps::painting::leg_timing::{Grid, Leg, share_out};
 use crate::numerics::pattern_search::{Effort, pattern_search};
 
-/// How far a search is: what it does, and a share of it.
+/// Receives the progress of a search: its present step, and the share done of it.
 pub type Progress<'a> = &'a dyn Fn(&'static str, f64);
 
-/// Swivel angles of the first grid.
+/// Number of swivel angles in the first grid.
 const ANGLES: usize = 24;
-/// Angles to either side in the dynamic program, 10 degrees each where the angle closes.
+/// Number of angles to either side in the dynamic program, 10 degrees each if the angle is cyclic.
 const REACH: usize = 18;
-/// A leg may turn the swivel by so many of them.
+/// Largest change of the swivel within a leg, in grid angles.
 const TURN: usize = 3;
 
 pub(super) struct Search<'a> {
@@ -41,7 +41,7 @@ impl<'a> Search<'a> {
         self.judge.task
     }
 
-    /// The best that is found; feasible or not. Also the best with one swivel angle.
+    /// Returns the best candidate found, feasible or not, and the best with one swivel angle.
     pub(super) fn run(&self) -> (Scored, Option<Scored>) {
         let (mut best, redundant) = (self.constant(), self.task().redundancy().is_some());
         let mut plain = None;
@@ -58,14 +58,14 @@ impl<'a> Search<'a> {
         (best, plain.map(|p| self.again(&self.fine, &p)))
     }
 
-    /// The same candidate on another grid.
+    /// Evaluates the same candidate on another grid.
     fn again(&self, grid: &Grid, scored: &Scored) -> Scored {
         let from = From::Near(&scored.start);
         let mut found = self.judge.cost(grid, &scored.strokes, &scored.angles, &scored.roller, from);
         found.swap_remove(0)
     }
 
-    /// Steps 1 and 2.
+    /// Steps 1 and 2 of the search.
     fn constant(&self) -> Scored {
         let task = self.task();
         let rollers = [false, true].map(|turned| Roller { turned, ..task.roller });
@@ -104,14 +104,14 @@ impl<'a> Search<'a> {
                 best = Some(scored);
             }
         }
-        // The grid is never empty: `score` always answers.
+        // The grid is never empty: `cost` always returns a candidate.
         best.unwrap_or_else(|| {
             let (strokes, roller) = (task.widest(), task.roller);
             self.judge.cost(&self.coarse, &strokes, &[0.0], &roller, From::All).swap_remove(0)
         })
     }
 
-    /// The whole wall, and parts of it to begin with where the whole may be too much.
+    /// The whole wall, and parts of it as further starts if the whole may be infeasible.
     fn parts(&self) -> Vec<Strokes> {
         let task = self.task();
         let whole = task.widest();
@@ -136,7 +136,7 @@ impl<'a> Search<'a> {
         parts
     }
 
-    /// Variables: the angles, then, where the area is free, `Z_u Z_l Y_0 dY`.
+    /// Search variables: the angles, then, if the area is free, `Z_u Z_l Y_0 dY`.
     fn variables(&self, scored: &Scored) -> Vec<f64> {
         let mut x = if self.task().redundancy().is_some() { scored.angles.clone() } else { Vec::new() };
         if self.task().cover == Cover::Most {
@@ -146,7 +146,7 @@ impl<'a> Search<'a> {
         x
     }
 
-    /// Strokes and angles from variables, which are brought back to where they mean something.
+    /// Strokes and angles from search variables, which are first clamped to their valid range.
     fn meaning(&self, x: &mut [f64]) -> (Strokes, Vec<f64>) {
         let task = self.task();
         let mut strokes = task.widest();
@@ -197,7 +197,7 @@ impl<'a> Search<'a> {
             let (h, w) = (0.1 * task.surface.height, 0.1 * task.surface.width);
             scale.extend([h, h, w, w / task.lanes.saturating_sub(1).max(1) as f64]);
             push(&[(angles, 1.0), (angles + 1, 1.0)]);
-            // One edge stays where it is.
+            // Moves one edge and keeps the other.
             push(&[(angles + 2, 1.0), (angles + 3, -1.0)]);
         }
         if angles > 1 {
@@ -215,7 +215,7 @@ impl<'a> Search<'a> {
         });
     }
 
-    /// Step 3.
+    /// Step 3 of the search.
     fn spline(&self, best: &mut Scored) {
         if best.legs.is_empty() {
             return;
@@ -242,7 +242,7 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// The start with another swivel angle, on the same branch.
+    /// Start posture for another swivel angle, on the same branch.
     fn start_at(&self, best: &Scored, angle: f64) -> Vec<f64> {
         let lines = self.judge.lines(&best.strokes, &best.angles);
         let Some(first) = lines.first() else { return best.start.clone() };
@@ -260,7 +260,7 @@ impl<'a> Search<'a> {
         q
     }
 
-    /// The best angles at the way points in contact, on the grid around the candidate's own.
+    /// Best angles at the way points in contact, on the grid around the candidate's own angles.
     fn dynamic(&self, best: &Scored, round: usize) -> Option<Vec<f64>> {
         let task = self.task();
         let ([low, high], closed) = task.redundancy()?;

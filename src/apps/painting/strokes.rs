@@ -2,7 +2,7 @@
 
 use super::surface::Surface;
 
-/// In what order the way points are visited.
+/// Order in which the way points are visited.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Pattern {
     /// The paper's cycle: down and up again on each lane, then across to the next at the top.
@@ -14,7 +14,7 @@ pub enum Pattern {
 /// Action of the roller on a leg.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Phase {
-    /// From the place before the wall to the wall.
+    /// From the start before the wall to the wall.
     Approach,
     /// Along a lane, in contact.
     Stroke,
@@ -25,7 +25,7 @@ pub enum Phase {
 }
 
 impl Phase {
-    /// The name in files.
+    /// Name in files.
     pub fn name(self) -> &'static str {
         match self {
             Self::Approach => "approach",
@@ -35,48 +35,47 @@ impl Phase {
         }
     }
 
-    /// The phase of this name.
+    /// The phase with this name.
     pub fn named(name: &str) -> Option<Self> {
         [Self::Approach, Self::Stroke, Self::Shift, Self::Retreat].into_iter().find(|p| p.name() == name)
     }
 
-    /// Does the roller touch the wall?
+    /// Whether the roller touches the wall.
     pub fn contact(self) -> bool {
         matches!(self, Self::Stroke | Self::Shift)
     }
 }
 
-/// The lanes: four of the six variables of equation (12). Coordinates of the wall, m.
+/// The lanes: four of the six variables of equation (12), in wall coordinates, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Strokes {
     /// `Z_u`: upper end of the strokes.
     pub upper: f64,
-    /// `Z_l`: lower end.
+    /// `Z_l`: lower end of the strokes.
     pub lower: f64,
     /// `Y_0`: middle of the first lane.
     pub first: f64,
-    /// `dY`: from one lane to the next; negative: the other way.
+    /// `dY`: distance from one lane to the next, signed.
     pub step: f64,
     /// Number of lanes: `N_r + 1` with the paper's cycle, which returns to `Z_u` before each step.
     pub lanes: usize,
-    /// In what order.
+    /// Order in which the lanes are painted.
     pub pattern: Pattern,
 }
 
-/// A straight piece of the motion, from rest to rest: wall coordinates and distance from the wall,
-/// m.
+/// A straight leg of the motion, from rest to rest: wall coordinates and distance from the wall, m.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Leg {
-    /// Action.
+    /// Action of the roller.
     pub phase: Phase,
     /// Start: `[y, z, distance]`.
     pub from: [f64; 3],
-    /// End.
+    /// End: `[y, z, distance]`.
     pub to: [f64; 3],
 }
 
 impl Strokes {
-    /// The fewest lanes that cover a wall with a roller of this width.
+    /// Smallest number of lanes that cover a wall with a roller of this width, m.
     pub fn fewest(surface: &Surface, width: f64) -> usize {
         (surface.width / width - 1e-9).ceil().max(1.0) as usize
     }
@@ -86,14 +85,14 @@ impl Strokes {
         self.first + self.step * k as f64
     }
 
-    /// Painted rectangle, `[least y, largest y, least z, largest z]`, of a roller of this width, m;
-    /// whole where `|dY|` is at most the width.
+    /// Painted rectangle, `[least y, largest y, least z, largest z]`, m, for a roller of this
+    /// width, m. It has no gaps if `|dY|` is at most the width.
     pub fn painted(&self, width: f64) -> [f64; 4] {
         let (a, b) = (self.lane(0), self.lane(self.lanes.saturating_sub(1)));
         [a.min(b) - 0.5 * width, a.max(b) + 0.5 * width, self.lower, self.upper]
     }
 
-    /// All legs, from `standoff` before the wall and back.
+    /// All legs, starting and ending `standoff` m before the wall.
     pub fn legs(&self, standoff: f64) -> Vec<Leg> {
         let mut legs = Vec::new();
         let mut here = [self.first, self.upper, standoff];
@@ -123,9 +122,9 @@ impl Strokes {
     }
 }
 
-/// Place, speed, acceleration and jerk, as shares of a leg, at a share `u` of its time: the quintic
-/// from rest to rest, which has the least jerk (Flash and Hogan, J. Neuroscience 5, 1985), and as a
-/// B-spline of fifth order one interval with control points `0 0 0 1 1 1`.
+/// Position, speed, acceleration and jerk, as shares of a leg, at a share `u` of its time. This is
+/// the quintic from rest to rest, which has the least jerk (Flash and Hogan, J. Neuroscience 5,
+/// 1985). As a B-spline of fifth order it is one interval with control points `0 0 0 1 1 1`.
 pub(super) fn rest_to_rest(u: f64) -> [f64; 4] {
     let (u2, v) = (u * u, 1.0 - u);
     [

@@ -1,13 +1,13 @@
-//! The wall, its two axes, and how a roller stands on it.
+//! The wall, its two axes, and the pose of a roller on it.
 
 use super::vector::{Vector, add, cross, dot, norm, scale};
 
 /// A rectangle to be painted. A point of its plane has two coordinates, `[y, z]`: along
-/// [`Surface::across`] and [`Surface::up`], counted from the origin of the world frame. For the
-/// paper's wall they are y and z of the world frame.
+/// [`Surface::across`] and [`Surface::up`], from the origin of the world frame. For the paper's
+/// wall they are y and z of the world frame.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Surface {
-    /// Middle of the rectangle, world axes, m.
+    /// Centre of the rectangle, world axes, m.
     pub center: [f64; 3],
     /// Unit normal, out of the wall, world axes.
     pub normal: [f64; 3],
@@ -15,15 +15,15 @@ pub struct Surface {
     pub up: [f64; 3],
     /// Extent across the strokes, m.
     pub width: f64,
-    /// Extent along them, m.
+    /// Extent along the strokes, m.
     pub height: f64,
 }
 
-/// Reason why numbers describe no wall.
+/// Reason why values do not define a wall.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum SurfaceError {
-    /// Place or directions are not finite, or too large.
+    /// Position or directions are not finite, or too large.
     #[error("the wall's place and directions must be finite numbers, at most 1000")]
     Numbers,
     /// An extent is out of range.
@@ -43,10 +43,11 @@ pub enum SurfaceError {
 }
 
 impl Surface {
-    /// From any normal and any vector that is not along it (its part in the plane counts as up).
+    /// Creates a wall from any normal and any vector not along it (its part in the plane is taken
+    /// as up).
     ///
     /// # Errors
-    /// Says which number can't be.
+    /// Returns which value is invalid.
     pub fn new(
         center: [f64; 3],
         normal: [f64; 3],
@@ -75,12 +76,12 @@ impl Surface {
         Ok(Self { center, normal, up: scale(1.0 / rest, along), width, height })
     }
 
-    /// The unit vector across the strokes: up x normal.
+    /// Unit vector across the strokes: up x normal.
     pub fn across(&self) -> [f64; 3] {
         cross(self.up, self.normal)
     }
 
-    /// Coordinates of the middle, m.
+    /// Wall coordinates of the centre, m.
     pub fn middle(&self) -> [f64; 2] {
         [dot(self.across(), self.center), dot(self.up, self.center)]
     }
@@ -97,35 +98,36 @@ impl Surface {
         [z - 0.5 * self.height, z + 0.5 * self.height]
     }
 
-    /// The point at two coordinates and at a distance from the plane, in world axes, m.
+    /// World coordinates, m, of the point with two wall coordinates and a distance from the plane,
+    /// m.
     pub fn point(&self, [y, z, off]: [f64; 3]) -> [f64; 3] {
         let plane = dot(self.normal, self.center) + off;
         add(add(scale(y, self.across()), scale(z, self.up)), scale(plane, self.normal))
     }
 
-    /// A direction with these three parts, in world axes.
+    /// Direction in world axes with these three components.
     pub fn direction(&self, [y, z, off]: [f64; 3]) -> [f64; 3] {
         add(add(scale(y, self.across()), scale(z, self.up)), scale(off, self.normal))
     }
 }
 
-/// The paint roller: its axis is along x of the tool frame, and its line of contact lies `length`
+/// The paint roller: its axis is x of the tool frame, and its line of contact lies at `length`
 /// along z of it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roller {
-    /// From the origin of the tool frame to what touches the wall, m.
+    /// Distance from the origin of the tool frame to the line of contact, m.
     pub length: f64,
-    /// Along its axis, m: `w_L` of equation (12).
+    /// Width along its axis, m: `w_L` of equation (12).
     pub width: f64,
-    /// Does its axis (x of the tool) point against [`Surface::across`]? It paints the same either
-    /// way; the arm's posture differs.
+    /// Whether its axis (x of the tool) points against [`Surface::across`]. It paints the same
+    /// either way; the arm's posture differs.
     pub turned: bool,
 }
 
 impl Roller {
-    /// The tool frame with the middle of the roller's face at a point (wall coordinates and
-    /// distance), held perpendicular to the wall. It is given as the top three rows of the
-    /// homogeneous matrix in world axes, m.
+    /// Pose of the tool frame with the middle of the roller's face at a point (wall coordinates and
+    /// distance, m), held perpendicular to the wall. Returns the top three rows of the homogeneous
+    /// matrix in world axes, m.
     pub fn pose(&self, surface: &Surface, at: [f64; 3]) -> [[f64; 4]; 3] {
         let z = scale(-1.0, surface.normal);
         let x = if self.turned { scale(-1.0, surface.across()) } else { surface.across() };

@@ -14,13 +14,13 @@ use super::surface::{Roller, Surface};
 /// How much of the wall must be painted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Cover {
-    /// As equation (12) has it: the area stands in the cost, and the limits decide.
+    /// As in equation (12): the area is part of the cost, and the limits decide.
     Most,
-    /// All of it, or there is no plan.
+    /// The whole wall; otherwise there is no plan.
     Whole,
 }
 
-/// The swivel angle (or the position of the joint that is given) of a redundant arm.
+/// The swivel angle (or the position of the locked joint) of a redundant arm.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Swivel {
     /// One angle, as in equation (12).
@@ -29,72 +29,72 @@ pub enum Swivel {
     Spline,
 }
 
-/// The cost of equation (12): seconds, all of it.
+/// Weights of the cost of equation (12), whose terms are all in seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Weights {
-    /// Of the integral of the squared joint jerks over the time in contact, s per rad^2/s^5
+    /// Weight of the integral of the squared joint jerks over the time in contact, s per rad^2/s^5
     /// (m^2/s^5 for a prismatic joint). The paper's sum over samples with weight one is this
     /// integral times the sampling rate.
     pub jerk: f64,
-    /// Of one over the area `(Z_u - Z_l) dY`, s m^2.
+    /// Weight of the reciprocal of the area `(Z_u - Z_l) dY`, s m^2.
     pub area: f64,
 }
 
 /// A painting task. Fields may be changed between [`Task::new`] and [`super::plan`].
 pub struct Task<'a> {
-    /// The arm with the roller in its hand.
+    /// The arm holding the roller.
     pub arm: &'a dyn FrameKinematics,
-    /// Its inverse.
+    /// Its inverse kinematics.
     pub inverse: &'a Kinematics,
     /// Limits per joint.
     pub limits: Vec<JointLimits>,
-    /// Defaults taken for values missing in the file.
+    /// Defaults used for values missing in the file.
     pub missing: Vec<Missing>,
-    /// Sliding joints.
+    /// Whether each joint is prismatic.
     pub slides: Vec<bool>,
     /// Standard parameters, tool included; `None`: torques are not checked.
     pub standard: Option<Vec<f64>>,
-    /// Spheres, ground, boxes.
+    /// Collision bodies: spheres, ground, boxes.
     pub bodies: Bodies,
-    /// The tool frame in the last DH frame.
+    /// Pose of the tool frame in the last DH frame.
     pub mount: Displacement,
     /// The wall.
     pub surface: Surface,
     /// The roller.
     pub roller: Roller,
-    /// In what order the lanes are painted.
+    /// Order in which the lanes are painted.
     pub pattern: Pattern,
     /// Number of lanes.
     pub lanes: usize,
-    /// From where the roller comes, m before the wall.
+    /// Distance of the start before the wall, m.
     pub standoff: f64,
-    /// How much must be painted.
+    /// How much of the wall must be painted.
     pub cover: Cover,
     /// One swivel angle or a spline.
     pub swivel: Swivel,
-    /// From where the swivel angle is counted.
+    /// Zero of the swivel angle.
     pub reference: Reference,
     /// Weights of the cost.
     pub weights: Weights,
-    /// Time in contact, s; `None`: found (`T_C` of equation (12)).
+    /// Time in contact, s; `None`: optimised (`T_C` of equation (12)).
     pub duration: Option<f64>,
-    /// Force on the wall along its normal, N: its torques count against the limits.
+    /// Force on the wall along its normal, N; its joint torques count against the limits.
     pub force: f64,
     /// Share of the limits of velocity, acceleration and jerk that is used.
     pub share: f64,
-    /// Share of the torque limits that is kept free.
+    /// Share of the torque limits that is kept as a reserve.
     pub torque_margin: f64,
-    /// Kept from the ends of the joints' travel, rad or m.
+    /// Distance kept from the joints' position limits, rad or m.
     pub position_margin: f64,
-    /// Kept from ground, spheres, boxes and wall, m.
+    /// Distance kept from ground, spheres, boxes and wall, m.
     pub distance_margin: f64,
 }
 
 impl<'a> Task<'a> {
-    /// The paper's task for a robot.
+    /// Creates the paper's task for a robot.
     ///
     /// # Errors
-    /// Where limits are missing that a motion can't be planned without, or the arm can't hold a
+    /// Returns an error if limits required for planning are missing, or the arm cannot hold a
     /// roller to a wall.
     pub fn new(
         arm: &'a dyn FrameKinematics,
@@ -159,13 +159,13 @@ impl<'a> Task<'a> {
         })
     }
 
-    /// Degrees of freedom.
+    /// Number of joints.
     pub fn dof(&self) -> usize {
         self.limits.len()
     }
 
-    /// Range of the arm's redundancy parameter, and whether it is an angle that closes; `None`: the
-    /// arm has none.
+    /// Range of the arm's redundancy parameter, and whether it is a cyclic angle; `None` for an arm
+    /// without redundancy.
     pub fn redundancy(&self) -> Option<([f64; 2], bool)> {
         use std::f64::consts::PI;
         match self.inverse.inverse().family {
@@ -177,8 +177,8 @@ impl<'a> Task<'a> {
         }
     }
 
-    /// The strokes that paint the wall from edge to edge; fewer than it needs are spread over it as
-    /// widely as the roller allows.
+    /// The strokes that paint the wall from edge to edge. If there are too few lanes, they are
+    /// spread as widely as the roller allows.
     pub fn widest(&self) -> Strokes {
         let ([left, right], [lower, upper]) = (self.surface.sides(), self.surface.ends());
         let width = self.roller.width;

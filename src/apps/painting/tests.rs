@@ -1,4 +1,4 @@
-//! Plans against the numeric recursion, which shares no code with what made them.
+//! Checks plans against the numeric recursion, which shares no code with the planner.
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::{Robot, Tool, no_files};
@@ -42,8 +42,8 @@ impl Ready {
 
 fn quiet(_: &'static str, _: f64) {}
 
-/// Everything that a plan promises, by forward kinematics, Jacobian and torques of the numeric
-/// recursion, between the knots too.
+/// Checks all properties of a plan by forward kinematics, Jacobian and torques of the numeric
+/// recursion, also between the knots.
 fn judge(ready: &Ready, task: &Task<'_>, plan: &Plan) {
     let numeric = Numeric::new(&ready.robot);
     let phi = param::standard_values(&ready.robot).unwrap();
@@ -52,8 +52,8 @@ fn judge(ready: &Ready, task: &Task<'_>, plan: &Plan) {
     let normal = Vector3::from(plan.surface.normal);
     let level = normal.dot(&Vector3::from(plan.surface.center));
     let mut jerk = 0.0;
-    // Cells of the wall that the line of contact sweeps, by forward kinematics alone: no use of
-    // lanes or legs.
+    // Cells of the wall that the line of contact sweeps, by forward kinematics alone, without lanes
+    // or legs.
     let cells = 60;
     let mut painted = vec![false; cells * cells];
     let ([left, _], [low, _]) = (plan.surface.sides(), plan.surface.ends());
@@ -103,7 +103,7 @@ fn judge(ready: &Ready, task: &Task<'_>, plan: &Plan) {
         let twist: Vector6<f64> = &jacobian * nalgebra::DVector::from_column_slice(&m.dq);
         assert!(twist.fixed_rows::<3>(3).norm() < 1e-6, "the roller turns");
         assert!((twist.fixed_rows::<3>(0) - Vector3::from(m.velocity)).norm() < 1e-6 * (1.0 + end));
-        // Limits; the torque with the wall's push at the face.
+        // Limits; the torque includes the wall's contact force at the face.
         let mut torque = numeric.inverse_dynamics(&m.q, &m.dq, &m.ddq, &phi);
         if m.phase.contact() {
             let lever = face - numeric.frames(&m.q).last().unwrap().fixed_view::<3, 1>(0, 3);
@@ -121,7 +121,7 @@ fn judge(ready: &Ready, task: &Task<'_>, plan: &Plan) {
             assert!(torque[j].abs() <= l.torque.unwrap_or(f64::INFINITY), "{t}: torque of {}: {}", l.name, torque[j]);
         }
     }
-    // Way points: at rest.
+    // Way points are passed at rest.
     for span in &plan.spans {
         let m = plan.at(span.time[0]);
         assert!(m.dq.iter().chain(&m.ddq).all(|x| x.abs() < 1e-9));
@@ -148,17 +148,17 @@ fn a_whole_wall_by_the_lwr() {
     assert!(found.sides.is_empty());
     assert!(found.cost <= found.cost_constant.unwrap() * (1.0 + 1e-9));
     judge(&ready, &task, &found);
-    // Files bring the same plan back.
+    // A written plan is read back unchanged.
     let text = crate::report::plan_json(&found).to_string();
     let again = crate::report::plan_of_json(&serde_json::from_str(&text).unwrap()).unwrap();
     for t in [-1.0, 0.0, 0.37, 5.0, 1e9, f64::NAN] {
         let (a, b) = (found.at(t), again.at(t));
         assert!(a.q.iter().zip(&b.q).all(|(a, b)| (a - b).abs() < 1e-12) && a.phase == b.phase, "{t}");
     }
-    // The same again, bit by bit.
+    // A repetition gives the same plan, bit by bit.
     assert_eq!(plan(&task, &quiet).unwrap(), found);
 
-    // One swivel angle, and a duration: longer legs, the time kept, less jerk.
+    // One swivel angle and a given duration: longer legs, duration kept, less jerk.
     task.swivel = Swivel::Constant;
     task.duration = Some(2.0 * found.contact);
     let slow = plan(&task, &quiet).unwrap();
@@ -167,11 +167,11 @@ fn a_whole_wall_by_the_lwr() {
     assert!(angles.iter().all(|a| *a == angles[0]));
     judge(&ready, &task, &slow);
 
-    // In no time: says what it lacks.
+    // Too short a duration: the message gives the missing time.
     task.duration = Some(1.0);
     let why = plan(&task, &quiet).unwrap_err().to_string();
     assert!(why.contains("s more than the 1 s"), "{why}");
-    // Without any weight on the jerk the limits decide.
+    // With zero weight on the jerk the limits decide.
     (task.duration, task.weights.jerk) = (None, 0.0);
     let fast = plan(&task, &quiet).unwrap();
     assert!(fast.contact < found.contact);
@@ -184,8 +184,8 @@ fn what_is_out_of_reach_is_said_in_figures() {
     let ready = Ready::new("kuka-lwr4", "large-roller");
     let mut task = ready.task([-0.8, 0.3, 0.4], [1.0, 0.0, 0.0], 0.6, 0.8);
     task.cover = Cover::Whole;
-    // Shoulder at z 0.3105, links of 0.4 and 0.39 m, wrist 0.428 m before the wall: the upper right
-    // lane's end is farther than 0.79 m.
+    // Shoulder at z 0.3105, links of 0.4 and 0.39 m, wrist 0.428 m before the wall: the end of the
+    // upper right lane is farther than 0.79 m.
     let wrist = ((0.8f64 - 0.428).powi(2) + 0.5f64.powi(2) + (0.8f64 - 0.3105).powi(2)).sqrt();
     let why = plan(&task, &quiet).unwrap_err().to_string();
     assert!(wrist > 0.79 && why.contains("out of reach by") && why.contains("y 0.500, z 0.800"), "{wrist} {why}");
@@ -203,7 +203,7 @@ fn other_arms_and_other_walls() {
     ] {
         let ready = Ready::new(name, tool);
         let mut task = ready.task(center, normal, width, height);
-        // The search of the spline is the LWR's test.
+        // The search of the spline is covered by the LWR's test.
         task.swivel = Swivel::Constant;
         if name == "franka-panda" {
             (task.cover, task.lanes) = (Cover::Whole, 2);

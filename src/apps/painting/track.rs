@@ -1,5 +1,5 @@
-//! Postures along a straight leg, by the closed-form inverse: every branch, followed from point to
-//! point.
+//! Postures along a straight leg from the closed-form inverse kinematics: every branch, followed
+//! from point to point.
 
 use dh_codegen::ik::{Displacement, Status};
 use nalgebra::DMatrix;
@@ -10,11 +10,11 @@ use super::strokes::Phase;
 use super::surface::Roller;
 use super::task::Task;
 
-/// A way point: coordinates on the wall, distance from it (m), and swivel angle (rad) or position
-/// of the joint that is given.
+/// A way point: wall coordinates and distance (m), and swivel angle (rad) or position of the locked
+/// joint.
 pub(super) type Way = [f64; 4];
 
-/// A leg in the space of way points: straight in all four.
+/// A leg in the space of way points: straight in all four coordinates.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Line {
     pub phase: Phase,
@@ -23,33 +23,33 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// At a share `s` of the way.
+    /// Way point at a share `s` of the leg.
     pub(super) fn at(&self, s: f64) -> Way {
         std::array::from_fn(|i| if s == 1.0 { self.to[i] } else { self.from[i] + s * (self.to[i] - self.from[i]) })
     }
 
-    /// Only the place.
+    /// Position at a share `s` of the leg: wall coordinates and distance, m.
     pub(super) fn place(&self, s: f64) -> [f64; 3] {
         let [y, z, off, _] = self.at(s);
         [y, z, off]
     }
 }
 
-/// All postures at some points of a leg.
+/// All postures at a set of points of a leg.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Postures {
-    /// Per point, all of them.
+    /// All postures of each point.
     pub lists: Vec<Vec<Vec<f64>>>,
-    /// How far the worst point is out of reach, m and rad, and which it is.
+    /// Distance by which the worst point is out of reach, m and rad; `farthest` is its index.
     pub distance: [f64; 2],
     pub farthest: usize,
 }
 
-/// The farthest a joint may go between neighbouring points, rad or m: more is another branch.
+/// Largest change of a joint between neighbouring points, rad or m; more means another branch.
 const STEP: f64 = 0.5;
 
 impl Task<'_> {
-    /// The last DH frame where the roller is at a way point.
+    /// Pose of the last DH frame with the roller at a way point.
     pub(super) fn last_frame(&self, roller: &Roller, way: &Way) -> [[f64; 4]; 3] {
         let tool = Displacement::from_rows(&roller.pose(&self.surface, [way[0], way[1], way[2]]));
         let last = tool.after(&self.mount.inverse());
@@ -59,12 +59,12 @@ impl Task<'_> {
         })
     }
 
-    /// All postures of one way point; empty where it is out of reach or singular.
+    /// All postures of one way point and its distance out of reach; empty if it is out of reach.
     pub(super) fn postures_at(&self, roller: &Roller, way: &Way) -> (Vec<Vec<f64>>, [f64; 2]) {
         let ask = Ask { redundancy: way[3], reference: self.reference, ..Ask::default() };
         match self.inverse.solve(&self.last_frame(roller, way), &ask) {
             Ok(found) if found.status == Status::Ok => (found.list.into_iter().map(|p| p.q).collect(), [0.0; 2]),
-            // Singular: some joints are free there, and neighbours of the point decide. Nothing is
+            // Singular: some joints are free there, and the neighbouring points decide. Nothing is
             // out of reach.
             Ok(found) if found.status == Status::Singular => (found.list.into_iter().map(|p| p.q).collect(), [0.0; 2]),
             Ok(found) => (Vec::new(), found.distance),
@@ -86,7 +86,7 @@ impl Task<'_> {
         all
     }
 
-    /// The posture of a list nearest to another, whole turns taken off; `None` where all are far.
+    /// Posture of a list nearest to another, up to whole turns; `None` if all are too far.
     pub(super) fn nearest(&self, list: &[Vec<f64>], near: &[f64]) -> Option<Vec<f64>> {
         let mut best: Option<(f64, Vec<f64>)> = None;
         for q in list {
@@ -99,13 +99,14 @@ impl Task<'_> {
         best.filter(|b| b.0 <= STEP).map(|b| b.1)
     }
 
-    /// The whole turn of a joint that is nearest to a position.
+    /// Position of a joint, up to whole turns, nearest to another position.
     fn turned(&self, joint: usize, q: f64, near: f64) -> f64 {
         use std::f64::consts::TAU;
         if self.slides[joint] { q } else { q + TAU * ((near - q) / TAU).round() }
     }
 
-    /// One branch along the points, from a posture; the point where it was lost.
+    /// Follows one branch along the points from a posture; the error is the point where it was
+    /// lost.
     pub(super) fn follow(&self, all: &Postures, start: &[f64]) -> Result<DMatrix<f64>, usize> {
         let mut q = DMatrix::zeros(all.lists.len(), start.len());
         let mut last = start.to_vec();

@@ -1,5 +1,5 @@
-//! Gains of both loops for a planned motion: from what is known of the robot, the wall's stiffness,
-//! the filter and the sampling.
+//! Gains of both loops for a planned motion, from the model of the robot, the wall's stiffness, the
+//! filter and the sampling.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -9,28 +9,28 @@ use crate::control::gains::{
 use crate::control::law::Model;
 use crate::control::robot::RobotModel;
 
-/// Loads on the loop that the gains must bear.
+/// Conditions under which the gains must keep their margins.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Demands {
     /// Time between samples, s.
     pub period: f64,
-    /// Corner of the filter on the force, Hz.
+    /// Corner frequency of the filter on the force, Hz.
     pub corner: f64,
-    /// Of wall and roller, N/m.
+    /// Stiffness of wall and roller, N/m.
     pub stiffness: f64,
-    /// Of wall and roller, N s/m.
+    /// Damping of wall and roller, N s/m.
     pub damping: f64,
-    /// Of each joint beyond the model: rotor, kg m^2, spring, N m/rad (infinite where there is
-    /// none), and its damping, N m s/rad. Gains are tuned on the robot itself.
+    /// Of each joint beyond the model: rotor inertia, kg m^2, spring stiffness, N m/rad (infinite
+    /// for none), and its damping, N m s/rad. Gains are tuned on the robot itself.
     pub drives: Vec<[f64; 3]>,
 }
 
-/// The gains.
+/// Gains of all loops.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Tuning {
-    /// Of each joint.
+    /// Gains of each joint.
     pub joints: Vec<JointProposal>,
-    /// Of the force loop.
+    /// Gains of the force loop.
     pub force: ForceProposal,
 }
 
@@ -38,24 +38,25 @@ pub struct Tuning {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum TuneError {
-    /// Of a joint by itself, from 1.
+    /// Margins of a joint by itself, from 1.
     #[error("no gains of joint {0} keep their margins")]
     Joint(usize),
-    /// Of all joints together.
+    /// Margins of all joints together.
     #[error("no gains keep their margins with all joints together")]
     Together,
     /// A posture has no displacement along the normal.
     #[error("a posture can't be displaced along the normal")]
     Posture,
-    /// Of the force loop.
+    /// Margins of the force loop.
     #[error("no gains of the force loop keep their margins on this wall")]
     Force,
 }
 
-/// Gains that keep their margins in all these postures; `press` is the unit vector into the wall.
+/// Proposes gains that keep their margins in all these postures; `press` is the unit vector into
+/// the wall.
 ///
 /// # Errors
-/// The margin that can't be kept.
+/// Returns the margin that cannot be kept.
 pub fn tune<const N: usize>(
     model: &mut RobotModel<'_>,
     postures: &[[f64; N]],
@@ -110,9 +111,9 @@ pub fn tune<const N: usize>(
     Ok(Tuning { joints, force })
 }
 
-/// The linear model of arm and wall in a posture, for joints with these gains (`kp`, `kd`): rigid
-/// joints, or those that are `soft` on their springs. `None` where the posture can't be displaced
-/// along the normal.
+/// Linear model of arm and wall in a posture, for joints with these gains (`kp`, `kd`). Joints are
+/// rigid, or, if `soft`, on their springs. `None` if the posture cannot be displaced along the
+/// normal.
 pub fn plant<const N: usize>(
     model: &mut RobotModel<'_>,
     q: &[f64; N],

@@ -1,4 +1,4 @@
-//! Promises of the gains' tool against the simulated arm on walls of several stiffnesses.
+//! Checks the predictions of `tune` against the simulated arm on walls of several stiffnesses.
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::{Effects, Robot, no_files};
@@ -16,12 +16,12 @@ const CORNER: f64 = 10.0;
 const FORCE: f64 = 20.0;
 /// Elbow up, hand along x.
 const POSTURE: [f64; 3] = [0.8, -1.3, 0.5];
-/// When the force that is wanted rises by 1 N, s, and how long it is watched.
+/// Time at which the desired force rises by 1 N, s; `WATCHED` is the time recorded after it, s.
 const SETTLED: f64 = 5.0;
 const WATCHED: f64 = 3.0;
 
-/// The force less [`FORCE`] from the step on, N, every period, with the proposed gains of the force
-/// loop times `factor`.
+/// Force minus [`FORCE`] from the step on, N, one value per period, with the proposed gains of the
+/// force loop times `factor`.
 fn stepped(stiffness: f64, factor: impl Fn(&Tuning) -> f64) -> (Tuning, Vec<f64>) {
     let robot = Robot::from_yaml(FILE, &no_files).unwrap().robot;
     let real = Simulator::new(&robot, &Effects::default()).unwrap();
@@ -30,7 +30,7 @@ fn stepped(stiffness: f64, factor: impl Fn(&Tuning) -> f64) -> (Tuning, Vec<f64>
     let lend = || RobotModel::new(&robot, Box::new(arm.bodies(&standard)), None, real.drives().to_vec());
     let mut model = lend();
     let place = model.contact(&POSTURE).origin;
-    // Nothing but stiffness along the normal: what the linear model has at any force.
+    // A wall with normal stiffness only, as in the linear model at any force.
     let wall = RollerWall {
         stiffness,
         damping: 0.0,
@@ -101,7 +101,7 @@ fn stepped(stiffness: f64, factor: impl Fn(&Tuning) -> f64) -> (Tuning, Vec<f64>
         if after {
             forces.push(truth - FORCE);
         }
-        // It comes gently: a wall does not pull, and a loop that bounces is another loop.
+        // A slow rise: a wall cannot pull, and a loop that bounces is a different loop.
         let wanted = FORCE * (seen.t / 2.0).min(1.0) + f64::from(u8::from(after));
         let target = Target::at(POSTURE, press, Some(wanted));
         let q = std::array::from_fn(|j| seen.q[j]);
@@ -113,7 +113,7 @@ fn stepped(stiffness: f64, factor: impl Fn(&Tuning) -> f64) -> (Tuning, Vec<f64>
     (tuning, forces)
 }
 
-/// When a step has come to a share of 1, s.
+/// Time at which the step response reaches a share of 1 N, s.
 fn reaches(forces: &[f64], share: f64) -> f64 {
     forces.iter().position(|f| *f >= share).map_or(f64::INFINITY, |k| k as f64 * PERIOD)
 }
@@ -127,8 +127,8 @@ fn steps_of_the_force_are_as_predicted() {
         assert!(worst < 0.05, "{stiffness} N/m: {worst} of 1 N");
         let rise = |forces: &[f64]| reaches(forces, 0.9) - reaches(forces, 0.1);
         let (said, found) = (rise(&predicted.force), rise(&is));
-        // And three periods: on a soft wall the kick of the joints' derivative gains is the whole
-        // rise.
+        // Plus three periods: on a soft wall the kick of the joints' derivative gains makes up the
+        // whole rise.
         assert!((found - said).abs() < 0.1 * said + 0.003, "{stiffness} N/m: rise {found} s, predicted {said} s");
         let over = is.iter().fold(0.0_f64, |most, f| most.max(f - 1.0));
         assert!(

@@ -1,4 +1,4 @@
-//! Three numbers.
+//! Vectors of three numbers.
 
 pub(super) type Vector = [f64; 3];
 

@@ -1,37 +1,38 @@
-//! The wall that a roller is pressed on, and the force sensor behind it.
+//! The wall that a roller presses on, and the force sensor behind it.
 
 use crate::numerics::prng::Random;
 use crate::simulate::{External, Wrench};
 
-/// A roller on a wall: both give way along the normal, the roller rolls across its axis and slides
-/// along it.
+/// A roller on a wall: both are compliant along the normal; the roller rolls across its axis and
+/// slides along it.
 ///
-/// `k d (1 + c d')` along the normal (Hunt and Crossley, J. Applied Mechanics 42, 1975), `d` the
-/// depth of the point of contact; never pulls. Against the motion in the plane: rolling resistance
-/// across the roller's axis, sliding friction along it, both rounded off below `creep`.
+/// The normal force is `k d (1 + c d')` (Hunt and Crossley, J. Applied Mechanics 42, 1975), with
+/// `d` the penetration at the point of contact; it never pulls. Tangential forces oppose the
+/// motion: rolling resistance across the roller's axis and sliding friction along it, both smoothed
+/// below `creep`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollerWall {
     /// A point of the plane, world axes, m.
     pub point: [f64; 3],
-    /// Unit normal, out of the wall.
+    /// Unit normal out of the wall, world axes.
     pub normal: [f64; 3],
     /// Point of contact of the tool, tool frame, m.
     pub contact: [f64; 3],
-    /// Of roller and wall in series, N/m.
+    /// Stiffness `k` of roller and wall in series, N/m.
     pub stiffness: f64,
-    /// s/m
+    /// Damping `c`, s/m.
     pub damping: f64,
-    /// Rolling resistance by the normal force.
+    /// Coefficient of rolling resistance: per normal force.
     pub rolling: f64,
-    /// Sliding friction by the normal force, along the roller's axis (x of the tool).
+    /// Coefficient of sliding friction along the roller's axis (x of the tool): per normal force.
     pub sliding: f64,
-    /// m/s
+    /// Speed below which tangential forces are smoothed, m/s.
     pub creep: f64,
 }
 
 impl RollerWall {
-    /// 8 kN/m: 30 N press a nap of some centimetres of length 4 mm deep. 5 % rolling resistance, a
-    /// soft tyre's; half the force along the axis.
+    /// Creates a wall of 8 kN/m: 30 N press a nap of some centimetres' length 4 mm deep. Rolling
+    /// resistance is 5 %, that of a soft tyre; sliding friction half the normal force.
     pub fn new(point: [f64; 3], normal: [f64; 3], contact: [f64; 3]) -> Self {
         let length = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
         Self {
@@ -46,7 +47,7 @@ impl RollerWall {
         }
     }
 
-    /// Slope of the damping at this force, N s/m.
+    /// Effective viscous damping at this force, N s/m.
     pub fn damping_at(&self, force: f64) -> f64 {
         self.damping * force
     }
@@ -68,7 +69,7 @@ impl External for RollerWall {
             return result;
         }
         let press = self.stiffness * depth * factor;
-        // The roller's axis in the plane.
+        // The roller's axis in the plane of the wall.
         let x = turned([1.0, 0.0, 0.0]);
         let out: f64 = (0..3).map(|k| x[k] * n[k]).sum();
         let axis: [f64; 3] = std::array::from_fn(|k| x[k] - out * n[k]);
@@ -103,28 +104,28 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
 }
 
 /// A force sensor in the centre of the wall: the ATI Mini45 with its smallest calibration
-/// (SI-145-5: 145 N across, 290 N along its axis, resolution 1/16 N: docs/control.md has the
-/// source). Noise of one step, standard deviation.
+/// (SI-145-5: 145 N across, 290 N along its axis, resolution 1/16 N; docs/control.md has the
+/// source). The noise has a standard deviation of one resolution step.
 #[derive(Debug, Clone)]
 pub struct WallSensor {
     /// White noise, standard deviation, N.
     pub noise: f64,
-    /// N
+    /// Resolution, N.
     pub step: f64,
-    /// Largest force that is shown, N.
+    /// Largest force in the output, N.
     pub range: f64,
     random: Random,
 }
 
 impl WallSensor {
-    /// With this noise.
+    /// Creates a sensor with this seed of its noise.
     pub fn new(seed: u64) -> Self {
         Self { noise: 1.0 / 16.0, step: 1.0 / 16.0, range: 290.0, random: Random::new(seed ^ 0xA71) }
     }
 
     /// Reading for a force along its axis, N.
     pub fn read(&mut self, force: f64) -> f64 {
-        // Twelve even numbers: normal enough for a sensor, and always as many draws.
+        // Sum of twelve uniform numbers: near enough to normal, and a fixed number of draws.
         let normal: f64 = (0..12).map(|_| self.random.even(1.0)).sum::<f64>() * 0.5;
         let value = force + self.noise * normal;
         ((value / self.step).round() * self.step).clamp(-self.range, self.range)

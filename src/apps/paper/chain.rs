@@ -1,5 +1,5 @@
-//! The paper's chain: play a motion, record at 1 kHz, low-pass, differentiate, weigh, solve
-//! (section III.E).
+//! The paper's processing chain: play a motion, record at 1 kHz, low-pass, differentiate, weight,
+//! solve (section III.E).
 
 use super::ReproduceError;
 use super::lwr::{Lwr, Unmodelled};
@@ -10,13 +10,12 @@ use crate::identify::{AccumulatorSettings, Factors, Identification, IdentifySett
 use crate::model::Arm;
 use crate::simulate::{Recording, Request, Simulator, Solver};
 
-/// How finely motions are integrated. At 1e-5 the torques of the loop are off by 0.012 N m after
-/// the low-pass on the first joints, a quarter of the noise floor. At this tolerance they are off
-/// by 0.004, the low-pass's own effect on torques and motion. The simulator's default, 1e-7, takes
-/// twice as long.
+/// Tolerance of the integration of motions. At 1e-5 the low-passed loop torques of the first joints
+/// are off by 0.012 N m, a quarter of the noise floor. At this tolerance they are off by 0.004, the
+/// low-pass's own effect on torques and motion. The simulator's default, 1e-7, takes twice as long.
 const TOLERANCE: f64 = 1e-6;
 
-/// How a motion is played and recorded.
+/// Simulation request for playing and recording a motion.
 pub fn request(seed: u64) -> Request {
     let solver = Solver { tolerance: TOLERANCE, ..Solver::default() };
     Request { sensors: Lwr::sensors(), seed, solver, ..Request::default() }
@@ -28,7 +27,7 @@ pub fn play(lwr: &Lwr, motion: &PaperMotion, which: &[Unmodelled], seed: u64) ->
     Ok(simulator.run(&motion.played, &request(seed), &mut |_| {})?)
 }
 
-/// Filtered, differentiated and factored; every `stride`th sample after the low-pass.
+/// Filters, differentiates and factors a log; uses every `stride`th sample after the low-pass.
 pub fn factors(name: &str, arm: &dyn Arm, log: &Log, stride: usize) -> Result<Factors, ReproduceError> {
     let mut stack = QrAccumulator::new(name, arm, AccumulatorSettings::default());
     let prepare = Prepare { stride, ..Prepare::default() };
@@ -36,7 +35,7 @@ pub fn factors(name: &str, arm: &dyn Arm, log: &Log, stride: usize) -> Result<Fa
     Ok(stack.finish())
 }
 
-/// Weighted least squares; nothing is known beforehand.
+/// Weighted least squares without prior knowledge.
 pub fn fit(lwr: &Lwr, fit: &Factors, validate: &Factors) -> Result<Identification, ReproduceError> {
     let one = std::slice::from_ref;
     Ok(solve(&lwr.arm, one(fit), one(validate), &IdentifySettings::default())?)

@@ -1,8 +1,9 @@
-//! The diagnosis put to the test: effects that a seed draws and hides in the simulator, and what
-//! the diagnosis makes of the logs.
+//! Tests of the diagnosis: a seed draws effects and hides them in the simulator, and the diagnosis
+//! has to find them in the logs.
 //!
-//! `seed -> arm, task, motion -> simulator (bristles, encoders that step, jitter) -> bytes of a log
-//! -> diagnosis -> figures`. The diagnosis gets the robot file and the logs, nothing else.
+//! `seed -> arm, task, motion -> simulator (bristles, encoder resolution, jitter) -> bytes of a log
+//! -> diagnosis -> figures`. The input of the diagnosis is the robot file and the logs, nothing
+//! else.
 
 mod case;
 mod draft;
@@ -21,24 +22,24 @@ pub use case::{CaseKind, Outcome};
 pub use hidden::{Hidden, Wanted};
 pub use score::{Claim, Scores, Tally};
 
-/// The cases.
+/// Settings of the test cases.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DiagnosisSettings {
-    /// How many.
+    /// Number of cases.
     pub cases: usize,
-    /// The first seed; each case has the next.
+    /// Seed of the first case; each further case has the next.
     pub from: u64,
-    /// Root mean square of an effect by the noise of the joint's torque.
+    /// Root mean square of an effect relative to the noise of the joint's torque.
     pub size: f64,
-    /// Hide nothing: every cause that is named is a false alarm.
+    /// Whether to hide nothing: every cause named is then a false alarm.
     pub clean: bool,
-    /// Length of the log to look in, and of the log to measure on, s.
+    /// Lengths of the fitted and the validating log, s.
     pub seconds: [f64; 2],
-    /// Samples per second.
+    /// Sampling rate, Hz.
     pub rate: f64,
-    /// How many of the arms, at most 6.
+    /// Number of arms, at most 6.
     pub arms: usize,
-    /// Control of the arm.
+    /// Control mode of the arm.
     pub control: Mode,
 }
 
@@ -57,14 +58,14 @@ impl Default for DiagnosisSettings {
     }
 }
 
-/// All cases, by seed.
+/// Results of all cases, ordered by seed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Battery {
-    /// The kind.
+    /// Settings of the cases.
     pub settings: DiagnosisSettings,
-    /// One per case.
+    /// Outcome of each case.
     pub outcomes: Vec<Outcome>,
-    /// The figures.
+    /// Summary figures.
     pub scores: Scores,
 }
 

@@ -1,4 +1,4 @@
-//! Why an experiment could not be run.
+//! Errors of the experiments.
 
 use dh_codegen::robot::Problems;
 
@@ -12,32 +12,32 @@ use crate::identify::tool::ToolError;
 use crate::identify::{ConsistentError, IdentifyError, RecoverError};
 use crate::simulate::SimulateError;
 
-/// Why an experiment could not be run.
+/// Reason why an experiment could not be run.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum ReproduceError {
-    /// A built-in file, or one that was written from it.
+    /// A built-in file, or one written from it, is invalid.
     #[error("the built-in robot can't be used: {0}")]
     Robot(#[source] Problems),
-    /// Bodies of the built-in robot are absent, so that there is nothing to compare with.
+    /// Link parameters of the built-in robot are missing, so there is no reference.
     #[error("the built-in robot can't be used: its links are not all known")]
     UnknownLinks,
     /// The catalogue has no tool of this name.
     #[error("the catalogue has no tool `{0}`")]
     NoTool(String),
-    /// A part of the experiment that the next step needs was not made.
+    /// A result of the experiment that the next step needs is missing.
     #[error("the experiment has no {0}")]
     Missing(&'static str),
-    /// The motion or the plan.
+    /// A motion or plan could not be made.
     #[error("{what}: {obstacle}")]
     Design {
-        /// The motion.
+        /// Name of the motion or plan.
         what: String,
         /// The obstacle.
         #[source]
         obstacle: DesignObstacle,
     },
-    /// A hidden effect that none of the arms shows.
+    /// None of the arms shows the hidden effect.
     #[error("no arm can show what seed {seed} hides")]
     NothingToShow {
         /// Seed of the case.
@@ -46,51 +46,51 @@ pub enum ReproduceError {
     /// A thread of the battery ended early.
     #[error("a case could not be run to its end")]
     CaseLost,
-    /// The simulation.
+    /// The simulation failed.
     #[error(transparent)]
     Simulate(#[from] SimulateError),
     /// A simulated log can't be written as CSV.
     #[error("a simulated log can't be written: {0}")]
     Write(#[source] std::io::Error),
-    /// The log.
+    /// The log could not be prepared.
     #[error(transparent)]
     Prepare(#[from] PrepareError),
-    /// The fit.
+    /// The identification failed.
     #[error(transparent)]
     Identify(#[from] IdentifyError),
-    /// Standard parameters from the fit.
+    /// Standard parameters could not be recovered from the fit.
     #[error(transparent)]
     Recover(#[from] RecoverError),
-    /// Possible bodies from the fit.
+    /// No physically consistent bodies were found from the fit.
     #[error(transparent)]
     Consistent(#[from] ConsistentError),
-    /// The contact force.
+    /// The contact force could not be estimated.
     #[error(transparent)]
     Estimate(#[from] TooManyJoints),
-    /// The diagnosis.
+    /// The diagnosis failed.
     #[error(transparent)]
     Diagnose(#[from] DiagnoseError),
-    /// The fit of what is carried.
+    /// The fit of the payload failed.
     #[error(transparent)]
     Tool(#[from] ToolError),
-    /// The run against the wall.
+    /// The run against the wall failed.
     #[error(transparent)]
     Paint(#[from] RunError),
 }
 
 impl ReproduceError {
-    /// The mistakes of the file of this name.
+    /// Error for the problems of the file of this name.
     pub(super) fn in_file(name: &str) -> impl Fn(Problems) -> Self + '_ {
         move |problems| Self::Robot(problems.in_file(name))
     }
 
-    /// What keeps this motion or plan from being made.
+    /// Error for a motion or plan that could not be made.
     pub(super) fn design<E: Into<DesignObstacle>>(what: &str) -> impl Fn(E) -> Self + '_ {
         move |obstacle| Self::Design { what: what.into(), obstacle: obstacle.into() }
     }
 }
 
-/// What keeps a motion or a plan from being made.
+/// Reason why a motion or a plan could not be made.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum DesignObstacle {
@@ -103,19 +103,19 @@ pub enum DesignObstacle {
     /// The search ended outside the limits.
     #[error("no motion inside all limits was found")]
     OutsideLimits,
-    /// The arm does not reach the wall from before it.
+    /// The arm cannot reach the start before the wall.
     #[error("a place before the wall is out of reach")]
     OutOfReach,
-    /// The wall.
+    /// Invalid wall.
     #[error(transparent)]
     Surface(#[from] SurfaceError),
-    /// The robot's limits.
+    /// Invalid or missing limits of the robot.
     #[error(transparent)]
     Limits(#[from] LimitsError),
-    /// The exciting motion.
+    /// The exciting motion could not be designed.
     #[error(transparent)]
     Excite(#[from] DesignError),
-    /// The plan of the wall.
+    /// The wall could not be planned.
     #[error(transparent)]
     Plan(#[from] Infeasible),
 }

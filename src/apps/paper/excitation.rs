@@ -1,4 +1,4 @@
-//! Section III of the paper: Fig. 5 (what a longer motion gains, by each criterion), and the same
+//! Section III of the paper: Fig. 5 (gain of a longer motion, for each criterion), and the same
 //! task on other arms.
 
 use dh_codegen::robot::{Robot, no_files};
@@ -10,15 +10,15 @@ use super::motions::{ACCELERATION_TIME, CRITERIA};
 use crate::excite::{AtDuration, Criterion, Effort, Progress, Task, by_duration};
 use crate::model::differentiated::Differentiated;
 
-/// The paper's choice, s (section III.D): "no significant minimization of cost function values can
-/// be observed after 10 s".
+/// Duration chosen in the paper, s (section III.D): "no significant minimization of cost function
+/// values can be observed after 10 s".
 pub const CHOSEN: f64 = 10.0;
 
-/// A condition number, and what its authors say of it.
+/// A published condition number, with the conditions under which it was obtained.
 type Published = Option<(f64, &'static str)>;
 
-/// Other arms, by their files, and what others have published as the condition number of a motion
-/// on a like problem, with their scaling of the columns.
+/// Other arms: name, robot file, and the published condition number of a motion on a similar
+/// problem, with its scaling of the columns.
 const OTHERS: [(&str, &str, Published); 5] = [
     (
         "franka-panda",
@@ -35,14 +35,14 @@ const OTHERS: [(&str, &str, Published); 5] = [
     ("staubli-tx40", include_str!("../../../robots/staubli-tx40.yaml"), None),
 ];
 
-/// How to run it.
+/// Settings of the experiment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ExcitationSettings {
     /// Longest motion of Fig. 5, s. Default 15.
     pub longest: usize,
-    /// Random motions that each search begins with. Default 4.
+    /// Number of random motions with which each search begins. Default 8.
     pub starts: usize,
-    /// Of these. Default 1.
+    /// Seed of the random motions. Default 1.
     pub seed: u64,
 }
 
@@ -52,42 +52,42 @@ impl Default for ExcitationSettings {
     }
 }
 
-/// The motion with the least condition number for another arm.
+/// The motion with the smallest condition number for another arm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Other {
-    /// The arm.
+    /// Name of the arm.
     pub robot: &'static str,
-    /// Columns that count: the links'.
+    /// Number of columns used: those of the links.
     pub columns: usize,
-    /// Condition number of the plain columns; `None`: no motion inside the limits was found.
+    /// Condition number of the unscaled columns; `None` if no motion inside the limits was found.
     pub condition: Option<f64>,
-    /// Published, with what it says about itself.
+    /// Published condition number, with the conditions under which it was obtained.
     pub published: Option<(f64, &'static str)>,
 }
 
 /// Gain of a criterion after [`CHOSEN`] seconds.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Late {
-    /// Share of the whole decrease from the shortest to the longest motion that comes after
+    /// Share of the total decrease, from the shortest to the longest motion, that comes after
     /// [`CHOSEN`]; of the logarithm for the condition number.
     pub share: f64,
-    /// Mean standard deviation of a parameter at the end by that at [`CHOSEN`], what `log det` says
-    /// of it.
+    /// Mean standard deviation of a parameter at the end relative to that at [`CHOSEN`], from
+    /// `log det`.
     pub deviation: Option<f64>,
-    /// The same if the longer motion had more samples and nothing else: `sqrt(T_chosen / T)`.
+    /// The same ratio if only the number of samples grew: `sqrt(T_chosen / T)`.
     pub by_samples: f64,
 }
 
-/// Everything.
+/// Results of the experiment.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Excitation {
-    /// How it was run.
+    /// Settings used.
     pub settings: ExcitationSettings,
-    /// Columns that count.
+    /// Number of columns used.
     pub columns: usize,
-    /// Fig. 5: criterion by criterion, second by second.
+    /// Fig. 5: one row per criterion and second.
     pub fig5: Vec<AtDuration>,
-    /// Other arms, [`CHOSEN`] seconds.
+    /// Motions of [`CHOSEN`] seconds for other arms.
     pub others: Vec<Other>,
 }
 
@@ -97,7 +97,7 @@ impl Excitation {
         self.fig5.iter().filter(move |row| row.criterion == criterion)
     }
 
-    /// Late gain, where the criterion has values at both ends and at [`CHOSEN`].
+    /// Late gain, if the criterion has values at both ends and at [`CHOSEN`].
     pub fn late(&self, criterion: &str) -> Option<Late> {
         let value = |row: &AtDuration| row.value.map(|v| if criterion == "cond" { v.ln() } else { v });
         let at = self.of(criterion).find(|row| row.seconds == CHOSEN).and_then(value)?;
@@ -113,7 +113,7 @@ impl Excitation {
 /// then one motion for each other arm. Columns are those of the links, unscaled, at 100 Hz.
 ///
 /// # Errors
-/// Where a built-in robot can't be used.
+/// Returns an error if a built-in robot can't be used.
 pub fn excitation(settings: &ExcitationSettings, watch: Watch<'_>) -> Result<Excitation, ReproduceError> {
     let effort = Effort { starts: settings.starts, seed: settings.seed, ..Effort::default() };
     let durations: Vec<f64> = (1..=settings.longest).map(|s| s as f64).collect();

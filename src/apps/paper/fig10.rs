@@ -1,4 +1,4 @@
-//! Fig. 10: measured and estimated torques of the arm with the large roller, on a motion that
+//! Fig. 10: measured and estimated torques of the arm with the large roller, on the motion that
 //! identified it.
 
 use super::ReproduceError;
@@ -15,29 +15,30 @@ use crate::simulate::Recording;
 
 /// Abstract: "joint torques were estimated with an RMS difference lower than 1 N.m".
 pub const PAPER_RMS: f64 = 1.0;
-/// Of the seventh joint's torque, which "was very small, inferior to 0.5 Nm" (section VI.A).
+/// Bound on the seventh joint's torque, N m, which "was very small, inferior to 0.5 Nm" (section
+/// VI.A).
 pub const PAPER_SEVENTH: f64 = 0.5;
 
-/// The curves and their errors.
+/// Torque curves and their errors.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fig10 {
-    /// Measured and estimated, of the loaded log.
+    /// Measured and estimated torques over the loaded log.
     pub trace: Trace,
-    /// Errors with the roller's parameters, and without.
+    /// Errors with the roller's parameters, and without them.
     pub errors: LogError,
-    /// Mass that was found and the true one, kg.
+    /// Identified and true mass, kg.
     pub mass: [f64; 2],
 }
 
 impl Fig10 {
-    /// A joint's RMS difference against the paper's claim.
+    /// A joint's RMS difference compared with the paper's claim.
     pub fn verdict(&self, joint: usize) -> Verdict {
         Verdict::at_most(self.errors.with_tool.rms[joint], PAPER_RMS)
     }
 }
 
-/// Plays the motion with the roller, with effects that the model has not, and identifies both
-/// together; `unloaded` is the log with an empty hand.
+/// Plays the motion with the roller and effects that the model lacks, and identifies arm and roller
+/// together. `unloaded` is the log without a tool.
 pub fn fig10(
     lwr: &Lwr,
     motion: &PaperMotion,

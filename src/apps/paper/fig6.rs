@@ -1,5 +1,5 @@
-//! Fig. 6: torque errors on the motion that validates, for the models that three criteria's motions
-//! gave.
+//! Fig. 6: torque errors on the validating motion for the models identified from the motions of
+//! three criteria.
 
 use super::ReproduceError;
 use super::Watch;
@@ -12,26 +12,26 @@ use super::verdict::Verdict;
 use crate::identify::{Accuracy, Factors, Identification, accuracy};
 use crate::simulate::Recording;
 
-/// Averages over the joints of the RMS difference, N m (section III.E): by `J_c`, `J_d`, `J_h`;
-/// `J_c` again for the links' columns alone.
+/// The paper's RMS difference averaged over the joints, N m (section III.E), for `J_c`, `J_d` and
+/// `J_h`; last, `J_c` again, for the motion by the links' columns alone.
 pub const PAPER: [(&str, f64); 4] = [("cond", 0.69), ("logdet", 0.42), ("hadamard", 0.45), (LINKS, 0.69)];
 
-/// Held-out RMS above the floor by more than this share is said to miss something.
+/// Share by which the held-out RMS may exceed the floor before a model counts as incomplete.
 pub const ABOVE_FLOOR: f64 = 0.05;
 
-/// One model on the motion that validates.
+/// Errors of one model on the validating motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bars {
-    /// Root mean square of measured less estimated torque, N m, per joint.
+    /// Root mean square of measured minus estimated torque, N m, per joint.
     pub rms: Vec<f64>,
-    /// That by the range of the measured torque.
+    /// The same relative to the range of the measured torque.
     pub nrms: Vec<f64>,
     /// Contribution of the parameters' own standard deviations, N m, per joint.
     pub uncertainty: Vec<f64>,
 }
 
 impl Bars {
-    /// From an identification and the factors that it was validated on.
+    /// Takes the errors from an identification and the factors of its validation.
     pub fn new(found: &Identification, validate: &Factors) -> Self {
         let Accuracy { rms, nrms, .. } = found.validation.clone().unwrap_or_default();
         Self { rms, nrms, uncertainty: uncertainty(found, validate) }
@@ -43,8 +43,8 @@ impl Bars {
     }
 }
 
-/// `sqrt(tr(W C W') / N)` of each joint's equations `W`, `C` the covariance of the parameters: the
-/// torque error to expect of parameters that are as uncertain as they say.
+/// Torque error to expect from parameters with their stated uncertainty: `sqrt(tr(W C W') / N)` of
+/// each joint's equations `W`, with the covariance `C` of the parameters.
 fn uncertainty(found: &Identification, validate: &Factors) -> Vec<f64> {
     let p = found.parameters.len();
     let covariance = |i: usize, k: usize| {
@@ -65,19 +65,21 @@ fn uncertainty(found: &Identification, validate: &Factors) -> Vec<f64> {
     validate.joints.iter().map(joint).collect()
 }
 
-/// Runs of [`again`].
+/// Number of runs of [`again`].
 pub const RUNS: usize = 12;
 
-/// Errors of the noise-only case without one log's luck: mean over [`RUNS`] runs with other noise
-/// in the logs that are fitted and in the one that validates.
+/// Errors of the noise-only case averaged over [`RUNS`] runs, each with other noise in the fitted
+/// logs and in the validating one.
 pub struct Again {
-    /// RMS of the true parameters, N m, per joint: the noise, and what the chain adds.
+    /// RMS of the true parameters, N m, per joint: the noise plus the error of the processing
+    /// chain.
     pub truth: Vec<f64>,
-    /// Per motion: RMS and NRMS, per joint.
+    /// RMS and NRMS for each motion, per joint.
     pub motions: Vec<[Vec<f64>; 2]>,
 }
 
-/// The last recording validates, the others are fitted.
+/// Repeats identification and validation with other noise; the last recording validates, the others
+/// are fitted.
 pub fn again(lwr: &Lwr, recordings: &[Recording], seed: u64, watch: Watch<'_>) -> Result<Again, ReproduceError> {
     let Some((validating, fitted)) = recordings.split_last() else {
         return Ok(Again { truth: Vec::new(), motions: Vec::new() });
@@ -103,31 +105,31 @@ pub fn again(lwr: &Lwr, recordings: &[Recording], seed: u64, watch: Watch<'_>) -
     Ok(Again { truth: over(0, 0), motions: (1..=fitted.len()).map(|k| [over(k, 0), over(k, 1)]).collect() })
 }
 
-/// A criterion's row.
+/// Results for one criterion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fig6Row {
-    /// `cond`, `logdet`, `hadamard`.
+    /// `cond`, `logdet`, `hadamard` or [`LINKS`].
     pub criterion: &'static str,
-    /// The paper's average, N m.
+    /// The paper's average over the joints, N m.
     pub paper: f64,
-    /// The robot with noise alone.
+    /// Errors for the robot with noise alone.
     pub noise_only: Bars,
-    /// The robot with effects that the model has not.
+    /// Errors for the robot with effects that the model lacks.
     pub unmodelled: Bars,
     /// Known noise floor, N m, per joint.
     pub floor: Vec<f64>,
-    /// RMS of the true parameters on the same logs, N m, per joint: the noise, and what the chain
-    /// itself adds.
+    /// RMS of the true parameters on the same logs, N m, per joint: the noise plus the error of the
+    /// processing chain.
     pub true_parameters: Vec<f64>,
 }
 
 impl Fig6Row {
-    /// Average of the noise-only case above the floor, as a share of it.
+    /// Excess of the noise-only average over the floor, as a share of the floor.
     pub fn above_floor(&self) -> f64 {
         self.noise_only.mean() / mean(&self.floor) - 1.0
     }
 
-    /// The part of it that the true parameters show as well, and the part of the parameters'
+    /// Part of that excess that the true parameters show as well, and part due to the parameters'
     /// uncertainty: shares of the floor.
     pub fn explained(&self) -> [f64; 2] {
         let floor = mean(&self.floor);
@@ -137,13 +139,13 @@ impl Fig6Row {
         [chain / floor - 1.0, (both - chain) / floor]
     }
 
-    /// Of the noise-only case: is it at the floor?
+    /// Whether the noise-only case is at the floor.
     pub fn at_floor(&self) -> Verdict {
         Verdict::at_most(self.noise_only.mean(), (1.0 + ABOVE_FLOOR) * mean(&self.floor))
     }
 
-    /// Against the paper, with effects that the model has not. Their sizes are the same for all
-    /// three criteria, so the order of the criteria is more reliable than the size.
+    /// Comparison with the paper, with effects that the model lacks. Their sizes are the same for
+    /// all three criteria, so the order of the criteria is more reliable than the values.
     pub fn verdict(&self) -> Verdict {
         Verdict::less(self.unmodelled.mean(), self.paper)
     }
@@ -154,8 +156,8 @@ pub fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len().max(1) as f64
 }
 
-/// The criteria from best to worst, ours and the paper's; what the paper has one figure for stands
-/// there as in ours.
+/// Criteria from best to worst, ours and the paper's. Criteria with equal figures in the paper keep
+/// our order.
 pub fn order(rows: &[Fig6Row]) -> [Vec<&'static str>; 2] {
     let mut all: Vec<&Fig6Row> = rows.iter().collect();
     all.sort_by(|a, b| a.unmodelled.mean().total_cmp(&b.unmodelled.mean()));

@@ -1,9 +1,9 @@
-//! The paper's equation (14) and its future work: how well the wrench on the tool is estimated on
-//! the simulated LWR, and whether 95 % bands hold.
+//! The paper's equation (14) and its future work: accuracy of the estimated wrench on the tool of
+//! the simulated LWR, and coverage of the 95 % bands.
 //!
-//! A run: identify from a log with noise, estimate from another one with a known wrench of all six
-//! components. Parameters are identified again in each run. Their error, the same at all samples of
-//! a run, is thus drawn again as well, and a band's coverage is over runs and samples.
+//! A run identifies from a noisy log and estimates from another one with a known wrench of all six
+//! components. Parameters are identified again in each run, so their error, the same at all samples
+//! of a run, differs between runs. A band's coverage is therefore over runs and samples.
 
 use dh_codegen::robot::{Robot, no_files};
 
@@ -22,14 +22,14 @@ use crate::model::interpreted::Interpreted;
 use crate::numerics::prng::Random;
 use crate::simulate::{Control, Mode, Recording, Request, Sensors, Simulator, Trajectory};
 
-/// How to run it.
+/// Settings of the experiment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ForceSettings {
-    /// Runs for the coverage.
+    /// Number of runs for the coverage.
     pub runs: usize,
-    /// Postures for the accuracy.
+    /// Number of postures for the accuracy.
     pub postures: usize,
-    /// Of motions, wrenches and noise.
+    /// Seed of motions, wrenches and noise.
     pub seed: u64,
 }
 
@@ -39,33 +39,33 @@ impl Default for ForceSettings {
     }
 }
 
-/// Accuracy of an estimator in a state of the arm.
+/// Accuracy of an estimator in one state of the arm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Accuracy {
     /// The estimator.
     pub method: Method,
-    /// `standing`, `moving`, `near a singularity`.
+    /// `standing`, `moving` or `near a singularity`.
     pub state: &'static str,
-    /// Per component.
+    /// Errors per component.
     pub components: [Comparison; 6],
 }
 
-/// Model of a run.
+/// Model error of a run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Case {
-    /// Right up to noise.
+    /// A correct model; only noise.
     Right,
-    /// The arm has effects that the model has not; the identification saw them in its residual,
-    /// which is its noise.
+    /// The arm has effects that the model lacks. They are in the identification's residual too, and
+    /// so in its noise.
     SeenInFit,
-    /// The arm got these effects after the identification.
+    /// The arm has these effects only after the identification.
     New,
-    /// The file is right, nothing else is known: the noise is that of the log itself.
+    /// The file is correct and nothing else is known; the noise is estimated from the log itself.
     FileAlone,
 }
 
 impl Case {
-    /// In words.
+    /// Description for reports.
     pub fn words(self) -> &'static str {
         match self {
             Self::Right => "right up to noise",
@@ -76,54 +76,55 @@ impl Case {
     }
 }
 
-/// IntervalCoverage over many runs.
+/// Coverage of the 95 % bands over many runs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IntervalCoverage {
     /// Name of the robot.
     pub robot: String,
     /// The estimator.
     pub method: Method,
-    /// The model.
+    /// The model error.
     pub case: Case,
-    /// Runs.
+    /// Number of runs.
     pub runs: usize,
-    /// Samples over all runs.
+    /// Number of samples over all runs.
     pub samples: usize,
     /// Share of samples whose band holds the true value, per component.
     pub components: [f64; 6],
-    /// Over all components.
+    /// Share over all components.
     pub whole: f64,
-    /// Least and largest share of a single run: parameters err by the same throughout it.
+    /// Smallest and largest share of a single run, throughout which the parameter error is the
+    /// same.
     pub of_runs: [f64; 2],
     /// Mean half-width, per component, N and N m.
     pub half: [f64; 6],
     /// Root mean square error, per component, N and N m.
     pub rms: [f64; 6],
-    /// Share of runs whose verdict does not call the model too wrong for the band to hold: only an
-    /// arm with a spare joint can detect it.
+    /// Share of runs whose verdict accepts the model as accurate enough for the band to hold. Only
+    /// an arm with a redundant joint can detect that it is not.
     pub found_right: f64,
 }
 
-/// Everything.
+/// Results of the experiment.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Force {
-    /// How it was run.
+    /// Settings used.
     pub settings: ForceSettings,
-    /// Over the whole workspace.
+    /// Accuracy over the whole workspace.
     pub accuracy: Vec<Accuracy>,
-    /// Over many runs.
+    /// Coverage over many runs.
     pub coverage: Vec<IntervalCoverage>,
 }
 
-/// Forces and moments of the test wrench, N and N m, each a sine of its own.
+/// Amplitudes of the test wrench's forces and moments, N and N m; each is a sine of its own.
 pub const AMPLITUDES: [f64; 6] = [30.0, 30.0, 30.0, 4.0, 4.0, 4.0];
 /// Smallest singular value, m/rad, below which a posture counts as near a singularity.
 pub const NEAR: f64 = 0.05;
-/// Time of a move from posture to posture, of the rest after it, and of its beginning that does not
-/// count, s.
+/// Duration of a move from posture to posture, of the rest after it, and of the rest's beginning
+/// that is not evaluated, s.
 const MOVE: [f64; 3] = [1.5, 1.0, 0.35];
 
-/// The robot, and what was played on it.
+/// The robot, and the motions recorded on it.
 pub struct Stage {
     lwr: Lwr,
     arm: Interpreted,
@@ -132,8 +133,8 @@ pub struct Stage {
     sensors: Sensors,
 }
 
-/// A motion through random postures within the limits; `rest` seconds in each. Speeds are at most
-/// 70 % of their limits.
+/// A motion through random postures within the limits, moving for `travel` s and resting for `rest`
+/// s. Speeds are at most 70 % of their limits.
 pub(super) fn wandering(
     lwr: &Lwr,
     random: &mut Random,
@@ -173,8 +174,8 @@ pub(super) fn wandering(
 }
 
 impl Stage {
-    /// Plays a motion of `fit` postures to identify from, and one of `test` postures (and rests)
-    /// with the wrench, both at `rate` Hz, each with its effects.
+    /// Records a motion of `fit` postures to identify from, and one of `test` postures (with rests)
+    /// under the wrench, both at `rate` Hz, each with its effects.
     pub fn new(
         seed: u64,
         rate: f64,
@@ -187,7 +188,7 @@ impl Stage {
         Self::of(Lwr::new()?, sensors, seed, fit, test, moves, which)
     }
 
-    /// The same on another robot with other sensors.
+    /// The same for another robot with other sensors.
     pub fn of(
         lwr: Lwr,
         sensors: Sensors,
@@ -249,7 +250,8 @@ impl Stage {
         self.estimate_with(&beta, &standard, Some(Uncertainty::of(found)), seed, stride, estimation)
     }
 
-    /// The same with these parameters; with no uncertainty given, the noise is that of the log.
+    /// Estimates with given parameters; without an uncertainty, the noise is estimated from the
+    /// log.
     fn estimate_with(
         &self,
         beta: &[f64],
@@ -279,13 +281,13 @@ impl Stage {
     }
 }
 
-/// Of all samples of observable components, those inside their band.
+/// Share of samples inside their band, over all observable components.
 pub fn share(all: &[Comparison; 6]) -> f64 {
     let observable: f64 = all.iter().map(|c| c.samples as f64).sum();
     all.iter().map(|c| c.inside * c.samples as f64).sum::<f64>() / observable.max(1.0)
 }
 
-/// IntervalCoverage over runs on this stage, of each method.
+/// Coverage over runs on this stage, for each method.
 pub fn coverage(
     stage: &Stage,
     methods: &[Method],
@@ -339,7 +341,8 @@ pub fn coverage(
         .collect())
 }
 
-/// Accuracy over the workspace: postures anywhere within the limits, a move and a rest for each.
+/// Accuracy over the workspace: postures anywhere within the limits, with a move and a rest for
+/// each.
 pub fn accuracy(postures: usize, seed: u64, watch: Watch<'_>) -> Result<Vec<Accuracy>, ReproduceError> {
     let stage = Stage::new(seed, 250.0, 30, postures, [MOVE[0], MOVE[1]], [&[]; 2])?;
     let found = stage.identify(seed)?;
@@ -369,11 +372,11 @@ pub fn accuracy(postures: usize, seed: u64, watch: Watch<'_>) -> Result<Vec<Accu
     Ok(rows)
 }
 
-/// The estimators whose bands are tried.
+/// Estimators whose bands are tested.
 const BANDS: [Method; 3] = [Method::Residual, Method::Momentum, Method::Kalman];
 
-/// Arms with the bodies of these files and quieter torque sensors, N m: heavy links make the
-/// encoders' noise count.
+/// Arms with the link parameters of these files and less noisy torque sensors, N m: with heavy
+/// links the encoders' noise matters.
 const ALONE: [(&str, &str, f64); 2] = [
     ("ur10e.yaml", include_str!("../../../robots/ur10e.yaml"), 0.05),
     ("franka-panda.yaml", include_str!("../../../robots/franka-panda.yaml"), 0.1),
@@ -391,7 +394,7 @@ pub fn alone(seed: u64) -> Result<Vec<Stage>, ReproduceError> {
     ALONE.into_iter().map(stage).collect()
 }
 
-/// Runs it: a minute or so; `watch` receives the progress.
+/// Runs the experiment, in about a minute; `watch` receives the progress.
 pub fn force(settings: &ForceSettings, watch: Watch<'_>) -> Result<Force, ReproduceError> {
     let ForceSettings { runs, postures, seed } = *settings;
     let accuracy = accuracy(postures, seed, &|what, share| watch(what, 0.2 * share))?;
@@ -401,7 +404,7 @@ pub fn force(settings: &ForceSettings, watch: Watch<'_>) -> Result<Force, Reprod
         all.extend(coverage(&right, &BANDS, Case::Right, runs, seed.wrapping_mul(1_000_003), &|what, share| {
             watch(what, 0.2 + 0.6 * share);
         })?);
-        // The model never has the effects; the identification sees them, or not.
+        // The model always lacks the effects; the identification's log has them, or not.
         for (k, which) in [[&Unmodelled::ALL[..]; 2], [&[], &Unmodelled::ALL]].into_iter().enumerate() {
             let wrong = Stage::new(seed, 100.0, 30, 12, [0.7, 0.0], which)?;
             let (few, from) = (runs.div_ceil(5), 0.8 + 0.1 * k as f64);

@@ -1,5 +1,5 @@
-//! Are the standard deviations honest? Many runs with other noise, and how far the estimates lie
-//! from the truth in their own standard deviations.
+//! Validity of the stated standard deviations: many runs with other noise, and the estimates'
+//! errors relative to their own standard deviations.
 
 use super::ReproduceError;
 use super::Watch;
@@ -13,34 +13,33 @@ use crate::simulate::Recording;
 /// Statistics over many runs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Honesty {
-    /// Runs.
+    /// Number of runs.
     pub runs: usize,
-    /// Estimates within three of their own standard deviations of the truth, over all runs and
-    /// parameters: a share.
+    /// Share of estimates, over all runs and parameters, within three of their own standard
+    /// deviations of the truth.
     pub within_three: f64,
-    /// The same of 95 % bands, 1.96 standard deviations to either side.
+    /// Share of 95 % bands, 1.96 standard deviations to either side, that contain the truth.
     pub within_band: f64,
-    /// Per base parameter: name, that share, and the root mean square of the distances (1 if all is
-    /// well).
+    /// Per base parameter: name, share of 95 % bands that contain the truth, and root mean square
+    /// of the normalised errors (1 if the standard deviation is correct).
     pub parameters: Vec<(String, f64, f64)>,
-    /// Root mean square of all distances.
+    /// Root mean square of all normalised errors.
     pub spread: f64,
-    /// Mean over runs and joints of the held-out RMS, by the noise floor.
+    /// Held-out RMS relative to the noise floor, mean over runs and joints.
     pub held_out: f64,
 }
 
-/// Half of a 95 % band, in standard deviations of a normal error.
+/// Half-width of a 95 % band, in standard deviations of a normal error.
 const BAND: f64 = 1.96;
 
-/// At least this share is asked for; a normal error has 99.73 %.
+/// Required share within three standard deviations; a normal error has 99.73 %.
 pub const ASKED: f64 = 0.99;
 
-/// Every tenth sample after the low-pass, as it leaves nothing between them.
+/// Stride after the low-pass: every tenth sample, as those between are nearly redundant.
 pub const STRIDE: usize = 10;
 
-/// Runs `runs` times over the same motions with noise of other seeds, in the log that is fitted and
-/// in the one that validates. `floor`: what the low-pass leaves of the sensors' noise, N m per
-/// joint.
+/// Makes `runs` runs over the same motions with other noise in the fitted and in the validating
+/// log. `floor` is the sensors' noise after the low-pass, N m per joint.
 pub fn honesty(
     lwr: &Lwr,
     recording: &Recording,

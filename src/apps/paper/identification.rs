@@ -1,5 +1,5 @@
 //! Sections II.D, II.E, III.E and VI.A of the paper, end to end: Fig. 6, Table II, Table III, Fig.
-//! 10, and whether the standard deviations are honest.
+//! 10, and the validity of the standard deviations.
 
 use super::ReproduceError;
 use super::Watch;
@@ -16,12 +16,12 @@ use crate::data::signal::Filter;
 use crate::identify::{Factors, Identification};
 use crate::simulate::Recording;
 
-/// How to run it.
+/// Settings of the experiment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IdentificationSettings {
-    /// Runs with other noise, for the standard deviations. Default 200.
+    /// Number of runs with other noise, for the standard deviations. Default 200.
     pub runs: usize,
-    /// Of motions and noise. Default 1.
+    /// Seed of motions and noise. Default 1.
     pub seed: u64,
 }
 
@@ -31,7 +31,7 @@ impl Default for IdentificationSettings {
     }
 }
 
-/// Residual of one effect alone.
+/// Residual due to a single effect.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Missing {
     /// The effect.
@@ -40,37 +40,37 @@ pub struct Missing {
     pub rms: f64,
 }
 
-/// Everything.
+/// Results of the experiment.
 #[derive(Debug, Clone)]
 pub struct Experiment {
-    /// How it was run.
+    /// Settings used.
     pub settings: IdentificationSettings,
-    /// The motions; the last validates.
+    /// The motions; the last one validates.
     pub motions: Vec<PaperMotion>,
     /// White noise of the torque sensors, N m, per joint.
     pub noise: Vec<f64>,
-    /// Its remainder after the low-pass: the floor.
+    /// The same after the low-pass: the noise floor.
     pub floor: Vec<f64>,
     /// Fig. 6.
     pub fig6: Vec<fig6::Fig6Row>,
-    /// Composition of the residuals of the second case.
+    /// Residuals of the unmodelled case, effect by effect.
     pub missing: Vec<Missing>,
-    /// Table II, of the motion by log det.
+    /// Table II, from the motion by log det.
     pub table2: Vec<table2::Table2Row>,
-    /// Base parameters within three standard deviations of the truth where the model lacks effects:
-    /// count, of so many inertial ones (friction takes up part of the effects).
+    /// Number of inertial base parameters within three standard deviations of the truth where the
+    /// model lacks effects, and their total number. Friction parameters absorb part of the effects.
     pub within_unmodelled: [usize; 2],
     /// Table III.
     pub table3: Vec<Column>,
-    /// The large roller again and again, from one log of each kind and from more.
+    /// The large roller over repeated runs, from one log of each kind and from more.
     pub rollers: Vec<table3::Repeated>,
     /// Fig. 10.
     pub fig10: Fig10,
-    /// Of the noise-only case.
+    /// Validity of the standard deviations in the noise-only case.
     pub honesty: Option<Honesty>,
 }
 
-/// Progress of an experiment.
+/// Range of an experiment's progress.
 struct Stage<'a> {
     watch: Watch<'a>,
     from: f64,
@@ -83,7 +83,7 @@ impl Stage<'_> {
     }
 }
 
-/// A recording of each motion, and the last one's factors.
+/// A recording of each motion, their identifications, and the factors of the last one.
 struct Case {
     recordings: Vec<Recording>,
     found: Vec<Identification>,
@@ -111,7 +111,7 @@ fn case(
     Ok(Case { recordings, found, validate })
 }
 
-/// Runs it. A minute or less; `watch` receives the progress.
+/// Runs the experiment in at most a minute; `watch` receives the progress.
 pub fn identification(settings: &IdentificationSettings, watch: Watch<'_>) -> Result<Experiment, ReproduceError> {
     let lwr = Lwr::new()?;
     let IdentificationSettings { runs, seed } = *settings;
@@ -167,8 +167,8 @@ pub fn identification(settings: &IdentificationSettings, watch: Watch<'_>) -> Re
             tool.tell(what, share)
         })?;
     let moving = motions.iter().find(|m| m.name == "tool").unwrap_or(&robots[best]);
-    // The hand empty in the same motion: what the robot's own parameters are is then the same in
-    // both logs.
+    // An empty hand in the same motion: the robot's own parameters then contribute equally to both
+    // logs.
     bench.tell("the hand empty", 0.0);
     let empty = play(&lwr, moving, &[], seed.wrapping_add(17))?;
     let table3 = table3::columns(&lwr, moving, &empty, seed.wrapping_add(13), &|what, share| {

@@ -1,4 +1,4 @@
-//! The arm with a tool in its hand: played, recorded, and identified together with an empty hand
+//! The arm with a tool: played, recorded, and identified together with a log without a tool
 //! (equation 7).
 
 use dh_codegen::robot::Tool;
@@ -12,17 +12,17 @@ use crate::identify::Factors;
 use crate::identify::tool::{Carried, Carrying, ToolSettings, catalogue, identify_tool};
 use crate::simulate::{Recording, Simulator};
 
-/// Recording and estimate.
+/// Recording with a tool, and the estimate from it.
 pub struct Loaded {
     /// The true tool.
     pub tool: Tool,
-    /// With the tool.
+    /// Recording with the tool.
     pub recording: Recording,
-    /// Its ten parameters, in the last frame, and the robot's.
+    /// Identified parameters of the tool (ten, in the last frame) and of the robot.
     pub carried: Carried,
 }
 
-/// Plays a motion with a tool of the catalogue in the hand.
+/// Plays a motion with a tool of the catalogue.
 pub fn carry(
     lwr: &Lwr,
     motion: &PaperMotion,
@@ -39,20 +39,19 @@ pub fn carry(
     Ok((tool, recording))
 }
 
-/// The factors of a log with an empty hand and of one with a tool, on every `stride`th sample after
-/// the low-pass.
+/// Factors of a log without a tool and of one with a tool, from every `stride`th sample after the
+/// low-pass.
 pub fn stacked(lwr: &Lwr, unloaded: &Log, loaded: &Log, stride: usize) -> Result<(Factors, Factors), ReproduceError> {
     let (without, with) = (Carrying::new(&lwr.arm, false), Carrying::new(&lwr.arm, true));
     Ok((factors("unloaded", &without, unloaded, stride)?, factors("loaded", &with, loaded, stride)?))
 }
 
-/// Equation (7).
+/// Identifies robot and tool together: equation (7).
 pub fn together(lwr: &Lwr, unloaded: &[Factors], loaded: &[Factors]) -> Result<Carried, ReproduceError> {
     Ok(identify_tool(&lwr.arm, unloaded, loaded, &ToolSettings::default())?)
 }
 
-/// Plays a motion with a tool and identifies it; `unloaded` was recorded with an empty hand, of
-/// whatever motion.
+/// Plays a motion with a tool and identifies it; `unloaded` is a log without a tool, of any motion.
 pub fn loaded(
     lwr: &Lwr,
     motion: &PaperMotion,

@@ -1,5 +1,5 @@
-//! The robot that stands for the paper's KUKA LWR: bodies and friction of `robots/kuka-lwr4.yaml`
-//! (sources there), sensors, and what no rigid-body model has.
+//! Simulated substitute for the paper's KUKA LWR: bodies and friction of `robots/kuka-lwr4.yaml`
+//! (sources there), sensors, and effects that no rigid-body model has.
 
 use dh_codegen::arm::{Function, param};
 use dh_codegen::robot::effects::{JointElasticity, PreslidingHysteresis, RotorInertia, TorqueRipple};
@@ -14,22 +14,22 @@ use crate::simulate::{Sensors, SimulationFile};
 /// The robot file of the repository, unchanged.
 const FILE: &str = include_str!("../../../robots/kuka-lwr4.yaml");
 
-/// Level of the hysteresis by the torque limit: a quarter of the simulator's default, 0.1 to 0.4 N
-/// m, as large as the LWR's Coulomb friction (Table II).
+/// Hysteresis level as a share of the torque limit: a quarter of the simulator's default, 0.1 to
+/// 0.4 N m, as large as the LWR's Coulomb friction (Table II).
 const HYSTERESIS: f64 = 0.0025;
-/// Amplitudes of the ripple by the torque limit: the simulator's defaults, which a Staubli TX40
-/// shows (see its table of effects).
+/// Ripple amplitudes as shares of the torque limit: the simulator's defaults, as measured on a
+/// Staubli TX40 (see the table of effects).
 const RIPPLE: [f64; 2] = [0.006, 0.003];
-/// Damping of the joints' springs by their torque limit, s/rad: 2 to 4 % of critical at the
+/// Damping of the joint springs relative to the torque limit, s/rad: 2 to 4 % of critical at the
 /// frequencies of the loaded arm, 8 to 15 Hz. Stiffness is the simulator's default, 60 times the
 /// torque limit (10.6 kN m/rad at 176 N m).
 const DAMPING: f64 = 0.05;
-/// Rotor on a spring by the torque limit, kg m^2 per N m: a tenth of the simulator's default. The
-/// LWR's torque sensors sit behind the gear, so that the torque that turns the rotor is hardly in
-/// them, and the paper's model has no rotor.
+/// Inertia of a rotor on a spring relative to the torque limit, kg m^2 per N m: a tenth of the
+/// simulator's default. The LWR's torque sensors are behind the gear and hardly measure the torque
+/// that accelerates the rotor, and the paper's model has no rotor.
 const ROTOR: f64 = 0.0003;
 
-/// Effects beyond any rigid-body model.
+/// Effects outside any rigid-body model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unmodelled {
     /// `presliding_hysteresis`.
@@ -41,10 +41,10 @@ pub enum Unmodelled {
 }
 
 impl Unmodelled {
-    /// All of them.
+    /// All effects.
     pub const ALL: [Self; 3] = [Self::Hysteresis, Self::Ripple, Self::Elasticity];
 
-    /// Its name in the vocabulary of effects.
+    /// Name in the vocabulary of effects.
     pub fn name(self) -> &'static str {
         match self {
             Self::Hysteresis => PreslidingHysteresis::NAME,
@@ -53,7 +53,7 @@ impl Unmodelled {
         }
     }
 
-    /// At a joint with this torque limit, N m.
+    /// Effect at a joint with this torque limit, N m, as YAML.
     fn yaml(self, limit: f64) -> String {
         let (name, of) = (self.name(), |share: f64| share * limit);
         match self {
@@ -67,15 +67,15 @@ impl Unmodelled {
     }
 }
 
-/// The simulated robot, and the truth about it.
+/// The simulated robot with its true parameters.
 pub struct Lwr {
-    /// As in the file, without a tool.
+    /// The robot of the file, without a tool.
     pub robot: Robot,
-    /// Its regressors.
+    /// Interpreted arm with its regressors.
     pub arm: Interpreted,
-    /// Standard parameters.
+    /// True standard parameters.
     pub standard: Vec<f64>,
-    /// Base parameters.
+    /// True base parameters.
     pub truth: Vec<f64>,
 }
 
@@ -89,7 +89,7 @@ impl Lwr {
     }
 
     /// The same with the light rotors of [`Unmodelled::Elasticity`] on rigid joints, known to the
-    /// model: what a loop that is sampled can hold.
+    /// model: a sampled loop can then be stable.
     pub fn with_rotors() -> Result<Self, ReproduceError> {
         let mut robot = Self::new()?.robot;
         for joint in &mut robot.joints {
@@ -98,7 +98,7 @@ impl Lwr {
         Self::of(robot)
     }
 
-    /// Of another robot file.
+    /// Uses another robot file.
     pub fn of(robot: Robot) -> Result<Self, ReproduceError> {
         let standard = param::standard_values(&robot);
         let standard = standard.ok_or(ReproduceError::UnknownLinks)?;
@@ -108,7 +108,7 @@ impl Lwr {
         Ok(Self { robot, arm, standard, truth })
     }
 
-    /// These effects at every joint.
+    /// Puts these effects at every joint.
     pub fn effects(&self, which: &[Unmodelled]) -> Result<Effects, ReproduceError> {
         if which.is_empty() {
             return Ok(Effects::default());

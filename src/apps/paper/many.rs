@@ -1,5 +1,5 @@
-//! The same with other noise, many times over, on all processors; the same answer whoever was
-//! first.
+//! Repetition of an experiment with other noise on all processors; the result does not depend on
+//! their order.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 

@@ -1,5 +1,5 @@
-//! The motions: for each of the paper's criteria one of 10 s, and one of 20 s to validate on,
-//! designed here and now by [`crate::excite`].
+//! The motions: one of 10 s for each of the paper's criteria, and one of 20 s for validation,
+//! designed at run time by [`crate::excite`].
 
 use std::sync::atomic::AtomicBool;
 
@@ -11,20 +11,20 @@ use crate::excite::{self, Criterion, Effort, Task, design};
 use crate::model::differentiated::Differentiated;
 use crate::simulate;
 
-/// A motion and its figures.
+/// A motion with its figures.
 #[derive(Debug, Clone)]
 pub struct PaperMotion {
     /// `cond`, `logdet`, `hadamard`; [`LINKS`]; `tool`; `validate`.
     pub name: &'static str,
-    /// Length, s.
+    /// Duration, s.
     pub seconds: f64,
     /// Condition number of the base regressor: the paper's `J_c`.
     pub condition: f64,
     /// `log det W'W`: minus the paper's `J_d`.
     pub log_det: f64,
-    /// Largest speed of each joint, as a part of its limit.
+    /// Largest speed of each joint, as a share of its limit.
     pub speed: Vec<f64>,
-    /// For the simulator.
+    /// Trajectory for the simulator.
     pub played: simulate::Trajectory,
 }
 
@@ -32,25 +32,25 @@ pub struct PaperMotion {
 pub const CRITERIA: [(&str, Criterion); 3] =
     [("cond", Criterion::Condition), ("logdet", Criterion::LogDet), ("hadamard", Criterion::Hadamard)];
 
-/// The motion by the condition number of the links' columns, friction's left out: the paper does
-/// not say which of the two its `J_c` is.
+/// Motion by the condition number of the links' columns, without friction's: the paper does not
+/// state which of the two its `J_c` is.
 pub const LINKS: &str = "cond of links";
 
-/// Length of an exciting motion, s (section III.D), and of the one that validates (section III.E).
+/// Duration of an exciting motion, s (section III.D), and of the validating one (section III.E).
 const SECONDS: [f64; 2] = [10.0, 20.0];
-/// Time in which joints without a limit of acceleration (the LWR's are not published) may reach
-/// their speed, s.
+/// Time in which joints without an acceleration limit (the LWR's are not published) may reach their
+/// speed limit, s.
 pub(super) const ACCELERATION_TIME: f64 = 0.5;
 
-/// Designs all six: the three criteria's, the condition number's without friction, one for the load
-/// of the hand, and last the one that validates. For the load it is log det of equation 7's loaded
-/// part, joints weighted by their noise; the paper does not say how it moved its rollers. The seed
-/// says which random motions the search starts with.
+/// Designs all six motions: those of the three criteria, that of the condition number without
+/// friction, one for the load, and last the validating one. For the load the criterion is log det
+/// of equation 7's loaded part, joints weighted by their noise; the paper does not state how it
+/// moved its rollers. The seed selects the random motions with which the search starts.
 pub fn motions(lwr: &Lwr, seed: u64, watch: Watch<'_>) -> Result<Vec<PaperMotion>, ReproduceError> {
     let arm = Differentiated::new(&lwr.robot);
     let asked = CRITERIA.into_iter().chain([(LINKS, Criterion::Condition), ("tool", Criterion::LogDet)]);
     let asked = asked.map(|(name, criterion)| (name, criterion, SECONDS[0], Effort::default().starts, seed));
-    // Large and fast, for another criterion's sake and from other starts than what is judged on it.
+    // Large and fast, from another criterion and other starts than the fitted motions.
     let validate = ("validate", Criterion::Hadamard, SECONDS[1], 1, seed ^ 0x5eed);
     let mut all = Vec::new();
     for (k, (name, criterion, seconds, starts, seed)) in asked.chain([validate]).enumerate() {
@@ -60,7 +60,7 @@ pub fn motions(lwr: &Lwr, seed: u64, watch: Watch<'_>) -> Result<Vec<PaperMotion
     Ok(all)
 }
 
-/// Designs one. `tool`: for what the hand carries.
+/// Designs one motion. The name `tool` selects the criterion for the load.
 pub(super) fn designed(
     lwr: &Lwr,
     arm: &Differentiated,

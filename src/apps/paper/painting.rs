@@ -1,6 +1,6 @@
-//! Sections V and VI.B of the paper, end to end. Identify the arm and its load, plan, press a
-//! roller on the wall with 30 N without a force sensor, and compare with the sensor in the wall:
-//! Table IV, Figs. 12 and 13. Then the same once the diagnosis has extended the model.
+//! Sections V and VI.B of the paper, end to end. Identifies the arm and its load, plans, presses a
+//! roller on the wall with 30 N without a force sensor, and compares with the sensor in the wall:
+//! Table IV, Figs. 12 and 13. Repeats this after the diagnosis has extended the model.
 
 mod plans;
 mod rig;
@@ -22,13 +22,13 @@ use crate::numerics::prng::Random;
 use plans::Extent;
 use rig::{Rig, Stand};
 
-/// How to run it.
+/// Settings of the experiment.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PaintingSettings {
-    /// Of motions and noise. Default 1.
+    /// Seed of motions and noise. Default 1.
     pub seed: u64,
-    /// To see that it runs: random motions instead of designed ones, the large roller alone, a
-    /// hand's breadth of wall in two seconds, no diagnosis.
+    /// Quick check: random motions instead of designed ones, the large roller alone, a hand's
+    /// breadth of wall in two seconds, no diagnosis.
     pub quick: bool,
 }
 
@@ -38,22 +38,22 @@ impl Default for PaintingSettings {
     }
 }
 
-/// The robot and its model.
+/// Combination of robot and model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum PaintingCase {
-    /// The model is right up to noise.
+    /// The model is correct; only noise.
     NoiseOnly,
-    /// The robot has what no rigid-body model has.
+    /// The robot has effects that no rigid-body model has.
     Unmodelled,
-    /// The same robot, with the model that the diagnosis has extended.
+    /// The same robot, with the model extended by the diagnosis.
     Extended,
 }
 
 impl PaintingCase {
-    /// In the order of the table.
+    /// All cases in the order of the table.
     pub const ALL: [Self; 3] = [Self::NoiseOnly, Self::Unmodelled, Self::Extended];
 
-    /// In words.
+    /// Title for reports.
     pub fn title(self) -> &'static str {
         match self {
             Self::NoiseOnly => "right model",
@@ -63,70 +63,70 @@ impl PaintingCase {
     }
 }
 
-/// Table IV: root mean squares, N, of estimated less measured, estimated less desired, measured
-/// less desired.
+/// Table IV: root mean squares, N, of estimated minus measured, estimated minus desired, and
+/// measured minus desired force.
 pub const PAPER: [(&str, [f64; 3]); 2] = [("large-roller", [2.9, 0.2, 2.9]), ("small-roller", [2.0, 0.2, 2.0])];
-/// Laws and feedbacks of the table: the paper's law, and with what is known fed forward; the
-/// measured force in the feedback for the latter.
+/// Laws and feedbacks of the table: the paper's law, then with known terms fed forward; the latter
+/// also with the measured force in the feedback.
 pub const KINDS: [(Law, Feedback); 3] =
     [(Law::PAPER, Feedback::Estimated), (Law::FED, Feedback::Estimated), (Law::FED, Feedback::Measured)];
-/// Coats with the estimate in the feedback and what is known fed forward; each but the first has
-/// learned from those before it.
+/// Number of coats with the estimate in the feedback and known terms fed forward; each but the
+/// first uses what was learned from the coats before it.
 pub const COATS: usize = 3;
 /// The paper's durations, s.
 pub const PAPER_SECONDS: [f64; 2] = [50.0, 46.0];
-/// Bound on estimated against measured after the model is extended, N.
+/// Bound on the difference of estimated and measured force after the model is extended, N.
 pub const ASKED: f64 = 1.0;
 
-/// One run.
+/// Result of one run.
 #[derive(Debug, Clone)]
 pub struct PaintingRow {
     /// Name of the tool.
     pub roller: &'static str,
-    /// The robot.
+    /// Combination of robot and model.
     pub case: PaintingCase,
-    /// Additions of the inner loop to equation (13).
+    /// Feed-forward terms of the inner loop in addition to equation (13).
     pub law: Law,
-    /// Force in the feedback.
+    /// Source of the force that is fed back.
     pub feedback: Feedback,
-    /// Number of the coat: beyond the first, the result of learning on the coats before is fed
+    /// Number of the coat; beyond the first, the displacement learned from the coats before is fed
     /// forward too.
     pub coat: usize,
-    /// Everything that was recorded.
+    /// Recording and result of the run.
     pub run: Run,
-    /// Table IV.
+    /// The paper's figures of Table IV, N.
     pub paper: [f64; 3],
 }
 
 impl PaintingRow {
-    /// The three figures, N.
+    /// Our figures of Table IV, N.
     pub fn ours(&self) -> [f64; 3] {
         let a = &self.run.accuracy;
         [a.estimated_measured, a.estimated_desired, a.measured_desired]
     }
 
-    /// Of one of the three.
+    /// Comparison of one of the three figures with the paper's.
     pub fn verdict(&self, which: usize) -> Verdict {
         Verdict::less(self.ours()[which], self.paper[which])
     }
 }
 
-/// Everything.
+/// Results of the experiment.
 #[derive(Debug, Clone)]
 pub struct Painting {
-    /// How it was run.
+    /// Settings used.
     pub settings: PaintingSettings,
-    /// Force that is wanted, N.
+    /// Desired force, N.
     pub force: f64,
-    /// Length of each roller's plan, s.
+    /// Duration of each roller's plan, s.
     pub seconds: Vec<f64>,
     /// Held-out root mean square torque error of each case's model, mean over the joints, N m.
     pub torque: Vec<f64>,
-    /// White noise of the torque sensors and what the low-pass leaves of it, mean, N m.
+    /// White noise of the torque sensors, before and after the low-pass, mean over the joints, N m.
     pub noise: [f64; 2],
     /// Runs: rollers, cases, laws and feedback, the first and the last coat.
     pub rows: Vec<PaintingRow>,
-    /// Findings of the diagnosis in the logs of the second robot; none in a quick run.
+    /// Diagnosis of the logs of the second robot; `None` in a quick run.
     pub diagnosis: Option<Diagnosis>,
 }
 
@@ -151,7 +151,7 @@ fn wandered(lwr: &Lwr, seed: u64) -> Result<PaperMotion, ReproduceError> {
     Ok(PaperMotion { name: "random", seconds, condition: unknown, log_det: unknown, speed: Vec::new(), played })
 }
 
-/// Runs it. Some minutes; `watch` receives the progress.
+/// Runs the experiment in some minutes; `watch` receives the progress.
 pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Painting, ReproduceError> {
     let lwr = Lwr::new()?;
     let seed = settings.seed;
@@ -203,7 +203,7 @@ pub fn painting(settings: &PaintingSettings, watch: Watch<'_>) -> Result<Paintin
             let seed = seed.wrapping_add(100 + k as u64 + 1000 * (coat as u64 - 1));
             let run = stage.paint(law, feedback, learned.as_ref(), seed, &mut |_| {})?;
             learned.clone_from(&run.learned);
-            // Of the coats that have learned the last one is kept.
+            // Of the coats with learning only the last is kept.
             rows.truncate(1);
             rows.push(PaintingRow { roller: PAPER[of].0, case, law, feedback, coat, run, paper: PAPER[of].1 });
         }

@@ -1,16 +1,16 @@
-//! A share of many runs, and between what limits the true one lies.
+//! Share of runs with a property, and a confidence interval for the true share.
 
-/// So many of so many.
+/// A count out of a number of runs.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Share {
-    /// Runs in which it was so.
+    /// Number of runs with the property.
     pub count: usize,
-    /// Runs.
+    /// Number of runs.
     pub of: usize,
 }
 
 impl Share {
-    /// Of runs, those that are so.
+    /// Counts the runs with the property.
     pub fn of(each: impl IntoIterator<Item = bool>) -> Self {
         each.into_iter()
             .fold(Self { count: 0, of: 0 }, |s, yes| Self { count: s.count + usize::from(yes), of: s.of + 1 })
@@ -21,8 +21,8 @@ impl Share {
         self.count as f64 / self.of.max(1) as f64
     }
 
-    /// 95 % interval of the true share (Wilson, J. Am. Stat. Assoc. 22, 1927): honest at 0 and 1
-    /// too.
+    /// 95 % interval of the true share (Wilson, J. Am. Stat. Assoc. 22, 1927), also valid at 0 and
+    /// 1.
     pub fn interval(&self) -> [f64; 2] {
         const Z: f64 = 1.959_964;
         let (n, p) = (self.of.max(1) as f64, self.value());

@@ -1,4 +1,5 @@
-//! Table II: base parameters, true, identified, and as the paper and Jubien et al. identified them.
+//! Table II: base parameters, true, identified here, and as identified by the paper and by Jubien
+//! et al.
 
 use super::lwr::Lwr;
 use super::verdict::Verdict;
@@ -8,23 +9,23 @@ use crate::model::{Arm, StandardParameter};
 /// A row as printed: name, CAD, identified, its %sigma, Jubien's, its %sigma.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Printed {
-    /// `XX2R`.
+    /// Name, such as `XX2R`.
     pub name: &'static str,
-    /// From CAD, where there is one.
+    /// Value from CAD, if given.
     pub cad: Option<f64>,
-    /// Identified by the paper, and its relative standard deviation, percent.
+    /// Value identified by the paper, and its relative standard deviation, percent.
     pub paper: [f64; 2],
-    /// Identified by Jubien, Gautier and Janot, and its relative standard deviation, percent.
+    /// Value identified by Jubien, Gautier and Janot, and its relative standard deviation, percent.
     pub jubien: [f64; 2],
 }
 
-/// Samples of 10 s at 1 kHz.
+/// Number of samples in 10 s at 1 kHz.
 const SAMPLES: f64 = 10_000.0;
 
 impl Printed {
-    /// For a Coulomb level, whose column is a sign: the largest residual, N m, with which the
-    /// printed standard deviation is possible from 10 s, by the textbook's formula. (Correlation
-    /// with other parameters only makes it worse.)
+    /// For a Coulomb level, whose column is a sign: the largest residual, N m, that is compatible
+    /// with the printed standard deviation from 10 s, by the textbook's formula. (Correlation with
+    /// other parameters only tightens the bound.)
     pub fn residual(&self) -> f64 {
         0.01 * self.paper[1] * self.paper[0].abs() * SAMPLES.sqrt()
     }
@@ -53,20 +54,20 @@ pub const TABLE_TWO: [Printed; 15] = [
     row("FC7", None, [0.20, 1.2], [0.08, 6.0]),
 ];
 
-/// A row of ours.
+/// A row of our table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Table2Row {
-    /// The paper's.
+    /// The paper's row.
     pub printed: Printed,
-    /// The standard parameter whose column it keeps.
+    /// Standard parameter that leads the base parameter's column.
     pub leader: StandardParameter,
-    /// Of the simulated robot.
+    /// Value of the simulated robot.
     pub truth: f64,
-    /// Identified with noise alone, and its standard deviation.
+    /// Value identified with noise alone, and its standard deviation.
     pub noise_only: [f64; 2],
-    /// Identified with effects that the model has not, and its standard deviation.
+    /// Value identified with effects that the model lacks, and its standard deviation.
     pub unmodelled: [f64; 2],
-    /// Standard deviation of the latter by the textbook's formula, which takes each of the 10,000
+    /// Standard deviation of the latter by the textbook's formula, which treats the 10,000
     /// residuals after the low-pass as independent.
     pub textbook: f64,
 }
@@ -77,23 +78,23 @@ impl Table2Row {
         100.0 * self.noise_only[1] / self.noise_only[0].abs()
     }
 
-    /// From the truth, in own standard deviations.
+    /// Error with noise alone, in its own standard deviations.
     pub fn off(&self) -> f64 {
         (self.noise_only[0] - self.truth) / self.noise_only[1]
     }
 
-    /// The textbook's standard deviation where the residual is as large as the paper's, percent of
-    /// the true value (friction takes up the hysteresis: not of what was found).
+    /// The textbook's standard deviation at a residual as large as the paper's, percent of the true
+    /// value (not of the identified value, as friction parameters absorb the hysteresis).
     pub fn textbook_percent(&self) -> f64 {
         100.0 * self.textbook / self.truth.abs()
     }
 
-    /// The same formula at the same residual, against the paper's.
+    /// Comparison with the paper's standard deviation, by the same formula at the same residual.
     pub fn like_for_like(&self) -> Verdict {
         Verdict::less(self.textbook_percent(), self.printed.paper[1])
     }
 
-    /// %sigma against the paper's.
+    /// Comparison of %sigma with the paper's.
     pub fn verdict(&self) -> Verdict {
         Verdict::less(self.percent(), self.printed.paper[1])
     }

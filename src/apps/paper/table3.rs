@@ -1,6 +1,6 @@
-//! Table III: both paint rollers, identified by equation (7) from 10 s with an empty hand and 10 s
-//! with the roller in the same motion. The robot's own parameters are then in both logs alike, and
-//! the roller is determined as from a log that is twice as noisy.
+//! Table III: both paint rollers, identified by equation (7) from 10 s without a tool and 10 s with
+//! the roller in the same motion. The robot's own parameters then contribute equally to both logs,
+//! and the roller is determined as from a log that is twice as noisy.
 
 use super::ReproduceError;
 use super::Share;
@@ -16,10 +16,10 @@ use crate::identify::tool::{Entry, Tolerance, ToolSettings, identify_tool, names
 use crate::numerics::prng::Random;
 use crate::simulate::Recording;
 
-/// Of the mass of the large roller, percent, and of its centre, m: what is asked of the rerun.
+/// Required accuracy of the large roller's mass, percent, and of its centre of mass, m.
 pub const ASKED: [f64; 2] = [2.0, 2e-3];
 
-/// Both rollers on a motion that was designed for them; `unloaded`: with an empty hand.
+/// Identifies both rollers on a motion designed for them; `unloaded` is without a tool.
 pub fn columns(
     lwr: &Lwr,
     motion: &PaperMotion,
@@ -53,12 +53,12 @@ pub fn columns(
     Ok(columns)
 }
 
-/// Data of a run.
+/// Number of logs used in a run.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LogCounts {
-    /// Logs with an empty hand, and with the roller, 10 s each.
+    /// Number of logs without a tool and with the roller, 10 s each.
     pub logs: [usize; 2],
-    /// Standard deviation of a scale that the roller was put on, kg.
+    /// Standard deviation of a scale on which the roller was weighed, kg.
     pub scale: Option<f64>,
 }
 
@@ -69,12 +69,13 @@ impl std::fmt::Display for LogCounts {
     }
 }
 
-/// A scale that shows whole grams: what rounding leaves, a gram over the root of twelve.
+/// Standard deviation of a scale with a resolution of one gram, kg: a gram over the square root of
+/// twelve.
 pub const SCALE: f64 = 0.29e-3;
 
-/// One log of each kind; the logs from which the robot was identified beside it (the same robot
-/// with an empty hand); a scale; and more logs of both kinds. The paper's number of logs, twice and
-/// four times as many.
+/// Cases: one log of each kind; also the logs from which the robot was identified (the same robot
+/// without a tool); a scale; more logs of both kinds. The paper's number of logs, twice and four
+/// times as many.
 pub const CASES: [LogCounts; 6] = [
     LogCounts { logs: [1, 1], scale: None },
     LogCounts { logs: [4, 1], scale: None },
@@ -84,20 +85,20 @@ pub const CASES: [LogCounts; 6] = [
     LogCounts { logs: [4, 4], scale: None },
 ];
 
-/// The large roller over many runs with other noise: whether mass and centre are as good as asked,
-/// and the deviations honest.
+/// The large roller over many runs with other noise: whether mass and centre have the required
+/// accuracy, and whether the standard deviations are correct.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Repeated {
-    /// Recording.
+    /// Data of the runs.
     pub case: LogCounts,
     /// Runs with the mass within [`ASKED`].
     pub mass_within: Share,
-    /// Root mean square of the distance from the true centre, m.
+    /// Root mean square distance from the true centre of mass, m.
     pub center_rms: f64,
-    /// Its own reported standard deviation, root of the sum of squares over the axes, mean over the
-    /// runs, m.
+    /// Reported standard deviation of the centre, root of the sum of squares over the axes, mean
+    /// over the runs, m.
     pub center_std: f64,
-    /// Largest distance, m.
+    /// Largest distance from the true centre, m.
     pub center_worst: f64,
     /// Runs with the centre within [`ASKED`].
     pub center_within: Share,
@@ -107,20 +108,20 @@ pub struct Repeated {
 }
 
 impl Repeated {
-    /// Nearly always: with 95 % confidence in more than this share of all runs.
+    /// Required lower bound of the share's 95 % interval.
     pub const NEARLY_ALWAYS: f64 = 0.95;
 
-    /// Whether mass and centre are as good as asked nearly always.
+    /// Whether mass and centre have the required accuracy in nearly all runs.
     pub fn holds(&self) -> bool {
         [self.mass_within, self.center_within].iter().all(|s| s.interval()[0] > Self::NEARLY_ALWAYS)
     }
 }
 
-/// Runs of [`repeated`].
+/// Number of runs of [`repeated`].
 pub const RUNS: usize = 100;
 
-/// The large roller from one log of each kind, and from more. `unloaded` and `moving` are the same
-/// motions, which take turns; all logs of a run have noise of their own.
+/// Identifies the large roller from one log of each kind, and from more. `unloaded` and `moving`
+/// have the same motions, used in turn; all logs of a run have their own noise.
 pub fn repeated(
     lwr: &Lwr,
     unloaded: &[&Recording],
@@ -136,8 +137,8 @@ pub fn repeated(
     };
     let truth = entry.values;
     let most = CASES.iter().flat_map(|c| c.logs).max().unwrap_or(1);
-    // Mass off by, percent; centre off by, m^2; its reported variance; its error in its own
-    // deviations, squared.
+    // Mass error, percent; centre error squared, m^2; its reported variance; its error in its own
+    // standard deviations, squared.
     let one = |run: usize| -> Result<Vec<[f64; 4]>, ReproduceError> {
         let noisy = |which: usize, recording: &Recording| {
             recording.seen_by(&Lwr::sensors(), seed.wrapping_add(1 + (1000 * run + which) as u64))
@@ -147,7 +148,7 @@ pub fn repeated(
             stacked(lwr, &noisy(k, empty), &noisy(50 + k, full), STRIDE)
         };
         let pairs = (0..most).map(pair).collect::<Result<Vec<_>, _>>()?;
-        // The scale of this run.
+        // Reading of the scale in this run.
         let mut random = Random::new(seed.wrapping_add(1 + (1000 * run + 99) as u64));
         random.bits();
         let reads = random.even(3.0_f64.sqrt());
@@ -190,7 +191,8 @@ pub fn repeated(
     Ok(CASES.iter().enumerate().map(|(k, &case)| of(k, case)).collect())
 }
 
-/// Standard deviations in SI units: relative ones of parameters that are zero say nothing.
+/// Compares standard deviations in SI units: relative ones of parameters that are zero are
+/// meaningless.
 pub fn verdict(row: &ToolRow) -> Verdict {
     Verdict::less(row.ours[1], row.paper[1])
 }

@@ -1,4 +1,5 @@
-//! Checks of the experiments' parts by other routes; the whole in release, on request.
+//! Checks of the experiments' parts by other methods; the complete experiment in release, on
+//! request.
 
 use super::chain::play;
 use super::honesty::{ASKED, honesty};
@@ -11,7 +12,7 @@ use crate::excite::{Criterion, Effort};
 use crate::model::Arm;
 use crate::model::differentiated::Differentiated;
 
-/// Parseval: the energy of the impulse response is the mean of the squared gain over all
+/// Parseval's theorem: the energy of the impulse response is the mean of the squared gain over all
 /// frequencies, forward and backward.
 #[test]
 fn the_noise_floor_is_the_filters_energy() {
@@ -65,8 +66,8 @@ fn verdicts() {
     assert_eq!(Verdict::less(f64::NAN, 1.0), Verdict::Open);
 }
 
-/// One motion, a few runs: estimates lie about the truth as they say, and the held-out error is
-/// near the floor.
+/// One motion and a few runs: errors match the stated standard deviations, and the held-out error
+/// is near the floor.
 #[test]
 fn standard_deviations_are_honest() {
     let lwr = Lwr::new().unwrap();
@@ -80,13 +81,13 @@ fn standard_deviations_are_honest() {
     assert_eq!((found.runs, found.parameters.len()), (runs, lwr.truth.len()));
     assert!(found.within_three > 0.98 && (0.8..1.3).contains(&found.spread), "{} {}", found.within_three, found.spread);
     assert!((0.9..1.2).contains(&found.held_out), "{}", found.held_out);
-    // Standard deviations that are too small by half would be found out: it is not the limit that
-    // is wide.
+    // Standard deviations that are too small by half would be detected: the limits are not too
+    // wide.
     let far = found.parameters.iter().filter(|(_, _, spread)| *spread > 0.6).count();
     assert!(far > 45, "{far}");
 }
 
-/// The whole: a minute in release.
+/// The complete experiment: a minute in release.
 #[test]
 #[ignore = "the whole experiment: cargo test --release -p denavit --lib reproduce -- --ignored"]
 fn the_papers_identification() {
@@ -95,8 +96,8 @@ fn the_papers_identification() {
     assert!(honesty.within_three >= ASKED, "{}", honesty.within_three);
     assert!(honesty.held_out <= 1.0 + fig6::ABOVE_FLOOR, "{}", honesty.held_out);
     for row in &found.fig6 {
-        // The parameters' uncertainty explains the error above the floor, as accurately as one log
-        // shows; the chain adds next to nothing.
+        // The parameters' uncertainty explains the error above the floor, to the accuracy of one
+        // log; the processing chain adds next to nothing.
         let [chain, uncertainty] = row.explained();
         let off = (row.above_floor() - chain - uncertainty).abs();
         assert!(off < 0.05_f64.max(0.3 * uncertainty), "{} {}", row.criterion, row.above_floor());
@@ -106,8 +107,8 @@ fn the_papers_identification() {
     let of = |name: &str| found.fig6.iter().find(|r| r.criterion == name).map(|r| r.unmodelled.mean()).unwrap();
     assert!(of("logdet") < of("cond") && (0.3..0.7).contains(&of("logdet")), "{} {}", of("logdet"), of("cond"));
     assert!(found.table2.iter().filter(|r| r.verdict().holds()).count() >= 11);
-    // Three of its own standard deviations in 99.5 % of all cases: of fifteen, none or one is
-    // beyond, and not by far.
+    // 99.5 % of all errors are within three standard deviations: of fifteen, at most one is beyond,
+    // and not by far.
     let far = found.table2.iter().filter(|r| r.off().abs() > 3.0).count();
     assert!(far <= 1 && found.table2.iter().all(|r| r.off().abs() < 4.0), "{far}");
     let large = &found.table3[0];
@@ -121,17 +122,17 @@ fn the_papers_identification() {
     let (one, two, four) = (of([1, 1], false), of([2, 2], false), of([4, 4], false));
     assert!(one.center_rms < table3::ASKED[1] && two.center_rms < one.center_rms, "{one:?} {two:?}");
     assert!(four.holds(), "{four:?}");
-    // Effect of the robot's own logs and of a scale beside one loaded log.
+    // Effect of the robot's own logs and of a scale in addition to one loaded log.
     assert!(of([4, 1], false).center_rms < one.center_rms && of([1, 1], true).center_rms < one.center_rms);
     let weighed = of([4, 1], true);
     assert!(weighed.center_within.value() >= 0.95 && weighed.center_rms < 1e-3, "{weighed:?}");
-    // The textbook's formula at the paper's residual gives the paper's deviations, but for FC3.
+    // The textbook's formula at the paper's residual gives the paper's deviations, except for FC3.
     assert!(found.table2.iter().filter(|r| r.textbook_percent() < 2.0 * r.printed.paper[1]).count() >= 13);
     assert!((0..7).all(|j| found.fig10.verdict(j).holds()));
 }
 
-/// The diagnosis of what a seed hides in the simulator: one case of each kind, short logs. `denavit
-/// reproduce diagnosis` is the whole.
+/// Diagnosis of effects hidden in the simulator: one case of each kind, short logs.
+/// `denavit reproduce diagnosis` is the complete test.
 #[test]
 #[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
 fn hidden_effects_are_named() {
@@ -156,8 +157,8 @@ fn hidden_effects_are_named() {
             format!("{} {}: {named:?}", o.seed, o.label())
         })
         .collect();
-    // Thresholds leave room for chance: 28 cases with one effect, 8 with two, 3 outside the
-    // vocabulary, 1 with nothing.
+    // Thresholds allow for chance: 28 cases with one effect, 8 with two, 3 outside the vocabulary,
+    // 1 with nothing.
     assert_eq!(found.outcomes.len(), 40);
     assert_eq!(scores.false_alarms.good, 0, "{wrong:#?}");
     assert!(scores.first.value().unwrap() >= 0.7, "{:?} {wrong:#?}", scores.first);

@@ -1,5 +1,5 @@
-//! The paper's experiments with the end-effector, on a robot whose truth is known: Table III, and
-//! how often tools are recognised.
+//! The paper's experiments with the end-effector, on a simulated robot with known parameters: Table
+//! III, and the recognition rate of tools.
 
 mod bench;
 mod recording;

@@ -1,26 +1,26 @@
-//! Ours against the paper's, in a word.
+//! Comparison of our figures with the paper's.
 
 use std::fmt;
 
-/// How a figure that should be small compares with the paper's.
+/// Comparison of a figure, of which less is better, with the paper's.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Verdict {
     /// Smaller by more than the tolerance.
     Better,
     /// Within the tolerance.
     Within,
-    /// Larger, by this many percent of the paper's.
+    /// Larger, by this percentage of the paper's.
     Short(f64),
-    /// There is nothing to compare with.
+    /// No reference to compare with.
     Open,
 }
 
-/// Two figures within so much of each other are alike: the resolution of the paper's printed
-/// digits.
+/// Relative difference within which two figures count as equal: the resolution of the paper's
+/// printed digits.
 const ALIKE: f64 = 0.05;
 
 impl Verdict {
-    /// For a figure of which less is better.
+    /// Compares two figures of which less is better.
     pub fn less(ours: f64, paper: f64) -> Self {
         match ours / paper {
             ratio if !ratio.is_finite() => Self::Open,
@@ -30,7 +30,7 @@ impl Verdict {
         }
     }
 
-    /// For a claim that holds or does not, by how many percent.
+    /// Checks a claim of an upper limit; a violation is given in percent.
     pub fn at_most(ours: f64, limit: f64) -> Self {
         match ours / limit {
             ratio if !ratio.is_finite() => Self::Open,
@@ -39,7 +39,7 @@ impl Verdict {
         }
     }
 
-    /// Not short of it.
+    /// Whether the figure is better than or within the tolerance of the reference.
     pub fn holds(&self) -> bool {
         matches!(self, Self::Better | Self::Within)
     }

@@ -1,4 +1,4 @@
-//! Files in a zip, in memory.
+//! A zip archive of files, in memory.
 
 use std::collections::BTreeMap;
 use std::io::{Cursor, Read, Write};
@@ -12,10 +12,10 @@ use super::super::files;
 use super::super::provenance::sha256;
 use super::{MANIFEST, comparable};
 
-/// Most bytes of all files together.
+/// Largest total size of all files, bytes.
 const MOST: u64 = 128 << 20;
 
-/// Files by their names, `inputs/0/log.csv`.
+/// Files by name, such as `inputs/0/log.csv`.
 #[derive(Default)]
 pub(super) struct Archive(BTreeMap<String, Vec<u8>>);
 
@@ -35,7 +35,7 @@ impl Archive {
         self.0.get(name).map(Vec::as_slice)
     }
 
-    /// Number of files whose name begins so.
+    /// Number of files whose name begins with `prefix`.
     pub(super) fn count(&self, prefix: &str) -> usize {
         self.0.keys().filter(|name| name.starts_with(prefix)).count()
     }
@@ -67,13 +67,13 @@ impl Archive {
         Ok(())
     }
 
-    /// Name and SHA-256 of each file, without the description itself.
+    /// Name and SHA-256 of each file, except the manifest.
     pub(super) fn digests(&self) -> Value {
         let each = self.0.iter().filter(|(name, _)| *name != MANIFEST);
         json!(each.map(|(name, bytes)| (name.clone(), sha256(bytes))).collect::<BTreeMap<_, _>>())
     }
 
-    /// The bytes of the zip; the same files give the same bytes.
+    /// Bytes of the zip; the same files give the same bytes.
     pub(super) fn pack(&self) -> Result<Vec<u8>, Failure> {
         let failed = |e: &dyn std::fmt::Display| Failure::other(format!("the archive can't be made: {e}"));
         let mut zip = zip::ZipWriter::new(Cursor::new(Vec::new()));
@@ -85,7 +85,7 @@ impl Archive {
         Ok(zip.finish().map_err(|e| failed(&e))?.into_inner())
     }
 
-    /// From a zip. Names that lead out of its folder are refused.
+    /// Reads a zip. Names that lead out of its folder are refused.
     pub(super) fn read(path: &Path) -> Result<Self, Failure> {
         let shown = path.display();
         let bad = |e: &dyn std::fmt::Display| {
@@ -114,7 +114,7 @@ impl Archive {
         Ok(archive)
     }
 
-    /// Writes the files whose names begin so below a folder.
+    /// Writes the files whose names begin with `prefix` below a folder.
     pub(super) fn unpack(&self, prefix: &str, folder: &Path) -> Result<(), Failure> {
         for (name, bytes) in self.0.iter().filter(|(name, _)| name.starts_with(prefix)) {
             files::create_folder(folder, Path::new(name))?;
@@ -123,7 +123,7 @@ impl Archive {
         Ok(())
     }
 
-    /// Results that another run wrote otherwise.
+    /// Results that another run wrote differently.
     pub(super) fn differences(&self, again: &Self) -> Vec<String> {
         let result = |name: &&String| name.starts_with("outputs/") || name.starts_with("std");
         let names: std::collections::BTreeSet<&String> = self.0.keys().chain(again.0.keys()).filter(result).collect();

@@ -1,4 +1,4 @@
-//! The inputs of a command line, copied into a folder, and the words that name them there.
+//! Copies of a command line's inputs in a folder, and the command line adapted to it.
 
 use std::cell::RefCell;
 use std::path::{Component, Path, PathBuf};
@@ -10,15 +10,15 @@ use super::super::files;
 use super::super::provenance::OUTPUTS;
 use super::window::Window;
 
-/// A run in a folder of its own.
+/// A run in its own folder.
 pub(super) struct Inputs {
     /// Verb and arguments with the paths in the folder.
     pub(super) words: Vec<String>,
-    /// Each input: where it was, and its name in the folder.
+    /// Each input: its original path, and its name in the folder.
     pub(super) files: Vec<(PathBuf, String)>,
 }
 
-/// Whether these words read and write inside of their folder alone.
+/// Whether these words only refer to paths inside their folder.
 pub(super) fn harmless(words: &[String]) -> bool {
     let inside = |word: &str| {
         let value = word.split_once('=').map_or(word, |(_, value)| value);
@@ -28,7 +28,7 @@ pub(super) fn harmless(words: &[String]) -> bool {
     !words.is_empty() && !matches!(words[0].as_str(), "bundle" | "replay") && words.iter().all(|w| inside(w))
 }
 
-/// Whether an option names an output. `paint plan` writes a plan, `paint run` reads it.
+/// Whether an option names an output: `paint plan` writes a plan, `paint run` reads it.
 fn is_output(option: &str, words: &[String]) -> bool {
     let planned = option == "plan" && words.get(1).is_some_and(|word| word == "plan");
     planned || OUTPUTS.contains(&option)
@@ -68,7 +68,7 @@ impl Inputs {
         }
     }
 
-    /// Copies a file, or the files of a folder; its name in the folder.
+    /// Copies a file, or the files of a folder; returns its name in the folder.
     fn copy(&mut self, from: &Path, folder: &Path, window: Option<&Window>) -> Result<String, Failure> {
         let last = from.file_name().map_or("input".into(), |n| n.to_string_lossy().into_owned());
         let held = format!("inputs/{}/{last}", self.files.len());
@@ -96,7 +96,7 @@ impl Inputs {
     }
 }
 
-/// Copies the files that a robot file names, which stand beside it.
+/// Copies the files that a robot file refers to, relative to its own folder.
 fn beside(from: &Path, to: &Path, folder: &Path) -> Result<(), Failure> {
     let Ok(text) = std::fs::read_to_string(from) else { return Ok(()) };
     let names = RefCell::new(Vec::new());

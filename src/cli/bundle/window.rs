@@ -1,4 +1,4 @@
-//! The part of a log that goes into a bundle.
+//! Time window of a log that goes into a bundle.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -29,8 +29,8 @@ impl Window {
         format!("{},{}", self.0[0], self.0[1])
     }
 
-    /// The rows of a log in the window as CSV, all columns of numbers under their names. `None`:
-    /// this is no log.
+    /// Rows of a log within the window as CSV, with all numeric columns. `None` if the file is no
+    /// log.
     pub(super) fn cut(&self, path: &Path) -> Result<Option<Vec<u8>>, Failure> {
         let no_log = ["yaml", "yml", "json", "urdf", "xml", "toml"];
         if path.extension().is_some_and(|e| no_log.iter().any(|other| e == *other)) {

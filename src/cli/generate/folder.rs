@@ -1,4 +1,4 @@
-//! The folder of a generated crate: whose it is, and how it is brought up to date.
+//! The folder of a generated crate: its ownership and its update.
 
 use std::collections::BTreeMap;
 use std::path::{Component, Path};
@@ -8,15 +8,15 @@ use super::super::{Failure, files};
 
 const MANIFEST: &str = "Cargo.toml";
 const ROOT: &str = "src/lib.rs";
-/// Root of a crate that is being rewritten.
+/// Root of a crate while it is being rewritten.
 const UNFINISHED: &str = "compile_error!(\"`denavit generate` was interrupted here; run it again\");\n";
 
-/// Content of the destination of the crate.
+/// Content of the crate's destination.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Folder {
     Absent,
     Empty,
-    /// Its `Cargo.toml` carries the generator's mark.
+    /// A generated crate: its `Cargo.toml` carries the generator's mark.
     Generated,
     Foreign,
 }
@@ -39,7 +39,7 @@ impl Folder {
     }
 }
 
-/// Refusal of a folder that holds something else.
+/// Failure for a folder with other content.
 pub(super) fn foreign(out: &Path) -> Failure {
     let manifest = match out.join(MANIFEST).exists() {
         true => "its Cargo.toml was not written by `denavit generate`",
@@ -51,7 +51,7 @@ pub(super) fn foreign(out: &Path) -> Failure {
     ))
 }
 
-/// Reason why a folder is not the crate to be written.
+/// Differences between a folder and the crate to write.
 #[derive(Debug, Default)]
 pub(super) struct Stale {
     /// Files that are missing or differ.
@@ -77,7 +77,7 @@ impl Stale {
     }
 }
 
-/// Whether a path names a file below a folder, past no link that leads out of it.
+/// Whether a path names a file below a folder, without a link that leads out of it.
 fn is_file_inside(out: &Path, path: &str) -> bool {
     let plain = Path::new(path).components().all(|part| matches!(part, Component::Normal(_)));
     let inside = || {
@@ -87,7 +87,7 @@ fn is_file_inside(out: &Path, path: &str) -> bool {
     plain && inside() == Some(true)
 }
 
-/// Writes a new crate beside its place and moves it there, so that it is whole or absent.
+/// Writes a new crate beside its destination and moves it there, so that it is complete or absent.
 pub(super) fn create(out: &Path, crate_files: &BTreeMap<String, String>) -> Result<(), Failure> {
     let failed = |e: io::Error| Failure::other(format!("{} can't be written: {e}", out.display()));
     let mut name = out.file_name().unwrap_or_default().to_os_string();
@@ -99,9 +99,9 @@ pub(super) fn create(out: &Path, crate_files: &BTreeMap<String, String>) -> Resu
     })
 }
 
-/// Replaces and removes what is stale. Until all is done the root of the crate is an error that
-/// says so: files of two robots are never compiled together. The manifest of the run before stays
-/// until what it lists is removed.
+/// Replaces and removes stale files. Until all is done the root of the crate is a compile error, so
+/// that files of two robots are never compiled together. The previous manifest is kept until the
+/// files that it lists are removed.
 pub(super) fn update(
     out: &Path,
     folder: Folder,
@@ -122,7 +122,7 @@ pub(super) fn update(
     whole(ROOT)
 }
 
-/// Removes a file, and folders that it leaves empty.
+/// Removes a file, and folders that become empty.
 fn remove(out: &Path, path: &str) -> Result<(), Failure> {
     let file = out.join(path);
     fs::remove_file(&file)

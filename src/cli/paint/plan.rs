@@ -1,4 +1,4 @@
-//! `denavit paint plan`: the motion of equation (12).
+//! `denavit paint plan`: plans the motion of equation (12).
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -153,7 +153,7 @@ enum Order {
     Snake,
 }
 
-/// The robot with the tool in its hand, the wall, and the roller.
+/// The robot with its tool, the wall, and the roller.
 pub(super) struct Site {
     pub robot: Robot,
     pub surface: Surface,
@@ -161,14 +161,14 @@ pub(super) struct Site {
     pub pattern: Pattern,
     pub lanes: usize,
     pub standoff: f64,
-    /// The robot's file.
+    /// File of the robot.
     pub file: files::RobotFile,
     /// Notes on the tool's file.
     pub warnings: Warnings,
 }
 
 impl Where {
-    /// Reads and checks all of it.
+    /// Reads and checks all files.
     pub(super) fn site(&self, path: &Path) -> Result<Site, Failure> {
         let file = files::robot(path)?;
         motors::on_every_joint(path, &file.robot, "painting drives every joint")?;
@@ -231,7 +231,7 @@ impl Where {
     }
 }
 
-/// A tool file; what was noted in it is a warning.
+/// Reads a tool file; its notes become warnings.
 pub(super) fn tool(path: &Path, warnings: &mut Warnings) -> Result<Tool, Failure> {
     let shown = path.display().to_string();
     let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned()).unwrap_or_default();

@@ -1,4 +1,4 @@
-//! `denavit paint run`: a plan under control against the simulated wall.
+//! `denavit paint run`: runs a plan under control against the simulated wall.
 
 use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
@@ -115,8 +115,8 @@ enum Which {
     Measured,
 }
 
-/// An effects file whose sections all act here: the painting brings its own control, and the
-/// tolerance of its solver.
+/// Reads an effects file of which all sections have an effect here: painting has its own control
+/// and its own solver tolerance.
 fn played(path: &Path, robot: &Robot, warnings: &mut report::Warnings) -> Result<SimulationFile, Failure> {
     let file = effects(path, robot, warnings)?;
     let idle = file.settings().find(|(section, _)| *section != "sensors");
@@ -208,7 +208,7 @@ impl Run {
         let mut found = run(&known, &real, &task, &mut |share| bar.set_position((1000.0 * share / of) as u64));
         for coat in 1..self.coats {
             let Ok(before) = &found else { break };
-            // A coat that came to no good end teaches nothing.
+            // A coat that did not end well gives no displacement for the next.
             let Some(learned) = before.learned.clone() else { break };
             coats.push(before.accuracy);
             let seed = self.seed.wrapping_add(1000 * u64::from(coat));
@@ -246,8 +246,8 @@ impl Run {
         }
     }
 
-    /// A plan is one for its robot and its roller: with another one the wall is elsewhere, or its
-    /// lanes are.
+    /// Checks that the plan was made for this robot and this roller; for another one the wall or
+    /// the lanes are elsewhere.
     fn made_for(&self, plan: &Plan, robot: &Robot) -> Result<(), Failure> {
         let shown = self.robot.display();
         if plan.motion.dof() != robot.dof() {

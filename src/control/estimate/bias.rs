@@ -1,8 +1,9 @@
-//! Bias removal: the mean of what the model leaves while nothing touches is taken off.
+//! Bias removal: subtracts the mean residual torque over stretches without contact.
 //!
-//! It takes off whatever is constant: a sensor's offset, and of the parameters' error `W d` its
-//! mean over the stretch, `mean(W) d`. What stays is `(W - mean(W)) d`: the band shrinks about the
-//! poses of the stretch, and grows away from them. The mean's own noise comes on top.
+//! Every constant part is removed: a sensor's offset, and of the torque error `W d` that the
+//! parameter error `d` causes its mean over the stretch, `mean(W) d`. The remainder is
+//! `(W - mean(W)) d`: the band narrows near the poses of the stretch and widens away from them. The
+//! mean's own noise is added.
 
 use nalgebra::DMatrix;
 
@@ -12,23 +13,23 @@ use crate::data::signal::{Filter, Motion};
 use crate::identify::regression::rows::Rows;
 use crate::model::Arm;
 
-/// Mean over stretches in which nothing touches.
+/// Mean residual torque and mean regressor over stretches without contact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bias {
-    /// Model less measured torque, N m.
+    /// Model minus measured torque, one per joint, N m.
     pub torque: Vec<f64>,
-    /// Regressor, `n x B`.
+    /// Mean regressor, `n x B`.
     pub(super) regressor: DMatrix<f64>,
-    /// Seconds.
+    /// Total duration of the samples in the mean, s.
     pub seconds: f64,
 }
 
-/// Builds a [`Bias`]: a first pass over the logs.
+/// Builds a [`Bias`] in a first pass over the logs.
 pub struct BiasPass<'a> {
     arm: &'a dyn Arm,
     torques: &'a dyn Torques,
     filter: Option<Filter>,
-    /// Stretches, s.
+    /// Stretches without contact, start and end, s.
     free: Vec<[f64; 2]>,
     rows: Rows,
     sum: Bias,
@@ -36,14 +37,14 @@ pub struct BiasPass<'a> {
 }
 
 impl<'a> BiasPass<'a> {
-    /// Nothing touches from the first to the second time, s, of each stretch.
+    /// Creates a pass over `free`: stretches without contact, start and end of each, s.
     pub fn new(arm: &'a dyn Arm, torques: &'a dyn Torques, filter: Option<Filter>, free: &[[f64; 2]]) -> Self {
         let regressor = DMatrix::zeros(arm.dof(), arm.base_parameters().len());
         let sum = Bias { torque: vec![0.0; arm.dof()], regressor, seconds: 0.0 };
         Self { rows: Rows::new(arm), arm, torques, filter, free: within(free, filter), sum, count: 0 }
     }
 
-    /// Takes in a stretch of motion.
+    /// Adds a segment of motion.
     pub fn absorb(&mut self, motion: &Motion) {
         let picked = pick(self.arm, &self.rows, self.torques, motion, self.filter);
         let count = picked.time.len();
@@ -59,7 +60,7 @@ impl<'a> BiasPass<'a> {
         }
     }
 
-    /// The mean; `None` where no sample lay in a stretch.
+    /// Returns the mean; `None` if no sample lay in a stretch.
     pub fn finish(mut self) -> Option<Bias> {
         if self.count == 0 {
             return None;
@@ -71,8 +72,8 @@ impl<'a> BiasPass<'a> {
     }
 }
 
-/// The stretches without what a low-pass smears into them from outside, s: a step leaves less than
-/// a thousandth after four periods of the cutoff. Of a short stretch half is left.
+/// Shrinks the stretches, s, by what a low-pass smears into them: a step leaves less than a
+/// thousandth after four periods of the cutoff. At least half of a short stretch remains.
 pub(super) fn within(stretches: &[[f64; 2]], filter: Option<Filter>) -> Vec<[f64; 2]> {
     let margin = filter.map_or(0.0, |f| 4.0 / f.cutoff);
     let inner = |&[from, to]: &[f64; 2]| {
@@ -82,7 +83,7 @@ pub(super) fn within(stretches: &[[f64; 2]], filter: Option<Filter>) -> Vec<[f64
     stretches.iter().map(inner).collect()
 }
 
-/// Whether a time lies in a stretch.
+/// Whether a time, s, lies in one of the stretches.
 pub(super) fn inside(stretches: &[[f64; 2]], time: f64) -> bool {
     stretches.iter().any(|[from, to]| (*from..=*to).contains(&time))
 }

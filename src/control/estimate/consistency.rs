@@ -1,49 +1,51 @@
-//! Is the model right enough for the band to hold?
+//! Tests whether the model is accurate enough for the uncertainty band to hold.
 //!
-//! Whitened by the predicted covariance, `z = L^-1 e`, the torque that the model leaves while
-//! nothing touches has a mean square of 1 per joint. Its mean over a run is not known as well as by
-//! so many samples: parameters err by the same at every sample. The mean's variance is `2 sum_ts
-//! |L_t^-1 C_ts L_s^-T|^2 / M^2`, `C_ts = W_t C W_s' + [t = s] S`, over `M` instants that are far
-//! apart against the filter; with it the mean is compared with the chi-square law of the same mean
-//! and variance (Satterthwaite 1946). An arm with more than six joints can be checked while
-//! something touches, too: on what no wrench explains.
+//! The residual torque without contact, whitened by the predicted covariance as `z = L^-1 e`, has a
+//! mean square of 1 per joint. Its mean over a run is less certain than that many samples suggest,
+//! as a parameter error is the same at every sample. The mean's variance is
+//! `2 sum_ts |L_t^-1 C_ts L_s^-T|^2 / M^2`, `C_ts = W_t C W_s' + [t = s] S`, over `M` instants
+//! spaced far apart compared with the filter's memory. The mean is compared with the chi-square
+//! distribution of the same mean and variance (Satterthwaite 1946). An arm with more than six
+//! joints can also be checked during contact, on the part of the residual that no wrench explains.
 
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, Gamma};
 
-/// Most instants; then every second one goes.
+/// Maximum number of instants; beyond it, every second one is dropped.
 const MOST: usize = 128;
-/// A model that is right gives less than this in one run of a thousand.
+/// Probability below which the check fails: a correct model falls below it in one run of a
+/// thousand.
 const IMPROBABLE: f64 = 1e-3;
-/// A model that is right gives less than this in one run of twenty: then its bands are in doubt.
+/// Probability below which the bands are in doubt: a correct model falls below it in one run of
+/// twenty.
 const UNCOMMON: f64 = 0.05;
 
-/// How errors compare with what was predicted.
+/// Comparison of torque errors with their predicted covariance.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Consistency {
-    /// Instants that were compared.
+    /// Number of instants compared.
     pub instants: usize,
-    /// Mean square error by its prediction: 1 for a model that errs as predicted.
+    /// Mean square error relative to its prediction: 1 for a model that errs as predicted.
     pub ratio: f64,
-    /// Probability of a ratio as large as this for a model that does.
+    /// Probability of a ratio at least this large if the model errs as predicted.
     pub probability: f64,
-    /// Root mean square of each joint's error by its prediction; zero where it was not asked joint
-    /// by joint.
+    /// Root mean square of each joint's error relative to its prediction; zero where the check was
+    /// not per joint.
     pub joints: Vec<f64>,
 }
 
 impl Consistency {
-    /// Whether the model is right enough for the band to hold.
+    /// Whether the model is accurate enough for the band to hold.
     pub fn holds(&self) -> bool {
         self.probability >= IMPROBABLE
     }
 
-    /// Whether errors as large are common for a model that errs as predicted.
+    /// Whether errors this large are common for a model that errs as predicted.
     pub fn is_common(&self) -> bool {
         self.probability >= UNCOMMON
     }
 
-    /// By how much the band would have to be wider.
+    /// Factor by which the band would have to be wider.
     pub fn widen(&self) -> f64 {
         self.ratio.max(0.0).sqrt()
     }
@@ -51,14 +53,14 @@ impl Consistency {
 
 struct Instant {
     error: DVector<f64>,
-    /// `W L`, `n x rank`.
+    /// Parameter part of the error, `W L`, `n x rank`.
     model: DMatrix<f64>,
     variance: DVector<f64>,
-    /// `J'`, `n x 6`, where only what no wrench explains counts.
+    /// `J'`, `n x 6`, if only the part that no wrench explains is checked.
     push: Option<DMatrix<f64>>,
 }
 
-/// Collects instants.
+/// Collects instants for a [`Consistency`].
 pub(super) struct Checker {
     spacing: f64,
     next: f64,
@@ -67,12 +69,12 @@ pub(super) struct Checker {
 }
 
 impl Checker {
-    /// Instants at least this far apart, s.
+    /// Creates an empty checker whose instants are at least `spacing` s apart.
     pub fn new(spacing: f64) -> Self {
         Self { spacing, next: f64::NEG_INFINITY, segment: usize::MAX, instants: Vec::new() }
     }
 
-    /// Whether an instant at this time is wanted.
+    /// Whether an instant at this time, s, is to be added.
     pub fn takes(&mut self, segment: usize, time: f64) -> bool {
         if segment != self.segment || time < self.next - 2.0 * self.spacing {
             (self.segment, self.next) = (segment, f64::NEG_INFINITY);
@@ -101,14 +103,14 @@ impl Checker {
         }
     }
 
-    /// `None` for fewer than three instants, and without any information.
+    /// Compares the errors; `None` for fewer than three instants and without any information.
     pub fn finish(self) -> Option<Consistency> {
         let m = self.instants.len();
         let n = self.instants.first()?.error.len();
         if m < 3 {
             return None;
         }
-        // Per instant: Q L^-1 W root, and Q L^-1 S^(1/2), Q taking off what a wrench explains.
+        // Per instant: Q L^-1 W root, Q L^-1 S^(1/2); Q removes the part that a wrench explains.
         let (mut freedom, mut total) = (0.0, 0.0);
         let (mut models, mut noises) = (Vec::new(), Vec::new());
         let mut joints = vec![0.0; n];

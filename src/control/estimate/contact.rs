@@ -1,17 +1,17 @@
-//! Does something touch? A threshold that follows the predicted uncertainty.
+//! Contact detection with a threshold that follows the predicted uncertainty.
 
 use super::sample::Estimate;
 
-/// Compares each sample's surprise with the quantile of its chi-square law: where the model is
-/// uncertain, or the arm near a singularity, it takes more to be sure.
+/// Compares each sample's surprise with the quantile of its chi-square distribution: the threshold
+/// is higher where the model is uncertain or the arm is near a singularity.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactDetector {
-    /// Normal deviate beyond which a contact begins. Default 5: one false alarm in 3.5 million
+    /// Normal deviate above which a contact begins. Default 5: one false alarm in 3.5 million
     /// independent samples.
     pub on: f64,
-    /// Normal deviate below which it ends. Default 3.
+    /// Normal deviate below which a contact ends. Default 3.
     pub off: f64,
-    /// For how long the surprise must stay beyond, s. Default 0.
+    /// Time for which the surprise must stay beyond the threshold, s. Default 0.
     pub hold: f64,
     touching: bool,
     undecided: bool,
@@ -24,20 +24,21 @@ impl Default for ContactDetector {
     }
 }
 
-/// State of the detector.
+/// Contact state after a sample.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Contact {
     /// Whether something touches.
     pub touching: bool,
-    /// Whether static friction or contact can't be told apart: a joint is at rest, and friction
+    /// Whether static friction and contact are indistinguishable: a joint is at rest, and friction
     /// within its breakaway level explains the residual.
     pub undecided: bool,
-    /// The surprise as a normal deviate: below about 3 it is nothing.
+    /// Surprise as a normal deviate: below about 3 it is not significant.
     pub deviate: f64,
 }
 
 impl ContactDetector {
-    /// Takes in an estimate, `dt` s after the one before. One that is not fresh changes nothing.
+    /// Processes an estimate, `dt` s after the previous one. An estimate that is not fresh is
+    /// ignored.
     pub fn step(&mut self, estimate: &Estimate, dt: f64) -> Contact {
         if !estimate.fresh {
             return Contact { touching: self.touching, undecided: self.undecided && !self.touching, deviate: 0.0 };
@@ -59,8 +60,8 @@ impl ContactDetector {
     }
 }
 
-/// The normal deviate that is as rare as this value of chi-square (Wilson and Hilferty, PNAS 17,
-/// 1931: its cube root is nearly normal).
+/// Normal deviate with the same tail probability as this value of chi-square (Wilson and Hilferty,
+/// PNAS 17, 1931: its cube root is nearly normal).
 pub fn deviate(chi_square: f64, freedom: usize) -> f64 {
     if freedom == 0 {
         return 0.0;

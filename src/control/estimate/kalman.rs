@@ -2,10 +2,10 @@
 //! Listmann, Dai, Matthias and Ding, IEEE T-ASE 15, 2018).
 //!
 //! State: momentum `p` (`N`) and the wrench `F` on the tool (6). The wrench is a random walk at a
-//! stated rate and fades slowly, so that it stays within the size of [`Scale`] (a Gauss-Markov
+//! given rate that decays slowly, so that it stays within the size of [`Scale`] (a Gauss-Markov
 //! process). `p` grows by `tau - c - g - friction + J' F + M' dq` and is measured as `M dq`. The
-//! wrench is estimated directly, so a singular Jacobian is no special case: the direction's
-//! variance grows to that of the process, and shrinks again after.
+//! wrench is estimated directly, so a singular Jacobian needs no special case: the variance of the
+//! singular direction grows to that of the process and shrinks again afterwards.
 
 use super::sample::{Estimate, EstimatorInput, ForceEstimator, Scale};
 use super::stiction::least;
@@ -15,7 +15,7 @@ use crate::control::estimate::small_matrix::{
     self, cholesky, dot, finite, forward, inverse, sandwich, times, transposed_times,
 };
 
-/// The filter.
+/// Kalman filter over momentum and wrench.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Kalman<const N: usize> {
     /// Spectral density of each joint's torque noise, (N m)^2 s: variance times sampling time for
@@ -23,14 +23,14 @@ pub struct Kalman<const N: usize> {
     pub density: [f64; N],
     /// Standard deviation of each joint's velocity, rad/s.
     pub velocity_noise: [f64; N],
-    /// How large wrenches are.
+    /// Prior size of wrenches.
     pub scale: Scale,
-    /// How fast they wander at most: standard deviations after a second, N and N m. The pace of
-    /// each component is found from the estimate (`random_walk_rate.rs`); the band is that of a
-    /// wrench which wanders so.
+    /// Largest random-walk rate of the wrench: standard deviations after a second, N and N m. Each
+    /// component's actual rate is found from the estimate (`random_walk_rate.rs`); the band is that
+    /// of a wrench with this rate.
     pub wander: Scale,
     state: Option<State<N>>,
-    /// Time of unusable samples since the last usable one, s.
+    /// Duration of unusable samples since the last usable one, s.
     hole: f64,
     last: Estimate,
 }
@@ -40,37 +40,38 @@ struct State<const N: usize> {
     before: EstimatorInput<N>,
     momentum: [f64; N],
     wrench: [f64; 6],
-    /// Covariances: momentum, momentum with wrench, wrench.
+    /// Covariance of the momentum, of momentum with wrench, and of the wrench.
     pp: [[f64; N]; N],
     pf: [[f64; 6]; N],
     ff: [[f64; 6]; 6],
-    /// How fast each component wanders.
+    /// Random-walk rate of each component.
     paces: [RandomWalkRate; 6],
-    /// Breakaway levels of joints at rest, fading after they broke away.
+    /// Breakaway levels of joints at rest, N m; they decay after the joint has broken away.
     held: [f64; N],
 }
 
-/// In a steady state: see [`Kalman::steady`].
+/// Steady-state quantities: see [`Kalman::steady`].
 struct Steady<const N: usize> {
-    /// The filter's covariance and that of the parameters.
+    /// Covariance of the filter plus that of the parameters.
     covariance: [[f64; 6]; 6],
-    /// Of each component's noise.
+    /// Noise density of each component.
     density: [f64; 6],
-    /// Delay of each component for the rate of each, s or by units. The error of a filter of
-    /// covariance `P` on torques of information `I` (per s) goes as `e' = v - P I e`, so that rates
-    /// `v` leave it `(P I)^-1 v` behind. What is late is late for the others' rates, too.
+    /// Lag of each component per rate of each component, s times a ratio of units. The error of a
+    /// filter of covariance `P` on torques of information `I` (per s) follows `e' = v - P I e`, so
+    /// that rates `v` lead to a lag of `(P I)^-1 v`. The rates of other components also cause lag
+    /// in a component.
     late: [[f64; 6]; 6],
-    /// From torques to the wrench.
+    /// Map from torques to the wrench.
     map: [[f64; N]; 6],
 }
 
 impl<const N: usize> Kalman<N> {
-    /// At rest.
+    /// Creates the filter without a state; the first usable sample sets it.
     pub fn new(density: [f64; N], velocity_noise: [f64; N], scale: Scale, wander: Scale) -> Self {
         Self { density, velocity_noise, scale, wander, state: None, hole: 0.0, last: Estimate::unknown(&scale) }
     }
 
-    /// Covariance of `M dq`.
+    /// Covariance of the measured momentum `M dq`.
     fn measurement(&self, sample: &EstimatorInput<N>) -> [[f64; N]; N] {
         let mut all = [[0.0; N]; N];
         for i in 0..N {
@@ -79,8 +80,8 @@ impl<const N: usize> Kalman<N> {
                     .map(|k| sample.mass[i][k] * self.velocity_noise[k] * self.velocity_noise[k] * sample.mass[j][k])
                     .sum();
             }
-            // Not exactly singular, whatever the mass matrix: an error of a microradian per second
-            // of one kg m^2.
+            // Keeps the matrix regular, whatever the mass matrix: an error of a microradian per
+            // second of one kg m^2.
             all[i][i] += 1e-12;
         }
         all
@@ -107,7 +108,7 @@ impl<const N: usize> Kalman<N> {
         let before = &state.before;
         let sizes = self.scale.each();
         let paces: [f64; 6] = core::array::from_fn(|i| state.paces[i].now());
-        // Stationary variance: pace^2 / (2 rate) = size^2.
+        // Stationary variance of the random walk: rate^2 / (2 decay rate) = size^2.
         let keep: [f64; 6] =
             core::array::from_fn(|i| libm::exp(-0.5 * dt * paces[i] * paces[i] / (sizes[i] * sizes[i])));
         // Prediction: p + dt (tau - bias) + (M1 - M0)(dq0 + dq1)/2 + B F, B = dt J'.
@@ -121,7 +122,7 @@ impl<const N: usize> Kalman<N> {
             state.momentum[j] + dt * actuated + b[j] - a[j] + pushed[j]
         });
         let mut wrench: [f64; 6] = core::array::from_fn(|i| keep[i] * state.wrench[i]);
-        // Rows of pf + B ff: covariance of the new momentum with the wrench before it faded.
+        // Rows of pf + B ff: covariance of the new momentum with the wrench before its decay.
         let joined: [[f64; 6]; N] = core::array::from_fn(|j| {
             core::array::from_fn(|i| state.pf[j][i] + (0..6).map(|k| push[k][j] * state.ff[k][i]).sum::<f64>())
         });
@@ -138,8 +139,8 @@ impl<const N: usize> Kalman<N> {
                 keep[i] * keep[j] * state.ff[i][j] + fresh
             })
         });
-        // Correction by M dq, in the measurement's whitened coordinates: covariances lose what
-        // their rows, whitened, have in common.
+        // Correction by M dq in the measurement's whitened coordinates: covariances decrease by the
+        // products of their whitened rows.
         let noise = self.measurement(now);
         let innovation: [[f64; N]; N] = core::array::from_fn(|i| core::array::from_fn(|j| pp[i][j] + noise[i][j]));
         let root = cholesky(&innovation)?;
@@ -189,9 +190,9 @@ impl<const N: usize> Kalman<N> {
         Some((State { before: *now, momentum, wrench, pp, pf, ff, paces: found, held }, estimate))
     }
 
-    /// The filter where nothing changes. The model's parameters stay the same from sample to sample
-    /// and so are no noise. Their covariance is `A W C W' A'`, `A` the filter's steady map from
-    /// torque to wrench, least squares weighted by the torques' densities.
+    /// Computes the filter's steady state. The model's parameters are the same at every sample and
+    /// so are not noise. Their covariance is `A W C W' A'`, where `A` is the filter's steady map
+    /// from torque to wrench: least squares weighted by the torques' densities.
     fn steady(&self, now: &EstimatorInput<N>, noise: &[[f64; 6]; 6]) -> Option<Steady<N>> {
         let variance: [f64; N] = core::array::from_fn(|j| self.density[j] + 1e-12);
         let sizes = self.scale.each();
@@ -228,7 +229,7 @@ impl<const N: usize> ForceEstimator<N> for Kalman<N> {
             && sample.jacobian.iter().all(|row| finite(row));
         self.last.fresh = false;
         if !usable {
-            // The next usable sample bridges the hole; what is known of the wrench fades meanwhile.
+            // The next usable sample bridges the gap; the wrench decays to its prior meanwhile.
             self.hole += if sample.dt.is_finite() { sample.dt.max(0.0) } else { 0.0 };
             return self.last;
         }

@@ -1,4 +1,4 @@
-//! The estimators for an arm whose number of joints is known only now.
+//! Estimators for an arm whose number of joints is known only at run time.
 
 use super::Kalman;
 use super::Momentum;
@@ -6,13 +6,13 @@ use super::Residual;
 use super::Weights;
 use super::sample::{Estimate, EstimatorInput, ForceEstimator, Scale};
 
-/// The estimator.
+/// Estimator of the wrench.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Method {
-    /// Equation (14), weighted by the uncertainty.
+    /// Equation (14), joints weighted by their uncertainty.
     #[default]
     Residual,
-    /// Equation (14) with all joints alike: the paper's.
+    /// Equation (14) with equal joint weights, as in the paper.
     Plain,
     /// The generalised-momentum observer.
     Momentum,
@@ -21,25 +21,25 @@ pub enum Method {
 }
 
 impl Method {
-    /// All, with their names.
+    /// All methods with their names.
     pub const ALL: [(&'static str, Self); 4] =
         [("residual", Self::Residual), ("plain", Self::Plain), ("momentum", Self::Momentum), ("kalman", Self::Kalman)];
 
-    /// Its name.
+    /// Name of the method.
     pub fn name(self) -> &'static str {
         Self::ALL.iter().find(|(_, m)| *m == self).map_or("", |(name, _)| name)
     }
 
-    /// Whether it reads every sample and needs no acceleration.
+    /// Whether the method is an observer: it reads every sample and needs no acceleration.
     pub fn observes(self) -> bool {
         matches!(self, Self::Momentum | Self::Kalman)
     }
 }
 
-/// Most joints.
+/// Maximum number of joints.
 pub const MOST_JOINTS: usize = 12;
 
-/// Numbers that the estimators take, each per joint.
+/// Tuning of the estimators; slices have one entry per joint.
 pub(super) struct Tuning<'a> {
     pub noise: &'a [f64],
     pub density: &'a [f64],
@@ -49,7 +49,7 @@ pub(super) struct Tuning<'a> {
     pub wander: Scale,
 }
 
-/// A sample in slices: like [`EstimatorInput`], matrices row-major.
+/// One sample as slices: like [`EstimatorInput`], matrices row-major.
 #[derive(Default, Clone)]
 pub(super) struct Row {
     pub dt: f64,
@@ -96,7 +96,7 @@ fn fixed<const N: usize>(method: Method, t: &Tuning<'_>) -> Box<dyn Steps> {
     match method {
         Method::Residual => Box::new(Fixed::<N, _>(residual)),
         Method::Plain => {
-            // Against moments about a lever of half a metre nothing but a singularity is as small.
+            // Moments scaled by half a metre: only singularities have singular values as small.
             residual.weights = Weights::Equal { damping: 0.01 };
             Box::new(Fixed::<N, _>(residual))
         }
@@ -109,7 +109,7 @@ fn fixed<const N: usize>(method: Method, t: &Tuning<'_>) -> Box<dyn Steps> {
     }
 }
 
-/// For this many joints; `None` for none, and for more than [`MOST_JOINTS`].
+/// Creates the estimator for `dof` joints; `None` for 0 and for more than [`MOST_JOINTS`].
 pub(super) fn steps(dof: usize, method: Method, tuning: &Tuning<'_>) -> Option<Box<dyn Steps>> {
     let make = match dof {
         1 => fixed::<1>,

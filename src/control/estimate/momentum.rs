@@ -1,50 +1,51 @@
 //! The generalised-momentum observer (De Luca and Mattone, ICRA 2005; De Luca, Albu-Schaeffer,
 //! Haddadin and Hirzinger, IROS 2006): no acceleration.
 //!
-//! `r' = K (J' F - r)`: the external torque through a low-pass of `K`. The momentum `p = M dq`
-//! grows by `tau - c - g - friction + J' F + M' dq`. From one sample to the next the last term is
-//! `(M1 - M0) (dq0 + dq1) / 2`, so that neither `C'` nor an acceleration is needed: the mass matrix
-//! and the inverse dynamics at zero acceleration suffice. `r` less `r` through the low-pass once
-//! more is what a ramp is late by, but for half a sample: torques between two samples are those of
-//! its middle. The wrench is that of the observed torques, this, and the half sample in proportion.
-//! Noise and band are those of all three, and the remaining lag (the same difference once more) is
-//! in the band.
+//! The observer is `r' = K (J' F - r)`: the external torque through a low-pass of `K`. The momentum
+//! `p = M dq` grows by `tau - c - g - friction + J' F + M' dq`. Between two samples the last term
+//! is `(M1 - M0) (dq0 + dq1) / 2`, so that neither `C'` nor an acceleration is needed: the mass
+//! matrix and the inverse dynamics at zero acceleration suffice.
+//!
+//! `r` minus `r` through the same low-pass again is the lag on a ramp, up to half a sample: torques
+//! between two samples belong to the middle of the interval. The wrench is computed from `r` plus
+//! this difference, scaled so that the half sample is included. Noise and band cover the sum, and
+//! the band includes the remaining lag (the same difference, low-passed again).
 
 use super::sample::{Estimate, EstimatorInput, ForceEstimator, Scale};
 use super::stiction::{least, unit};
 use super::wrench::{Weights, total, wrench};
 use crate::control::estimate::small_matrix::{cholesky, finite, times};
 
-/// The observer, then `(J')^+` as in [`Residual`](super::Residual).
+/// Momentum observer, followed by `(J')^+` as in [`Residual`](super::Residual).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Momentum<const N: usize> {
-    /// `K`, 1/s: the bandwidth, and one over the time by which a ramp is late.
+    /// Observer gain `K`, 1/s: the bandwidth, and the reciprocal of the lag on a ramp.
     pub gain: f64,
     /// Spectral density of each joint's torque noise, (N m)^2 s: variance times sampling time for
     /// white noise.
     pub density: [f64; N],
     /// Standard deviation of each joint's velocity, rad/s.
     pub velocity_noise: [f64; N],
-    /// How large wrenches are.
+    /// Prior size of wrenches.
     pub scale: Scale,
     before: Option<EstimatorInput<N>>,
     observed: [f64; N],
-    /// The observed torques through the same low-pass once more: what is between the two is about
-    /// what the first is late by.
+    /// Observed torques through the same low-pass again, N m: their difference from `observed`
+    /// approximates the lag of `observed`.
     again: [f64; N],
-    /// Delay of the first, through the same low-pass: the difference of the two is the remaining
+    /// Lag of `observed` through the same low-pass, N m: the difference of the two is the remaining
     /// lag.
     lag: [f64; N],
-    /// Breakaway levels of joints at rest, and of those that broke away as far as the low-pass
-    /// still has it.
+    /// Breakaway levels of joints at rest, N m; after a breakaway the level decays with the
+    /// low-pass.
     held: [f64; N],
-    /// Share of the observer's start that is still in it.
+    /// Share of the observer's initial value that is still in its state.
     start: f64,
     last: Estimate,
 }
 
 impl<const N: usize> Momentum<N> {
-    /// At rest.
+    /// Creates the observer with zero observed torques.
     pub fn new(gain: f64, density: [f64; N], velocity_noise: [f64; N], scale: Scale) -> Self {
         let last = Estimate::unknown(&scale);
         Self {
@@ -62,7 +63,7 @@ impl<const N: usize> Momentum<N> {
         }
     }
 
-    /// The observed external torques, `J' F` through the low-pass, N m.
+    /// Observed external torques, `J' F` through the low-pass, N m.
     pub fn torques(&self) -> &[f64; N] {
         &self.observed
     }
@@ -92,9 +93,9 @@ impl<const N: usize> Momentum<N> {
         let [lead, missing] = lead(keep);
         let ahead: [f64; N] = core::array::from_fn(|j| observed[j] + lead * late[j]);
         self.start *= keep;
-        // Of white torque noise, and of the velocities' noise, which comes as its differences.
+        // Gains of white torque noise and of the velocity noise, which enters as differences.
         let [white, steps, rest] = gains(keep, lead);
-        // An error of one velocity is in the torques of all joints that it couples, at once.
+        // An error of one velocity enters the torques of all coupled joints at the same time.
         let inertial: [[f64; N]; N] = core::array::from_fn(|j| {
             core::array::from_fn(|i| {
                 let of = |k: usize| now.mass[j][k] * now.mass[i][k] * self.velocity_noise[k] * self.velocity_noise[k];
@@ -104,8 +105,8 @@ impl<const N: usize> Momentum<N> {
         let noise: [f64; N] = core::array::from_fn(|j| self.density[j] / now.dt);
         let mut covariance = total(&noise.map(|n| white * n), &now.covariance);
         (0..N).for_each(|j| (0..N).for_each(|i| covariance[j][i] += steps * inertial[j][i]));
-        // Remaining lag, where noise does not explain it. A short pulse (friction that turns round
-        // before the model's does) leaves `k^2 / (1 + k)` of its size there.
+        // Remaining lag that noise does not explain. A short pulse (friction that reverses before
+        // the model's) leaves `k^2 / (1 + k)` of its size in it.
         let first = keep * keep / (1.0 + keep);
         for j in 0..N {
             let seen = left[j] * left[j];
@@ -115,9 +116,9 @@ impl<const N: usize> Momentum<N> {
             }
             covariance[j][j] += missing * missing * late[j] * late[j];
         }
-        // The observer began at zero, whatever pressed then.
+        // The observer started at zero, whatever the wrench at that time.
         let sizes = self.scale.each();
-        // At most `(1 + lead K t) exp(-K t)` of it is left.
+        // At most `(1 + lead K t) exp(-K t)` of the initial error remains.
         let begun_share = self.start * (1.0 - lead * libm::log(self.start.max(1e-300)));
         if begun_share > 1e-6 {
             for j in 0..N {
@@ -134,27 +135,27 @@ impl<const N: usize> Momentum<N> {
     }
 }
 
-/// A pulse by what is left of its lag, in standard deviations: half of `(1 + k) / k^2` for the time
-/// constants of some samples that are in use.
+/// Size of a pulse relative to its remaining lag, in standard deviations: half of `(1 + k) / k^2`
+/// for the usual time constants of a few samples.
 const PULSE: f64 = 2.5;
 
 /// Factor by which the remainder `1 - H` of the observed torques is added to them so that a ramp is
-/// met. `H` is late by `k / (1 - k)` samples, the mean of two by half a one. At most 2, as it adds
-/// noise; and what is missing then.
+/// followed, and the part of it that is missing. `H` lags by `k / (1 - k)` samples, the mean of two
+/// samples by half a sample. The factor is at most 2, as it amplifies noise.
 fn lead(k: f64) -> [f64; 2] {
     let exact = 0.5 * (1.0 + k) / k.max(1e-3);
     [exact.min(2.0), (exact - 2.0).max(0.0)]
 }
 
-/// Standard deviation of the white velocity noise with the same effect on the estimate as
-/// velocities whose response to an error of 1 in one recorded position is `speed` (sample by
-/// sample, `dt` s apart). Velocities behind a low-pass have nearly the same error at neighbours,
-/// and their differences hardly any.
+/// Standard deviation of the white velocity noise with the same effect on the estimate as the given
+/// velocities. `speed` is their response to an error of 1 in one recorded position, one value per
+/// sample, `dt` s apart. Low-passed velocities have nearly the same error at neighbouring samples,
+/// so their differences have hardly any.
 pub(super) fn white_speed(gain: f64, dt: f64, speed: &[f64]) -> f64 {
     let keep = libm::exp(-gain * dt);
     let [lead, _] = lead(keep);
     let (mut once, mut twice, mut before, mut energy) = (0.0, 0.0, 0.0, 0.0);
-    // Behind its end the observer's state decays.
+    // After the end of the response the observer's state decays.
     let settle = (20.0 / (1.0 - keep).max(1e-6)) as usize;
     for v in speed.iter().copied().chain(core::iter::repeat_n(0.0, settle)) {
         once += (1.0 - keep) * ((v - before) / dt - once);
@@ -167,13 +168,13 @@ pub(super) fn white_speed(gain: f64, dt: f64, speed: &[f64]) -> f64 {
     dt * libm::sqrt(energy / steps.max(1e-300))
 }
 
-/// Gain of white noise of variance 1 in each sample, with `H = (1 - k) / (1 - k / z)`, in the
-/// output that follows a ramp, `G = H (1 + l (1 - H))`, `l` the [`lead`]. The first is for noise
-/// that comes as the mean of two samples, the second for their difference. The third is the
-/// former's in `H (1 - H)^2`, the remaining lag (for small steps).
+/// Gains of white noise of variance 1 per sample in the ramp-following output
+/// `G = H (1 + l (1 - H))`. `H` is `(1 - k) / (1 - k / z)` and `l` the [`lead`]. The first is for
+/// noise that enters as the mean of two samples, the second for noise that enters as their
+/// difference. The third is that of the mean in the remaining lag, `H (1 - H)^2` (for small steps).
 ///
-/// `G` answers an impulse by `g_n = (1 - k) k^n (1 + l k - l (1 - k) n)`; sums of `g_n g_n` and
-/// `g_n g_{n+1}` are geometric series.
+/// The impulse response of `G` is `g_n = (1 - k) k^n (1 + l k - l (1 - k) n)`; the sums of
+/// `g_n g_n` and `g_n g_{n+1}` are geometric series.
 fn gains(k: f64, lead: f64) -> [f64; 3] {
     let (m, c, d) = (k * k, 1.0 + lead * k, lead * (k - 1.0));
     let (away, size) = ((1.0 - m).max(1e-12), (1.0 - k) * (1.0 - k));
@@ -194,8 +195,8 @@ impl<const N: usize> ForceEstimator<N> for Momentum<N> {
         if usable && sample.mass.iter().all(|row| finite(row)) {
             self.before = Some(*sample);
         } else {
-            // The step over the hole is not known: the next sample begins again, the observer keeps
-            // what it has.
+            // The change over the gap is unknown: the next sample starts a new step, and the
+            // observed torques are kept.
             self.before = None;
         }
         self.last

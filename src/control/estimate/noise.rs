@@ -1,4 +1,4 @@
-//! The torque noise without an identification: from the log itself.
+//! Estimate of the torque noise from the log itself, without an identification.
 
 use super::bias::{inside, within};
 use super::torques::Torques;
@@ -7,7 +7,7 @@ use crate::data::signal::{Filter, Motion, white_noise};
 use crate::identify::regression::rows::Rows;
 use crate::model::Arm;
 
-/// Sums over logs, per joint: a first pass.
+/// Sums over logs, per joint, in a first pass.
 pub struct NoisePass<'a> {
     arm: &'a dyn Arm,
     torques: &'a dyn Torques,
@@ -15,17 +15,17 @@ pub struct NoisePass<'a> {
     free: Vec<[f64; 2]>,
     nothing_touches: bool,
     rows: Rows,
-    /// Count, sum and sum of squares of what the model leaves where nothing touches.
+    /// Sum and sum of squares of the residual torque without contact.
     left: [Vec<f64>; 2],
     count: usize,
-    /// Variance of the white noise of what the model leaves, raw, times samples.
+    /// Sum of the white-noise variance of the raw residual torque, times samples.
     squares: Vec<f64>,
     seen: usize,
     gain: f64,
 }
 
 impl<'a> NoisePass<'a> {
-    /// Nothing touches in these stretches, s, or nowhere.
+    /// Creates a pass; `free` are the stretches without contact, s. It may be empty.
     pub fn new(
         arm: &'a dyn Arm,
         torques: &'a dyn Torques,
@@ -49,7 +49,7 @@ impl<'a> NoisePass<'a> {
         }
     }
 
-    /// Takes in a stretch of motion.
+    /// Adds a segment of motion.
     pub fn absorb(&mut self, motion: &Motion) {
         let picked = pick(self.arm, &self.rows, self.torques, motion, self.filter);
         let (count, len) = (picked.time.len(), motion.states.len);
@@ -71,9 +71,8 @@ impl<'a> NoisePass<'a> {
         }
     }
 
-    /// Root mean square of the model's residual where nothing touches, about its mean if that is
-    /// taken off as a bias, N m. The model's errors are counted as noise. `None` where that is
-    /// nowhere known.
+    /// Root mean square residual torque without contact, N m, about its mean if the mean is removed
+    /// as a bias. Model errors count as noise. `None` if no sample is known to be free of contact.
     pub fn left(&self, about_mean: bool) -> Option<Vec<f64>> {
         let n = self.count as f64;
         let rms = |j: usize| {
@@ -83,8 +82,7 @@ impl<'a> NoisePass<'a> {
         (self.count > 0).then(|| (0..self.squares.len()).map(rms).collect())
     }
 
-    /// Sample-to-sample noise after the low-pass, N m: white noise alone, and nothing of the
-    /// model's errors.
+    /// Sample-to-sample noise after the low-pass, N m: white noise only, without model errors.
     pub fn white(&self) -> Vec<f64> {
         let n = self.seen.max(1) as f64;
         self.squares.iter().map(|s| self.gain * (s / n).sqrt().max(1e-9)).collect()
@@ -97,7 +95,7 @@ mod tests {
     use crate::identify::planar::{Normal, Planar, motion};
     use crate::model::States;
 
-    /// A model that says nothing.
+    /// A model whose torque is zero.
     struct Nothing;
 
     impl Torques for Nothing {
@@ -106,8 +104,8 @@ mod tests {
         }
     }
 
-    /// Of a residual with a bias the deviation about its mean is the noise, the root mean square
-    /// that of both.
+    /// For a residual with a bias, the deviation about its mean is the noise alone, and the root
+    /// mean square is that of bias and noise.
     #[test]
     fn a_bias_is_no_noise_where_it_is_taken_off() {
         let arm = Planar::new();

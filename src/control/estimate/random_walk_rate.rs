@@ -1,74 +1,75 @@
-//! How fast a component of the wrench wanders, from its own estimate.
+//! Random-walk rate of a component of the wrench, found from its own estimate.
 //!
-//! In a steady state a Kalman filter for a random walk of rate `w` (standard deviation after a
+//! In a steady state, a Kalman filter for a random walk of rate `w` (standard deviation after a
 //! second) in noise of density `R` is a low-pass of time constant `T = sqrt(R) / w`. Its error has
-//! two halves, `R / (2 T)` of noise and as much of lag. The lag is seen in the estimate, as the
-//! lead over its own low-pass of the same `T`. This is `v T` for a ramp of rate `v`, `w^2 T / 2` in
-//! the mean square for a random walk, and `R / (4 T)` for its remaining noise. The pace at which
-//! the lag is half of the error is `w^3 = 2 v^2 sqrt(R)`: for a random walk its own. Rates come and
-//! go: a sine's is twice its mean square at its height, and that is what is taken.
+//! two equal parts, `R / (2 T)` of noise and as much of lag. The lag is visible in the estimate as
+//! the lead over its own low-pass of the same `T`. The lead is `v T` for a ramp of rate `v`; in the
+//! mean square it is `w^2 T / 2` for a random walk and `R / (4 T)` for its remaining noise. The
+//! rate at which the lag is half of the error is `w^3 = 2 v^2 sqrt(R)`: for a random walk, its own
+//! rate. Rates vary with time: a sine's squared rate peaks at twice its mean square, and the peak
+//! is used.
 
 use super::sample::NINETY_FIVE;
 
-/// Mean over so long, s.
+/// Averaging time of the rate's mean square, s.
 const MEMORY: f64 = 0.3;
-/// A time constant longer than this, at full rate, belongs to a component that the joints hardly
-/// determine: nothing is estimated from it then.
+/// Longest time constant at full rate, s. Beyond it the joints hardly determine the component, and
+/// no rate is estimated.
 const SLOWEST: f64 = 0.03;
-/// The least pace, as a share of the largest.
+/// Smallest random-walk rate, as a share of the largest.
 const LEAST: f64 = 0.01;
 
-/// The pace of one component.
+/// Random-walk rate of one component.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct RandomWalkRate {
     most: f64,
     pace: f64,
-    /// The estimate, low-passed.
+    /// Low-passed estimate.
     slow: Option<f64>,
-    /// Mean square of the rate.
+    /// Mean square of the component's rate of change.
     rate: f64,
 }
 
 impl RandomWalkRate {
-    /// As fast as it may be.
+    /// Starts at the largest rate.
     pub fn new(most: f64) -> Self {
         Self { most, pace: most, slow: None, rate: 0.0 }
     }
 
-    /// After a second, standard deviation.
+    /// Current random-walk rate: standard deviation after a second.
     pub fn now(&self) -> f64 {
         self.pace
     }
 
-    /// Mean square of its rate of late, squared unit per s^2, at its height; zero where nothing is
-    /// found out of the estimate.
+    /// Peak of the squared rate of change, twice its recent mean square, squared unit per s^2. Zero
+    /// where nothing can be found from the estimate.
     pub fn rate(&self) -> f64 {
         2.0 * self.rate.max(0.0)
     }
 
     /// Term missing in the filter's variance `variance` of this component, in noise of this
-    /// density, because the rate is only found from the estimate:
+    /// density, because the rate is found only from the estimate:
     ///
-    /// - found to wander faster than the filter took it to of late, it has the error of that pace,
-    ///   in a steady state `sqrt(R) w`, already;
-    /// - lag, which at the chosen rate is a quarter of the variance in the mean (half of it where a
-    ///   sine is steepest). It is determined as well as the mean square of the rate: from `nu = 2 M
-    ///   / T + 1` independent looks (an averaging time `M` over values correlated for `T / 2`), so
-    ///   that its 95 % are those of Student's distribution.
+    /// - A component that recently changed faster than the filter assumed already has the error of
+    ///   that rate, in a steady state `sqrt(R) w`.
+    /// - Lag, which at the chosen rate is a quarter of the variance on average (half of it where a
+    ///   sine is steepest). It is as uncertain as the mean square of the rate, which comes from
+    ///   `nu = 2 M / T + 1` independent values (an averaging time `M` over values correlated for
+    ///   `T / 2`). Its 95 % quantile is therefore that of Student's distribution.
     pub fn missing(&self, variance: f64, density: f64) -> f64 {
         if self.rate == 0.0 || !(density > 0.0 && variance > 0.0) {
             return 0.0;
         }
         let root = libm::sqrt(density);
         let looks = 2.0 * MEMORY * self.pace / root + 1.0;
-        // The normal deviate z = 1.96 in Cornish and Fisher's expansion: (z^3 + z) / 4 and (5 z^5 +
+        // The normal deviate z = 1.96 in the Cornish-Fisher expansion: (z^3 + z) / 4 and (5 z^5 +
         // 16 z^3 + 3 z) / 96.
         let wider = (NINETY_FIVE + 2.37 / looks + 2.82 / (looks * looks)) / NINETY_FIVE;
         let all = variance.max(root * self.pace);
         all - variance + 0.25 * all * (wider * wider - 1.0)
     }
 
-    /// Takes in the estimate, `dt` s after the one before, in noise of this density (squared unit
+    /// Processes an estimate, `dt` s after the previous one, in noise of this density (squared unit
     /// times s).
     pub fn see(&mut self, value: f64, density: f64, dt: f64) {
         let root = libm::sqrt(density.max(0.0));
@@ -83,7 +84,7 @@ impl RandomWalkRate {
         let ahead = (value - slow) * (value - slow);
         let noise = density / (4.0 * lag);
         let seen = (ahead - noise) / (lag * lag);
-        // Values that can't be noise count at once: a blow does not wait for a mean.
+        // Values too large to be noise count at once, so that an impact is not delayed by the mean.
         let share =
             if ahead > 25.0 * (noise + self.rate.max(0.0) * lag * lag) { 1.0 } else { 1.0 - libm::exp(-dt / MEMORY) };
         self.rate += share * (seen - self.rate);

@@ -1,28 +1,30 @@
-//! The paper's equation (14): what the identified inverse dynamics leaves of the measured torque,
-//! through `(J')^+`.
+//! The paper's equation (14): the residual torque of the identified inverse dynamics through
+//! `(J')^+`.
 
 use super::sample::{Estimate, EstimatorInput, ForceEstimator, Scale};
 use super::stiction::{least, unit};
 use super::wrench::{Weights, total, wrench};
 use crate::control::estimate::small_matrix::{cholesky, finite};
 
-/// `J' F = M ddq + c + g + friction - tau`, each sample for itself. Needs the acceleration.
+/// Solves `J' F = M ddq + c + g + friction - tau` at each sample separately. Needs the
+/// acceleration.
 ///
 /// The paper writes `tau = .. + tau_ext` with the wrench of the tool on its surroundings. Here, as
-/// in a log's `fx .. mz`, it is that of the surroundings on the tool, with the opposite sign.
+/// in a log's `fx .. mz`, the wrench is that of the surroundings on the tool, with the opposite
+/// sign.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Residual<const N: usize> {
     /// Standard deviation of each joint's torque noise, N m, in the samples after their filter.
     pub noise: [f64; N],
-    /// How large wrenches are.
+    /// Prior size of wrenches.
     pub scale: Scale,
-    /// How joints are weighted.
+    /// Weighting of the joints.
     pub weights: Weights,
     last: Estimate,
 }
 
 impl<const N: usize> Residual<N> {
-    /// Weighted by the uncertainty.
+    /// Creates the estimator with joints weighted by their uncertainty.
     pub fn new(noise: [f64; N], scale: Scale) -> Self {
         Self { noise, scale, weights: Weights::Uncertainty, last: Estimate::unknown(&scale) }
     }

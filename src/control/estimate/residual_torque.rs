@@ -1,42 +1,44 @@
-//! Unexplained torques of a stretch of motion, at the samples that are used.
+//! Residual torques of a segment of motion at the samples used.
 
 use super::torques::Torques;
 use crate::data::signal::{DeadZone, Filter, Motion, MotionBlock, low_pass};
 use crate::identify::regression::rows::Rows;
 use crate::model::{Arm, States};
 
-/// Joint-major over the picks where not said otherwise.
+/// Residual torques and what the estimators need with them; joint-major over the used samples
+/// unless noted.
 #[derive(Debug, Default)]
 pub(super) struct ResidualTorque {
-    /// Samples of the motion that are used.
+    /// Indices of the motion's samples that are used.
     pub samples: Vec<usize>,
     /// Their times, s.
     pub time: Vec<f64>,
-    /// Model less measured torque, low-passed, N m.
+    /// Model minus measured torque, low-passed, N m.
     pub external: Vec<f64>,
-    /// Smearing of that by the low-pass, N m: the part removed by a second pass is about the part
-    /// removed by the first.
+    /// Smearing of `external` by the low-pass, N m: the part removed by a second pass approximates
+    /// the part removed by the first.
     pub smear: Vec<f64>,
-    /// The regressor's entries, entry-major.
+    /// Regressor entries, entry-major.
     pub entries: Vec<f64>,
-    /// Whether a joint stands, so that its Coulomb friction may be anything between its levels.
+    /// Whether a joint is at rest, so that its Coulomb friction may be anything between its levels.
     pub still: Vec<bool>,
-    /// Whether it stands within what the low-pass smears.
+    /// Whether the joint is at rest within the range that the low-pass smears.
     pub near_rest: Vec<bool>,
-    /// Accelerations that are in `model`, at all samples of the motion: zero where a joint stands,
-    /// rad/s^2.
+    /// Accelerations used in `model` at all samples of the motion, rad/s^2; zero where a joint
+    /// stands.
     pub ddq: Vec<f64>,
-    /// Model torque and measured torque at *all* samples of the motion, joint-major, N m:
-    /// unfiltered, a sensor's gain taken out of both.
+    /// Model torque at *all* samples of the motion, joint-major, N m: unfiltered, with the sensor's
+    /// gain divided out.
     pub model: Vec<f64>,
-    /// See `model`.
+    /// Measured torque, laid out and scaled as `model`.
     pub tau: Vec<f64>,
     /// Measured wrench, low-passed, component-major; empty where the log has none.
     pub measured: Vec<f64>,
 }
 
-/// Evaluates the model along the whole motion and low-passes what it leaves, so that steps of
-/// friction which the model has never meet the filter. The motion's torques are raw, with margins.
+/// Evaluates the model along the whole motion and low-passes the residual, so that friction steps
+/// that the model reproduces do not pass through the filter. The motion's torques are raw, with
+/// margins.
 pub(super) fn pick(
     arm: &dyn Arm,
     rows: &Rows,
@@ -83,7 +85,7 @@ pub(super) fn pick(
         }
     }
     smear.iter_mut().zip(&external).for_each(|(twice, once)| *twice -= once);
-    // A sensor with a hole in its column measured nothing.
+    // A sensor column with a gap counts as no measurement.
     if motion.wrench.len() == 6 * len && motion.wrench.iter().all(|f| f.is_finite()) {
         for column in motion.wrench.chunks_exact(len.max(1)) {
             smooth(&mut column.to_vec(), &mut measured);
@@ -115,13 +117,13 @@ pub(super) fn pick(
 
 /// Smearing of the low-pass to each side, as a share of the period of its cutoff.
 const SMEAR: f64 = 0.25;
-/// A joint that is within its dead zone for longer stands: it does not accelerate either, s.
+/// Time within the dead zone, s, beyond which a joint stands and its acceleration is zero too.
 const STANDS: f64 = 0.3;
 
 /// Whether each joint's friction may be anything between its levels, joint-major. This holds at
-/// rest, sticking at a reversal, and below half a percent of its largest speed in the motion, where
-/// the ringing of the low-pass after a stop has signs of its own. A definition of rest that was
-/// given holds alone.
+/// rest, when sticking at a reversal, and below half a percent of the joint's largest speed in the
+/// motion. Below it, the ringing of the low-pass after a stop changes the sign of the velocity. A
+/// given dead zone is the only criterion if there is one.
 fn still(motion: &Motion, n: usize) -> Vec<bool> {
     let len = motion.states.len;
     let mut still = motion.resting.get(..n * len).map_or_else(|| vec![false; n * len], <[bool]>::to_vec);
@@ -138,8 +140,8 @@ fn still(motion: &Motion, n: usize) -> Vec<bool> {
     still
 }
 
-/// Takes the velocity of joints that are still as zero in the model's friction, and the
-/// acceleration of those that stand.
+/// Sets the velocity of joints at rest to zero in the model's friction, and the acceleration of
+/// those that stand.
 fn at_rest(still: &[bool], period: f64, states: &mut States, sign: &mut [f64]) {
     let len = states.len.max(1);
     states.dq.iter_mut().zip(still).filter(|(_, still)| **still).for_each(|(v, _)| *v = 0.0);
@@ -155,7 +157,7 @@ fn at_rest(still: &[bool], period: f64, states: &mut States, sign: &mut [f64]) {
     }
 }
 
-/// Whether a joint is still within so many samples of each used one, joint-major over the picks.
+/// Whether a joint is at rest within `within` samples of each used one, joint-major over `picks`.
 fn near(still: &[bool], len: usize, within: usize, picks: &[usize]) -> Vec<bool> {
     let of = |row: &[bool]| -> Vec<bool> {
         let reach = |s: usize| s.saturating_sub(within)..(s + within + 1).min(row.len());
@@ -168,7 +170,7 @@ fn near(still: &[bool], len: usize, within: usize, picks: &[usize]) -> Vec<bool>
 mod tests {
     use super::*;
 
-    /// A given dead zone is the definition of rest: no slower speed is added to it.
+    /// A given dead zone is the only definition of rest: the speed threshold does not apply.
     #[test]
     fn a_given_dead_zone_holds_alone() {
         let states = States { len: 4, dq: vec![0.001, 0.004, -0.5, 1.0], ..States::default() };

@@ -1,4 +1,4 @@
-//! Motions -> [`Series`].
+//! Estimation of a [`Series`] of wrenches from motions.
 
 use nalgebra::DMatrix;
 
@@ -18,25 +18,26 @@ use crate::data::signal::{Filter, Motion};
 use crate::identify::regression::rows::Rows;
 use crate::model::{Arm, Dynamics, States, ToolState};
 
-/// How to estimate.
+/// Settings of the estimation.
 #[derive(Debug, Clone, PartialEq)]
 pub struct EstimationSettings {
-    /// With which estimator.
+    /// Estimator.
     pub method: Method,
-    /// Low-pass of what the model leaves of the torque; that of the identification, whose noise is
-    /// used. The observers do without.
+    /// Low-pass of the residual torque; that of the identification, whose noise is used. The
+    /// observers do not use it.
     pub filter: Option<Filter>,
     /// Gain of the momentum observer, 1/s. Default 2 pi 10 Hz.
     pub gain: f64,
-    /// How large wrenches are.
+    /// Prior size of wrenches.
     pub scale: Scale,
-    /// How fast they wander at most: the Kalman filter's. Default 20 N and 2 N m in a second.
+    /// Largest random-walk rate of the wrench, for the Kalman filter. Default 20 N and 2 N m in a
+    /// second.
     pub wander: Scale,
-    /// Stretches in which nothing touches, s.
+    /// Stretches without contact, start and end, s.
     pub free: Vec<[f64; 2]>,
-    /// Nothing touches at all.
+    /// Whether there is no contact at any time.
     pub nothing_touches: bool,
-    /// Bias that is taken off.
+    /// Bias to subtract.
     pub bias: Option<Bias>,
 }
 
@@ -57,16 +58,16 @@ impl Default for EstimationSettings {
 
 /// Model of the arm.
 pub struct Known<'a> {
-    /// Its regressor and inertias.
+    /// Regressor and inertias.
     pub arm: &'a dyn Arm,
-    /// Its standard parameters (`P`).
+    /// Standard parameters (`P`).
     pub standard: &'a [f64],
-    /// Sensor readings where nothing touches.
+    /// Torque model without contact, as the sensors read it.
     pub torques: &'a dyn Torques,
-    /// How wrong that may be.
+    /// Uncertainty of the model.
     pub uncertainty: &'a Uncertainty,
-    /// Torque limit of each joint, N m; infinite, or no entry, where none is known. Where the model
-    /// has no dry friction it says how large static friction may be.
+    /// Torque limit of each joint, N m; infinite or missing where unknown. Where the model has no
+    /// dry friction, the limit bounds the static friction.
     pub torque_limits: &'a [f64],
 }
 
@@ -78,7 +79,7 @@ impl Known<'_> {
     }
 }
 
-/// An arm that is too large, or none.
+/// An arm with no joints or more than [`MOST_JOINTS`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("an arm with {0} joints: the estimators are made for 1 to {MOST_JOINTS}")]
 pub struct TooManyJoints(pub usize);
@@ -100,7 +101,7 @@ pub struct Run<'a> {
     breakaway: Vec<f64>,
     estimator: Option<Box<dyn Steps>>,
     detector: ContactDetector,
-    /// The stretches of `EstimationSettings::free` without what the low-pass smears into them.
+    /// Stretches of `EstimationSettings::free` without the margins into which the low-pass smears.
     judged: Vec<[f64; 2]>,
     free: Checker,
     anywhere: Checker,
@@ -110,7 +111,7 @@ pub struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    /// For a log of this name. `tool` gives the tool's frame.
+    /// Creates a run for a log of this name. `tool` computes the tool's frame.
     pub fn new(
         name: &str,
         known: Known<'a>,
@@ -134,7 +135,7 @@ impl<'a> Run<'a> {
         let breakaway: Vec<f64> = (0..n).map(|j| known.breakaway(j, coulomb[j].sqrt())).collect();
         let no_friction = |j: &usize| coulomb[*j] == 0.0 && breakaway[*j] > 0.0;
         let assumed = (0..n).filter(no_friction).map(|j| (j + 1, breakaway[j])).collect();
-        // Far apart against the filter, whose memory is about one over its cut-off.
+        // Spacing well above the filter's memory, which is about one over its cutoff.
         let spacing = settings.filter.map_or(0.1, |f| 2.0 / f.cutoff);
         let series = Series {
             name: name.into(),
@@ -163,12 +164,12 @@ impl<'a> Run<'a> {
         })
     }
 
-    /// Samples that were estimated so far.
+    /// Number of samples estimated so far.
     pub fn samples(&self) -> usize {
         self.series.time.len()
     }
 
-    /// Takes in a stretch of motion.
+    /// Estimates a segment of motion.
     pub fn absorb(&mut self, motion: &Motion) {
         let (n, len) = (self.known.arm.dof(), motion.states.len);
         let picked = pick(self.known.arm, &self.rows, self.known.torques, motion, self.settings.filter);
@@ -197,7 +198,7 @@ impl<'a> Run<'a> {
             row.static_friction = (0..n).map(|j| if still(j) { self.coulomb[j].sqrt() } else { 0.0 }).collect();
             row.breakaway =
                 (0..n).map(|j| if picked.near_rest[j * count + s] { self.breakaway[j] } else { 0.0 }).collect();
-            // The usual size of noise is built into the estimator.
+            // The usual noise is already part of the estimator.
             let more =
                 |j: usize| variance[j] - self.known.uncertainty.noise[j].powi(2) - row.static_friction[j].powi(2);
             for i in 0..n {
@@ -261,7 +262,7 @@ impl<'a> Run<'a> {
         self.estimator = Some(estimator);
     }
 
-    /// The estimator, for motions like this one.
+    /// Creates the estimator for motions like this one.
     fn tuned(&self, motion: &Motion) -> Option<Box<dyn Steps>> {
         let EstimationSettings { method, filter, gain, scale, wander, .. } = self.settings;
         let noise = &self.known.uncertainty.noise;
@@ -272,19 +273,19 @@ impl<'a> Run<'a> {
                 let unit = filter.velocity_noise(1.0, motion.period.recip());
                 let white = white_speed(gain, motion.period, &filter.velocity_response(motion.period));
                 let position = |j: usize| motion.position_noise.get(j).copied().unwrap_or(f64::INFINITY);
-                // The part of the positions that the low-pass removed is motion, too, where the arm
+                // The part of the positions that the low-pass removed is also motion, where the arm
                 // starts and stops.
                 motion.velocity_noise.iter().enumerate().map(|(j, v)| position(j).min(v / unit) * white).collect()
             }
-            // At least the rounding of an encoder, or the filter trusts velocities that are not
-            // that good.
+            // At least the rounding of an encoder; otherwise the filter would overrate the accuracy
+            // of the velocities.
             _ => motion.velocity_noise.iter().map(|v| v.max(1e-5)).collect(),
         };
         let tuning = Tuning { noise, density: &density, velocity: &velocity, gain, scale, wander };
         steps(self.known.arm.dof(), method, &tuning)
     }
 
-    /// Of the torque error at a pick: root of the parameters' part, `n x rank`, and the variances
+    /// Torque error at a used sample: root of the parameters' part, `n x rank`, and the variances
     /// of the rest.
     fn errors(&self, picked: &ResidualTorque, s: usize) -> (DMatrix<f64>, Vec<f64>) {
         let (n, rank, count) = (self.known.arm.dof(), self.root.ncols(), picked.samples.len());
@@ -295,8 +296,8 @@ impl<'a> Run<'a> {
                 (0..rank).for_each(|r| model[(row, r)] += w * self.root[(column, r)]);
             }
         }
-        // The noise of a mean over so many seconds: about two independent values in each period of
-        // the cut-off.
+        // Noise of a mean over this many seconds: about two independent values in each period of
+        // the cutoff.
         let independent =
             |b: &Bias| 1.0 + 1.0 / (2.0 * b.seconds * self.settings.filter.map_or(100.0, |f| f.cutoff)).max(1.0);
         let more = self.settings.bias.as_ref().map_or(1.0, independent);
@@ -312,7 +313,7 @@ impl<'a> Run<'a> {
         self.tool.tool(q, &mut self.state);
     }
 
-    /// In the tool's axes.
+    /// Jacobian in the tool's axes, `6 x n`, row-major.
     fn jacobian(&self) -> Vec<f64> {
         let (n, ToolState { pose, jacobian }) = (self.known.arm.dof(), &self.state);
         let turned = |part: usize, axis: usize, j: usize| -> f64 {
@@ -321,7 +322,7 @@ impl<'a> Run<'a> {
         (0..6).flat_map(|i| (0..n).map(move |j| (i, j))).map(|(i, j)| turned(i / 3, i % 3, j)).collect()
     }
 
-    /// The series.
+    /// Returns the series with its consistency checks and verdict.
     pub fn finish(mut self) -> Series {
         if !self.measured {
             self.series.measured.clear();
@@ -334,14 +335,14 @@ impl<'a> Run<'a> {
     }
 }
 
-/// Smallest singular value of a Jacobian (`6 x n`) whose angular rows count half a metre.
+/// Smallest singular value of a Jacobian (`6 x n`), angular rows scaled by half a metre.
 fn dexterity(jacobian: &[f64], n: usize) -> f64 {
     let scaled = DMatrix::from_fn(6, n, |i, j| jacobian[i * n + j] * if i < 3 { 1.0 } else { 0.5 });
     (&scaled * scaled.transpose()).symmetric_eigenvalues().min().max(0.0).sqrt()
 }
 
 /// Mass matrices, rotors included: entry `(j, k)` at sample `s` at `(j * n + k) * len + s`. Columns
-/// are torques of unit accelerations.
+/// are the torques of unit accelerations.
 fn masses(arm: &dyn Arm, standard: &[f64], states: &States) -> Vec<f64> {
     let (n, len) = (arm.dof(), states.len);
     let zero = vec![0.0; n * len];

@@ -1,64 +1,65 @@
-//! The wrench over a log, and how it compares.
+//! The wrench over a log, and its comparison with a reference.
 
 use super::consistency::Consistency;
 use super::method::Method;
 use super::verdict::Verdict;
 
-/// Names of the components.
+/// Names of the six components of a wrench.
 pub const COMPONENTS: [&str; 6] = ["fx", "fy", "fz", "mx", "my", "mz"];
 
-/// One value per used sample; wrenches of the surroundings on the tool, in its axes, N and N m.
+/// Estimates over a log, one value per used sample; wrenches of the surroundings on the tool, in
+/// its axes, N and N m.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Series {
     /// Name of the log.
     pub name: String,
-    /// How it was estimated.
+    /// Estimator used.
     pub method: Method,
-    /// s
+    /// Time of each sample, s.
     pub time: Vec<f64>,
-    /// Number of the segment.
+    /// Segment number of each sample.
     pub segment: Vec<usize>,
-    /// Estimates.
+    /// Estimated wrenches, N and N m.
     pub wrench: Vec<[f64; 6]>,
-    /// Half-widths of the 95 % band.
+    /// Half-widths of the 95 % band, N and N m.
     pub half: Vec<[f64; 6]>,
-    /// Whether each component is observable: if not, its band is the prior.
+    /// Whether each component is observable; the band of one that is not is the prior.
     pub observable: Vec<[bool; 6]>,
-    /// The surprise as a normal deviate, see [`Contact`](super::Contact).
+    /// Surprise as a normal deviate, see [`Contact`](super::Contact).
     pub deviate: Vec<f64>,
-    /// Whether something touches.
+    /// Whether contact is detected.
     pub touching: Vec<bool>,
-    /// Whether static friction or contact can't be observable apart, see
-    /// [`Contact`](super::Contact).
+    /// Whether static friction and contact are indistinguishable, see [`Contact`](super::Contact).
     pub undecided: Vec<bool>,
-    /// Whether it is known that nothing does.
+    /// Whether the sample is known to be without contact.
     pub free: Vec<bool>,
     /// Smallest singular value of the tool's Jacobian, angular rows times half a metre, m/rad: near
     /// zero at a singularity.
     pub dexterity: Vec<f64>,
-    /// Measured, with the same low-pass; empty where it was not.
+    /// Measured wrench through the same low-pass; empty if it was not measured.
     pub measured: Vec<[f64; 6]>,
-    /// Of the torque errors where nothing touches.
+    /// Consistency of the torque errors without contact.
     pub in_free: Option<Consistency>,
-    /// Of the torque errors that no wrench explains, anywhere: arms with more than six joints.
+    /// Consistency of the torque errors that no wrench explains, at any time: arms with more than
+    /// six joints.
     pub unexplained: Option<Consistency>,
-    /// Whether the bands can be relied upon: of the two checks before.
+    /// Whether the bands can be relied upon, from the two checks above.
     pub verdict: Verdict,
-    /// Torque that was taken off as a bias, N m; empty if none was.
+    /// Torque subtracted as a bias, N m; empty if none was.
     pub bias: Vec<f64>,
-    /// Joints, from 1, of which the model has no dry friction, with what static friction is taken
-    /// to hold at most, N m. It is in no band.
+    /// Joints, from 1, without dry friction in the model, and the static friction assumed as their
+    /// upper bound, N m. It is in no band.
     pub assumed_friction: Vec<(usize, f64)>,
     /// Samples that the estimator could not use.
     pub stale: usize,
 }
 
-/// Comparison of one component with its reference, where it is observable.
+/// Comparison of one component with its reference, where the component is observable.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Comparison {
-    /// Samples in which the component is observable; all figures are of these.
+    /// Number of samples in which the component is observable; the other figures are of these.
     pub samples: usize,
-    /// Their share of all.
+    /// Share of samples in which the component is observable.
     pub observable: f64,
     /// Mean error.
     pub mean: f64,
@@ -73,7 +74,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Of errors with their half-widths, and whether the component is observable.
+    /// Compares errors, given with their half-widths and whether the component is observable.
     pub fn of(errors: impl Iterator<Item = (f64, f64, bool)>) -> Self {
         let (mut c, mut all) = (Self::default(), 0_u32);
         for (error, half, observable) in errors {
@@ -95,7 +96,7 @@ impl Comparison {
 }
 
 impl Series {
-    /// Each component against what was measured; `None` where nothing was.
+    /// Compares each component with the measured wrench; `None` if there is no measurement.
     pub fn against_measured(&self) -> Option<[Comparison; 6]> {
         (self.measured.len() == self.wrench.len() && !self.wrench.is_empty()).then(|| {
             std::array::from_fn(|i| {
@@ -106,7 +107,8 @@ impl Series {
         })
     }
 
-    /// The phantom force: each component where nothing touches; `None` where that is nowhere known.
+    /// Compares each component with zero where there is no contact (the phantom force); `None`
+    /// where that is nowhere known.
     pub fn phantom(&self) -> Option<[Comparison; 6]> {
         let free: Vec<usize> = (0..self.free.len()).filter(|&s| self.free[s]).collect();
         (!free.is_empty()).then(|| {
@@ -115,7 +117,7 @@ impl Series {
         })
     }
 
-    /// Share of samples in which something is said to touch, among those with `free` as asked.
+    /// Share of samples with detected contact, among those whose `free` has the given value.
     pub fn touch_share(&self, free: bool) -> f64 {
         let picked: Vec<bool> =
             self.touching.iter().zip(&self.free).filter(|(_, f)| **f == free).map(|(t, _)| *t).collect();

@@ -1,4 +1,5 @@
-//! Linear algebra of arrays: what a step needs, without allocation and without `std`.
+//! Linear algebra of fixed-size arrays for an estimator's step, without allocation and without
+//! `std`.
 
 /// Lower Cholesky factor of a symmetric matrix (its lower triangle is read); `None` where it is not
 /// positive definite, or not finite.

@@ -1,14 +1,15 @@
-//! Velocity and acceleration as they come, sample by sample, and torques made as late as these.
+//! Velocity and acceleration computed online, sample by sample, and torques with the same delay.
 
 use crate::control::estimate::small_matrix::times;
 
-/// A Butterworth low-pass of third order whose states are the signal and its first two derivatives
-/// ("state-variable filter"). Positions and torques go through the same one, so that all are late
-/// by the same: `2 / (2 pi cutoff)` for slow signals.
+/// A third-order Butterworth low-pass whose states are the signal and its first two derivatives
+/// ("state-variable filter"). Positions and torques pass through the same filter, so that all have
+/// the same delay: `2 / (2 pi cutoff)` for slow signals.
 #[derive(Debug, Clone, PartialEq)]
 pub struct StateVariableFilter<const N: usize> {
-    /// Exact transition over one period, and the addition of a rise of the input by 1, on a
-    /// straight line. A staircase would leave ripples on the acceleration of a fast motion.
+    /// Exact transition over one period. With it, `rise`: the increment for an input that rises by
+    /// 1 on a straight line. A staircase input would leave ripples on the acceleration of a fast
+    /// motion.
     step: [[f64; 3]; 3],
     rise: [f64; 3],
     motion: [Channel; N],
@@ -16,7 +17,7 @@ pub struct StateVariableFilter<const N: usize> {
     begun: bool,
 }
 
-/// Signal, first and second derivative; the input before.
+/// State (signal, first and second derivative) and the previous input.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 struct Channel {
     state: [f64; 3],
@@ -24,11 +25,11 @@ struct Channel {
 }
 
 impl<const N: usize> StateVariableFilter<N> {
-    /// With this cut-off frequency, Hz, for samples every `period` s.
+    /// Creates a filter with this cutoff frequency, Hz, for samples every `period` s.
     pub fn new(cutoff: f64, period: f64) -> Self {
         let w = 2.0 * core::f64::consts::PI * cutoff;
-        // x''' = w^3 (u - x) - 2 w^2 x' - 2 w x'', u' = s, s' = 0: exp of the five by five, by
-        // squaring a short Taylor series.
+        // x''' = w^3 (u - x) - 2 w^2 x' - 2 w x'', u' = s, s' = 0: matrix exponential of the five
+        // by five, by squaring a short Taylor series.
         let mut a = [[0.0; 5]; 5];
         (a[0][1], a[1][2], a[3][4]) = (1.0, 1.0, 1.0);
         a[2] = [-w * w * w, -2.0 * w * w, -2.0 * w, w * w * w, 0.0];
@@ -45,7 +46,7 @@ impl<const N: usize> StateVariableFilter<N> {
         }
     }
 
-    /// Takes in a sample; the first one is taken to be at rest.
+    /// Processes a sample; the arm is assumed to be at rest at the first one.
     pub fn push(&mut self, q: &[f64; N], tau: &[f64; N]) {
         for j in 0..N {
             for (channel, input) in [(&mut self.motion[j], q[j]), (&mut self.torque[j], tau[j])] {
@@ -55,7 +56,7 @@ impl<const N: usize> StateVariableFilter<N> {
                 if !self.begun {
                     *channel = Channel { state: [input, 0.0, 0.0], input };
                 }
-                // Taken about the input before, so that standing still is exact.
+                // Relative to the previous input, so that a constant signal stays exact.
                 let Channel { state: [x, dx, ddx], input: before } = *channel;
                 let next = times(&self.step, &[x - before, dx, ddx]);
                 let climbed: [f64; 3] = core::array::from_fn(|i| next[i] + self.rise[i] * (input - before));
@@ -65,30 +66,30 @@ impl<const N: usize> StateVariableFilter<N> {
         self.begun = true;
     }
 
-    /// Positions.
+    /// Filtered positions, rad.
     pub fn q(&self) -> [f64; N] {
         self.motion.map(|c| c.state[0])
     }
 
-    /// Velocities.
+    /// Velocities, rad/s.
     pub fn dq(&self) -> [f64; N] {
         self.motion.map(|c| c.state[1])
     }
 
-    /// Accelerations.
+    /// Accelerations, rad/s^2.
     pub fn ddq(&self) -> [f64; N] {
         self.motion.map(|c| c.state[2])
     }
 
-    /// Torques.
+    /// Filtered torques, N m.
     pub fn tau(&self) -> [f64; N] {
         self.torque.map(|c| c.state[0])
     }
 
-    /// Standard deviations that white noise of 1 of the input leaves in the signal, its velocity
-    /// and its acceleration.
+    /// Standard deviations of the filtered signal, its velocity and its acceleration for white
+    /// input noise of standard deviation 1.
     pub fn noise_gain(&self) -> [f64; 3] {
-        // The response to an impulse: up by 1, down again, then free.
+        // Response to an impulse: up by 1, down again, then free.
         let (mut state, mut squares) = (self.rise, [0.0; 3]);
         for k in 0..100_000 {
             (0..3).for_each(|i| squares[i] += state[i] * state[i]);
@@ -105,7 +106,7 @@ impl<const N: usize> StateVariableFilter<N> {
     }
 }
 
-/// For the exponential.
+/// Matrix of the exponential.
 type Square = [[f64; 5]; 5];
 
 fn product(a: &Square, b: &Square) -> Square {

@@ -1,21 +1,20 @@
-//! Static friction in the question whether something touches: at rest it is an interval, not a
-//! number.
+//! Static friction in contact detection: at rest it is an interval, not a number.
 //!
-//! A joint at rest is held by friction of any value within its breakaway level. Torques that the
-//! model leaves are then no contact as long as *some* friction within all intervals explains them;
-//! they are no proof of its absence either.
+//! A joint at rest is held by friction of any value within its breakaway level. A residual torque
+//! is then no contact as long as *some* friction within all intervals explains it. It is no proof
+//! that there is no contact either.
 
 use crate::control::estimate::small_matrix::{dot, forward};
 
-/// Breakaway above the Coulomb level, by the torque limit: the default of `stribeck_friction` in
-/// the table of effects.
+/// Breakaway level above the Coulomb level, as a share of the torque limit: the default of
+/// `stribeck_friction` in the table of effects.
 const BREAKAWAY: f64 = 0.01;
-/// Static friction of a drive of which the model has none, at most, by the torque limit: a UR10e at
-/// rest shows up to 0.04.
+/// Upper bound of a drive's static friction if the model has none, as a share of the torque limit:
+/// a UR10e at rest shows up to 0.04.
 const UNKNOWN: f64 = 0.05;
 
-/// Largest static friction of a joint, N m, by its Coulomb level, the breakaway level where one is
-/// stated, and its torque limit (infinite: none is known), N m.
+/// Largest static friction of a joint, N m, from its Coulomb level, N m, the breakaway level if one
+/// is given, N m, and its torque limit (infinite if unknown), N m.
 pub(in crate::control) fn breakaway(coulomb: f64, stated: Option<f64>, limit: f64) -> f64 {
     let limit = if limit.is_finite() { limit } else { 0.0 };
     match stated {
@@ -25,13 +24,14 @@ pub(in crate::control) fn breakaway(coulomb: f64, stated: Option<f64>, limit: f6
     }
 }
 
-/// Sweeps over the joints: a few are enough where columns are nearly orthogonal, as whitened
+/// Number of sweeps over the joints: a few suffice where columns are nearly orthogonal, as whitened
 /// torques of single joints are.
 const SWEEPS: usize = 60;
 
-/// `error = B f + noise` with noise of the covariance whose Cholesky factor is `root`, and friction
-/// `|f_j|` up to `breakaway_j`, `column(j)` of `B`. Chi-square of the noise for the friction that
-/// explains most, and for none. Coordinate descent on a convex function within a box.
+/// Solves `error = B f + noise` for the friction `|f_j| <= breakaway_j` that explains most of the
+/// error. `column(j)` is a column of `B`, and `root` the Cholesky factor of the noise covariance.
+/// Returns the chi-square of the noise for this friction and for none. The method is coordinate
+/// descent on a convex function within a box.
 pub(super) fn least<const M: usize, const N: usize>(
     root: &[[f64; M]; M],
     error: &[f64; M],
@@ -80,14 +80,14 @@ mod tests {
         let at = |error: [f64; 2], level: [f64; 2]| least(&root, &error, unit::<2>, &level);
         let [within, none] = at([3.0, -2.0], [4.0, 2.0]);
         assert!(within < 1e-9 && none > 200.0, "{within} {none}");
-        // One joint stands, the other moves.
+        // One joint is at rest, the other moves.
         let [half, none] = at([3.0, -2.0], [4.0, 0.0]);
         assert!(half > 40.0 && half < none, "{half} {none}");
         let [moving, none] = at([3.0, -2.0], [0.0; 2]);
         assert_eq!(moving, none);
     }
 
-    /// Against a fine grid over the box.
+    /// Compares the minimum with a fine grid over the box.
     #[test]
     fn it_is_the_least() {
         let root = cholesky(&[[0.5, 0.3], [0.3, 0.4]]).unwrap();

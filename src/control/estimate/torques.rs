@@ -1,34 +1,34 @@
-//! Model of the readings of the torque sensors.
+//! Models of the torque sensors' readings.
 
 use crate::identify::regression::rows::Rows;
 use crate::model::{Arm, States, TorqueModel};
 
-/// Predicts torques along recorded motion.
+/// Predicts the readings of the torque sensors along a recorded motion.
 pub trait Torques: Sync {
-    /// Torques at the sensors, N m, joint-major like the states, where nothing touches. `time` s,
-    /// one per sample, evenly spaced; `sign`, where it is given, is that of each velocity, zero
-    /// inside its noise; `temperature`, deg C, may be empty.
+    /// Computes the torques at the sensors without contact, N m, joint-major like the states.
+    /// `time`, s, has one evenly spaced value per sample. `sign`, if given, is the sign of each
+    /// velocity, zero within its noise; `temperature`, deg C, may be empty.
     fn along(&self, time: &[f64], states: &States, sign: &[f64], temperature: &[f64], out: &mut [f64]);
 
-    /// The same of a part of a recording that began at `begun`, s.
+    /// Computes the same torques for a part of a recording that began at `begun`, s.
     fn since(&self, _begun: f64, time: &[f64], states: &States, sign: &[f64], temperature: &[f64], out: &mut [f64]) {
         self.along(time, states, sign, temperature, out);
     }
 
-    /// Breakaway level of a joint's static friction by its laws, N m; `None` where they say nothing
-    /// of it.
+    /// Breakaway level of a joint's static friction from its friction law, N m; `None` if the law
+    /// has none.
     fn breakaway(&self, _joint: usize) -> Option<f64> {
         None
     }
 
-    /// Torque that a joint's sensor says, per true torque.
+    /// Gain of a joint's sensor: reading per true torque.
     fn gain(&self, _joint: usize) -> f64 {
         1.0
     }
 }
 
-/// A model with effects: drives with memory, sensors that err, torques that are late. What touches
-/// is then estimated as late as the torques are.
+/// A model with effects: drives with memory, sensor errors, delayed torques. The external wrench is
+/// then estimated with the delay of the torques.
 pub struct Effected<'a>(pub &'a dyn TorqueModel);
 
 impl Torques for Effected<'_> {
@@ -49,8 +49,8 @@ impl Torques for Effected<'_> {
     }
 }
 
-/// A model that is linear in its base parameters: the rigid arm with viscous and Coulomb friction,
-/// rotors, offsets.
+/// A model linear in its base parameters: the rigid arm with viscous and Coulomb friction, rotors
+/// and offsets.
 pub struct Linear<'a> {
     arm: &'a dyn Arm,
     rows: Rows,
@@ -58,7 +58,7 @@ pub struct Linear<'a> {
 }
 
 impl<'a> Linear<'a> {
-    /// With these base parameters.
+    /// Creates a model with these base parameters.
     pub fn new(arm: &'a dyn Arm, beta: &[f64]) -> Self {
         Self { arm, rows: Rows::new(arm), beta: beta.to_vec() }
     }

@@ -1,4 +1,4 @@
-//! Uncertainty of a model: the covariance of its parameters, and the noise of the torques.
+//! Uncertainty of a model: covariance of its parameters and noise of the torques.
 
 use nalgebra::DMatrix;
 
@@ -9,30 +9,30 @@ use crate::identify::{Identification, Standing};
 pub enum NoiseSource {
     /// The residual of an identification.
     Identification,
-    /// Residual of the model where nothing touches, all of it counted as noise.
+    /// Residual of the model without contact, all of it counted as noise.
     Free,
-    /// The torque's own noise from sample to sample: the model's errors are in no band.
+    /// Sample-to-sample noise of the torque: model errors are in no band.
     Log,
 }
 
-/// Errors of the model's torque come from the parameters (constant over a run, drawn again by each
-/// identification) and from noise (drawn again at each sample, correlated among neighbours after a
-/// low-pass).
+/// Uncertainty of the model's torque. Its errors come from the parameters (constant over a run,
+/// different in each identification) and from noise (different at each sample, correlated among
+/// neighbouring samples after a low-pass).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Uncertainty {
-    /// Covariance of the base parameters, `B * B`, row-major; zero where nothing is known of it.
+    /// Covariance of the base parameters, `B x B`, row-major; zero where it is unknown.
     pub covariance: Vec<f64>,
     /// Standard deviation of each joint's torque noise after the low-pass, N m.
     pub noise: Vec<f64>,
-    /// Source of that.
+    /// Source of the noise.
     pub source: NoiseSource,
-    /// Base parameters that the identification did not determine: their errors are in no band.
+    /// Base parameters that the identification did not determine; their errors are in no band.
     pub open: Vec<String>,
 }
 
 impl Uncertainty {
-    /// Of an identification, on torques with the low-pass of its logs. Its standard deviations
-    /// count neighbouring samples as the dependent ones they are.
+    /// Takes the uncertainty from an identification, on torques with the low-pass of its logs. Its
+    /// standard deviations allow for the dependence of neighbouring samples.
     pub fn of(found: &Identification) -> Self {
         let std: Vec<f64> = found.parameters.iter().map(|p| p.std).collect();
         let open = found.parameters.iter().filter(|p| p.standing == Standing::NotIdentifiable);
@@ -44,15 +44,15 @@ impl Uncertainty {
         }
     }
 
-    /// Of noise alone: the parameters (`B`) are taken to be exact.
+    /// Takes noise alone; the `parameters` base parameters are assumed exact.
     pub fn noise(noise: Vec<f64>, source: NoiseSource, parameters: usize) -> Self {
         Self { covariance: vec![0.0; parameters * parameters], noise, source, open: Vec::new() }
     }
 
-    /// `L` with `L L' = C`, `B x rank`: the columns that matter.
+    /// Root `L` of the covariance, `L L' = C`, `B x rank`; null directions are dropped.
     pub(super) fn root(&self) -> DMatrix<f64> {
         let b = self.covariance.len().isqrt();
-        // Parameters have sizes from 1e-4 to 10: correlations are decomposed, not covariances.
+        // Decomposes correlations rather than covariances, as parameters range from 1e-4 to 10.
         let std: Vec<f64> = (0..b).map(|i| self.covariance[i * b + i].max(0.0).sqrt()).collect();
         let scaled = DMatrix::from_fn(b, b, |i, j| {
             let size = std[i] * std[j];
@@ -66,8 +66,8 @@ impl Uncertainty {
     }
 }
 
-/// From standard deviations and correlations (`B * B`); entries that are not finite are set to
-/// zero.
+/// Covariance from standard deviations and correlations, both `B x B` row-major; entries that are
+/// not finite are set to zero.
 pub fn covariance(std: &[f64], correlation: &[f64]) -> Vec<f64> {
     let b = std.len();
     let value = |i: usize, j: usize| {

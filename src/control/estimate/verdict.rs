@@ -1,44 +1,44 @@
-//! Whether the bands of a log can be relied upon: one verdict of all checks.
+//! Overall verdict of all checks: whether the bands of a log can be relied upon.
 
 use super::consistency::Consistency;
 use super::uncertainty::NoiseSource;
 
-/// Of the bands of a log.
+/// Verdict on the bands of a log.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum Verdict {
     /// Every check that could be made agrees with the predicted covariance.
     Hold {
-        /// Least probability of errors as large as those of a check, for a model that errs as
-        /// predicted.
+        /// Lowest probability, over the checks, of errors at least this large for a model that errs
+        /// as predicted.
         probability: f64,
     },
-    /// No check failed, but errors are larger than a right model's commonly are.
+    /// No check failed, but the errors are larger than a correct model's usually are.
     Doubtful {
-        /// Least probability of errors as large as those of a check, for a model that errs as
-        /// predicted.
+        /// Lowest probability, over the checks, of errors at least this large for a model that errs
+        /// as predicted.
         probability: f64,
-        /// Errors of that check by their prediction (root mean square): a factor for the bands.
+        /// Root mean square of that check's errors relative to prediction: a factor for the bands.
         widen: f64,
     },
-    /// A check failed: bands are too narrow.
+    /// A check failed: the bands are too narrow.
     TooWrong {
-        /// Factor by which bands would have to be wider: the largest of all failed checks.
+        /// Factor by which the bands would have to be wider: the largest over all failed checks.
         widen: f64,
-        /// Joint whose errors exceed their prediction most, from 1, with the factor; `None` if no
+        /// Joint, from 1, whose errors exceed their prediction most, with the factor; `None` if no
         /// check separates the joints.
         joint: Option<(usize, f64)>,
     },
-    /// The noise was taken from the samples that would have to judge it.
+    /// The noise was taken from the same samples that would have to check it.
     Circular,
-    /// There is nothing to judge with: no stretch is known to be free of contact, and the arm has
-    /// no spare joint.
+    /// No check is possible: no stretch is known to be free of contact, and the arm has no
+    /// redundant joint.
     #[default]
     NotJudged,
 }
 
 impl Verdict {
-    /// Of torque errors where nothing touches, and of those that no wrench explains (arms with more
-    /// than six joints).
+    /// Combines the consistency of the torque errors without contact and of those that no wrench
+    /// explains (arms with more than six joints).
     pub(super) fn of(free: Option<&Consistency>, unexplained: Option<&Consistency>, source: NoiseSource) -> Self {
         let circular = source == NoiseSource::Free && free.is_some();
         let checks: Vec<&Consistency> = free.filter(|_| !circular).into_iter().chain(unexplained).collect();
@@ -50,7 +50,7 @@ impl Verdict {
             };
             return Self::TooWrong { widen, joint: checks.iter().filter(|c| !c.holds()).find_map(worst) };
         }
-        // The part that no wrench explains is judged by the same noise.
+        // The part that no wrench explains is judged with the same noise.
         let least = checks.into_iter().min_by(|a, b| a.probability.total_cmp(&b.probability));
         match (circular, least) {
             (true, _) => Self::Circular,
@@ -60,17 +60,17 @@ impl Verdict {
         }
     }
 
-    /// Whether bands are too narrow.
+    /// Whether the bands are too narrow.
     pub fn is_too_wrong(&self) -> bool {
         matches!(self, Self::TooWrong { .. })
     }
 
-    /// Whether bands are in doubt.
+    /// Whether the bands are in doubt.
     pub fn is_doubtful(&self) -> bool {
         matches!(self, Self::Doubtful { .. })
     }
 
-    /// The one that says least good of several logs.
+    /// The worst verdict over several logs; `None` if there are none.
     pub fn worst<'a>(all: impl Iterator<Item = &'a Self>) -> Option<&'a Self> {
         let rank = |v: &Self| match v {
             Self::TooWrong { widen, .. } => (4, *widen),
@@ -91,7 +91,7 @@ mod tests {
         Consistency { instants: 50, ratio, probability, joints: joints.to_vec() }
     }
 
-    /// One failed check is enough, whichever it is.
+    /// One failed check suffices, whichever it is.
     #[test]
     fn one_verdict_of_all_checks() {
         let good = check(1.0, 0.4, &[1.0, 0.9]);
@@ -102,13 +102,13 @@ mod tests {
         let worst = Verdict::TooWrong { widen: 3.0, joint: Some((2, 4.0)) };
         assert_eq!(Verdict::of(Some(&check(9.0, 1e-6, &[1.0, 4.0])), Some(&good), known), worst);
         assert_eq!(Verdict::of(None, None, known), Verdict::NotJudged);
-        // Errors that a right model makes in one run of two hundred are no reason to rely on it.
+        // Errors that a correct model makes in one run of two hundred do not support relying on it.
         let rare = check(4.0, 0.0046, &[1.0, 2.0]);
         let doubtful = Verdict::Doubtful { probability: 0.0046, widen: 2.0 };
         assert_eq!(Verdict::of(Some(&good), Some(&rare), known), doubtful);
         assert_eq!(Verdict::of(Some(&rare), None, known), doubtful);
-        // Noise that was taken from the free stretch can't judge itself, but a model that the spare
-        // joint contradicts is wrong all the same.
+        // Noise taken from the free stretch cannot check itself, but a model that the redundant
+        // joint contradicts is still wrong.
         assert_eq!(Verdict::of(Some(&bad), Some(&good), NoiseSource::Free), Verdict::Circular);
         assert!(Verdict::of(Some(&good), Some(&bad), NoiseSource::Free).is_too_wrong());
     }

@@ -1,28 +1,28 @@
-//! From the torques that the model does not explain to the wrench on the tool: `(J')^+`, weighted
-//! and damped.
+//! Wrench on the tool from the residual torque: weighted and damped `(J')^+`.
 //!
-//! `J' F = e` with an error of covariance `S` (torque noise and the model's), and `F` itself of the
-//! size `D` ([`Scale`]), independent. `F = (J S^-1 J' + D^-1)^-1 J S^-1 e` is the mean of `F` given
-//! `e`, and the bracket's inverse its covariance. For `S = s^2 I` it is the damped least squares of
-//! Nakamura and Hanafusa (J. Dyn. Sys. Meas. Control 108, 1986) and Wampler (IEEE SMC 16, 1986),
-//! with damping `s / D`.
+//! The equation is `J' F = e`, with an error of covariance `S` (torque noise and model) and an
+//! independent prior of covariance `D` on `F` ([`Scale`]). `F = (J S^-1 J' + D^-1)^-1 J S^-1 e` is
+//! the mean of `F` given `e`, and the inverse of the bracket its covariance. For `S = s^2 I` and
+//! `D = d^2 I` this is damped least squares (Nakamura and Hanafusa, J. Dyn. Sys. Meas. Control 108,
+//! 1986; Wampler, IEEE SMC 16, 1986), with damping `s / d`.
 
 use super::sample::{NINETY_FIVE, Scale};
 use crate::control::estimate::small_matrix::{backward, cholesky, dot, forward, inverse, sandwich, times};
 
-/// How joints are weighted.
+/// Weighting of the joints.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Weights {
-    /// By the uncertainty of each sample's torque. The best there is.
+    /// Weighted by the uncertainty of each sample's torque; the minimum-variance choice.
     Uncertainty,
-    /// All alike, as in the paper's equation (14); `F = (J J' + l^2)^-1 J e` with the damping `l`.
+    /// Equal weights, as in the paper's equation (14): `F = (J J' + l^2)^-1 J e` with the damping
+    /// `l`.
     Equal {
-        /// `l`, in the Jacobian's units: small against 1.
+        /// Damping `l`, in the Jacobian's units: small compared with 1.
         damping: f64,
     },
 }
 
-/// A wrench with what is known of it.
+/// A wrench with its covariance and what can be observed of it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Solved {
     pub wrench: [f64; 6],
@@ -33,7 +33,7 @@ pub(super) struct Solved {
     pub observable: [bool; 6],
 }
 
-/// `torque = J' F + error`; `None` where `covariance` is none.
+/// Solves `torque = J' F + error`; `None` if `covariance` is not positive definite.
 pub(super) fn wrench<const N: usize>(
     jacobian: &[[f64; N]; 6],
     torque: &[f64; N],
@@ -67,15 +67,15 @@ pub(super) fn wrench<const N: usize>(
         Weights::Uncertainty => (likely, spread),
         Weights::Equal { damping } => {
             let map = equal(jacobian, damping)?;
-            // Bias of the damping, `(1 - A J') F`: `F` is unknown, and its best weighted estimate
-            // from the same torques takes its place. The damped estimate's own variance is small.
+            // Bias of the damping, `(1 - A J') F`. `F` is unknown and replaced by its weighted
+            // estimate from the same torques. The damped estimate's own variance is small.
             let lost: [[f64; 6]; 6] = core::array::from_fn(|i| {
                 core::array::from_fn(|j| f64::from(u8::from(i == j)) - dot(&map[i], &jacobian[j]))
             });
             let (noise, doubt) = (sandwich(&map, covariance), sandwich(&lost, &spread));
             let bias = times(&lost, &likely);
             let mut all: [[f64; 6]; 6] = core::array::from_fn(|i| core::array::from_fn(|j| noise[i][j] + doubt[i][j]));
-            // The band holds what is 95 % likely, shifted by the bias to either side.
+            // The band is the 95 % interval, extended by the bias to either side.
             for i in 0..6 {
                 let std = libm::sqrt(all[i][i].max(0.0)) + libm::fabs(bias[i]) / NINETY_FIVE;
                 all[i][i] = std * std;
@@ -86,14 +86,14 @@ pub(super) fn wrench<const N: usize>(
     Some(Solved { wrench, covariance, misfit, observable })
 }
 
-/// A standard deviation above a tenth of the prior size of wrenches comes from that prior, and not
-/// from the joints.
+/// Whether each component is observable: a standard deviation above a tenth of the prior size comes
+/// from the prior and not from the joints.
 pub(super) fn observable(covariance: &[[f64; 6]; 6], scale: &Scale) -> [bool; 6] {
     let sizes = scale.each();
     core::array::from_fn(|i| covariance[i][i] <= 0.01 * sizes[i] * sizes[i])
 }
 
-/// `(J J' + l^2)^-1 J`.
+/// Damped pseudo-inverse `(J J' + l^2)^-1 J`, `6 x N`.
 fn equal<const N: usize>(jacobian: &[[f64; N]; 6], damping: f64) -> Option<[[f64; N]; 6]> {
     let square: [[f64; 6]; 6] = core::array::from_fn(|i| {
         core::array::from_fn(|j| dot(&jacobian[i], &jacobian[j]) + if i == j { damping * damping } else { 0.0 })
@@ -109,7 +109,7 @@ fn equal<const N: usize>(jacobian: &[[f64; N]; 6], damping: f64) -> Option<[[f64
     Some(map)
 }
 
-/// Noise on the diagonal, the model's uncertainty around it.
+/// Model covariance plus the noise variance on the diagonal.
 pub(super) fn total<const N: usize>(variance: &[f64; N], model: &[[f64; N]; N]) -> [[f64; N]; N] {
     let mut sum = *model;
     (0..N).for_each(|j| sum[j][j] += variance[j]);

@@ -1,4 +1,5 @@
-//! All joints' loops at once, away from the wall: what one joint's loop does to another's.
+//! Stability of all joint loops together, away from the wall, including the coupling between
+//! joints.
 
 use nalgebra::DMatrix;
 
@@ -11,16 +12,17 @@ pub struct ArmPlant {
     pub period: f64,
     /// Mass matrix of the links, `n x n`, kg m^2, with the rotors of rigid joints.
     pub mass: DMatrix<f64>,
-    /// Rotors of soft joints, kg m^2, their springs, N m/rad (infinite: rigid, the rotor counts as
-    /// a part of the link), and their damping, N m s/rad.
+    /// Per joint: inertia of a soft joint's rotor, kg m^2, stiffness of its spring, N m/rad, and
+    /// its damping, N m s/rad. An infinite stiffness means a rigid joint, whose rotor counts as
+    /// part of the link.
     pub drives: Vec<[f64; 3]>,
-    /// Viscous friction, N m s/rad.
+    /// Viscous friction of the joints, N m s/rad.
     pub viscous: Vec<f64>,
 }
 
 impl ArmPlant {
-    /// Largest eigenvalue of the closed loop with these gains (`kp`, `kd` of each joint), `delay`
-    /// periods until a torque acts.
+    /// Spectral radius of the closed loop with the gains `kp`, `kd` of each joint; a torque acts
+    /// after `delay` periods.
     pub fn radius(&self, gains: &[[f64; 2]], delay: usize) -> f64 {
         let n = self.mass.nrows();
         let soft: Vec<usize> = (0..n).filter(|&j| self.drives[j][1].is_finite()).collect();
@@ -50,7 +52,7 @@ impl ArmPlant {
         let mut b = DMatrix::zeros(states, n);
         (0..n).for_each(|j| b.view_mut((total, j), (total, 1)).copy_from(&inverse.column(motor[j])));
         let (ad, bd) = held(&a, &b, self.period);
-        // States, motor positions before, torques on their way.
+        // States, previous motor positions, torques in transit.
         let size = states + n + delay * n;
         let mut command = DMatrix::zeros(n, size);
         for (j, [kp, kd]) in gains.iter().enumerate() {
@@ -74,18 +76,19 @@ impl ArmPlant {
         radius(&whole)
     }
 
-    /// How far it is from keeping its margins: below 1, it is stable with all gains doubled, and
-    /// with a period more of delay.
+    /// Spectral radius under perturbation: below 1, the loop is stable both with all gains doubled
+    /// and with one more period of delay.
     pub fn strain(&self, gains: &[[f64; 2]]) -> f64 {
         let doubled: Vec<[f64; 2]> = gains.iter().map(|g| g.map(|g| 2.0 * g)).collect();
         self.radius(&doubled, 0).max(self.radius(gains, 1))
     }
 }
 
-/// Lowers gains until all joints together keep their margins in these postures, each time those of
-/// the joint whose lowering helps most.
+/// Lowers gains until all joints together keep their margins in these postures. Each step lowers
+/// the gains of the joint for which this helps most. `None` if no such gains are found.
 pub fn lowered(plants: &[ArmPlant], mut gains: Vec<[f64; 2]>) -> Option<Vec<[f64; 2]>> {
-    /// Of a step: damping; stiffness goes with its square, so that the damping ratio stays.
+    /// Factor of the derivative gain per step; the stiffness changes with its square, so that the
+    /// damping ratio stays.
     const STEP: f64 = 0.8;
     let worst = |gains: &[[f64; 2]]| -> f64 { plants.iter().map(|p| p.strain(gains)).fold(0.0, f64::max) };
     let mut strain = worst(&gains);

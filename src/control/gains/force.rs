@@ -1,4 +1,4 @@
-//! The loop around: force error to displacement to joints to force, in one posture, all joints at
+//! Force loop: from force error to displacement to joints to force, in one posture, all joints at
 //! once.
 
 use nalgebra::{Complex, DMatrix, DVector};
@@ -13,24 +13,25 @@ pub struct ForcePlant {
     pub period: f64,
     /// Mass matrix, `n x n`, kg m^2, with the rotors of rigid joints.
     pub mass: DMatrix<f64>,
-    /// Rotors of soft joints, kg m^2, their springs, N m/rad (infinite: rigid, the rotor counts as
-    /// a part of `mass`), and their damping, N m s/rad.
+    /// Per joint: inertia of a soft joint's rotor, kg m^2, stiffness of its spring, N m/rad, and
+    /// its damping, N m s/rad. An infinite stiffness means a rigid joint, whose rotor counts as
+    /// part of `mass`.
     pub drives: Vec<[f64; 3]>,
     /// Viscous friction of the joints, N m s/rad.
     pub viscous: DVector<f64>,
-    /// Gains of the joints.
+    /// Proportional gains of the joints, N m/rad.
     pub kp: DVector<f64>,
-    /// Gains of the joints.
+    /// Derivative gains of the joints, N m s/rad.
     pub kd: DVector<f64>,
-    /// Velocity of the contact along the normal per joint velocity: `n . J`.
+    /// Velocity of the contact along the normal per joint velocity, `n . J`, m/rad.
     pub along: DVector<f64>,
-    /// Joint motion per displacement, rad/m: what the inverse kinematics answers.
+    /// Joint motion per displacement, rad/m, as the inverse kinematics gives it.
     pub inverse: DVector<f64>,
-    /// Of wall and roller, N/m.
+    /// Contact stiffness of wall and roller, N/m.
     pub stiffness: f64,
-    /// Of wall and roller, N s/m.
+    /// Contact damping of wall and roller, N s/m.
     pub damping: f64,
-    /// Corner of the three-pole filter on the force, Hz; infinite: none.
+    /// Corner frequency of the three-pole filter on the force, Hz; infinite: no filter.
     pub corner: f64,
 }
 
@@ -39,41 +40,41 @@ pub struct ForcePlant {
 pub struct Step {
     /// Force at each period, N.
     pub force: Vec<f64>,
-    /// Beyond 1 N, as a part of it.
+    /// Overshoot beyond 1 N, relative to 1 N.
     pub overshoot: f64,
-    /// When it is within 5 % for good, s.
+    /// Time after which the force stays within 5 %, s.
     pub settled: f64,
 }
 
-/// Gains of the force loop and what they give.
+/// Gains of the force loop with the resulting margins and step response.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ForceProposal {
-    /// m/N
+    /// Proportional gain, m/N.
     pub kp: f64,
-    /// m/(N s)
+    /// Integral gain, m/(N s).
     pub ki: f64,
-    /// The worst of all postures.
+    /// Worst margins over all postures.
     pub margins: Margins,
-    /// Of the first posture.
+    /// Step response in the first posture.
     pub step: Step,
 }
 
-/// The sampled system from the displacement to the filtered force.
+/// Sampled system from the displacement to the filtered force.
 struct Inner {
     a: DMatrix<f64>,
     b: DVector<f64>,
-    /// Filtered force.
+    /// Output row of the filtered force.
     c: DVector<f64>,
-    /// Force itself.
+    /// Output row of the unfiltered force.
     force: DVector<f64>,
     /// Index of each joint's motor among the states.
     motor: Vec<usize>,
 }
 
 impl ForcePlant {
-    /// States `x, dx, motors before, displacement before, filter`; `x` the links and then the
-    /// motors of soft joints. What is seen at an instant is that instant's; the displacement acts
-    /// until the next.
+    /// Builds the system with states `x, dx, previous motors, previous displacement, filter`; `x`
+    /// are the links and then the motors of soft joints. Outputs are those of the same instant; the
+    /// displacement acts until the next one.
     fn inner(&self) -> Option<Inner> {
         let n = self.mass.nrows();
         let mut motor: Vec<usize> = (0..n).collect();
@@ -138,8 +139,8 @@ impl ForcePlant {
         }
         let mut c = force.clone();
         if filter {
-            // x1 += s (f - x1), x2 += s (x1 - x2), x3 += s (x2 - x3), each with what is new; rows
-            // of what they are after the sample.
+            // x1 += s (f - x1), x2 += s (x1 - x2), x3 += s (x2 - x3), each with the updated value;
+            // rows give the values after the sample.
             let turn = std::f64::consts::TAU * self.corner * self.period;
             let s = turn / (1.0 + turn);
             let mut from = force.clone();
@@ -154,8 +155,8 @@ impl ForcePlant {
         Some(Inner { a: whole, b: input, c, force, motor })
     }
 
-    /// The inner loop closed by proportional and integral gains: `s = kp e + i`, `i` summing `ki T
-    /// e`.
+    /// Closes the inner loop with proportional and integral gains: `s = kp e + i`, where `i` sums
+    /// `ki T e`.
     fn closed(&self, inner: &Inner, kp: f64, ki: f64) -> (DMatrix<f64>, DVector<f64>) {
         let n = inner.a.nrows();
         let gain = kp + ki * self.period;
@@ -170,7 +171,7 @@ impl ForcePlant {
         (a, b)
     }
 
-    /// Margins with these gains; `None` where the mass matrix is none.
+    /// Margins with these gains; `None` if the mass matrix is singular.
     pub fn margins(&self, kp: f64, ki: f64) -> Option<Margins> {
         let inner = self.inner()?;
         let (closed, _) = self.closed(&inner, kp, ki);
@@ -180,14 +181,14 @@ impl ForcePlant {
         }))
     }
 
-    /// Response to a displacement that is added to the force loop's own, at these frequencies,
-    /// rad/s: filtered force per displacement, N/m. The loop is closed by these gains on the force
-    /// that is estimated from the motors. Links that swing behind them have inertial forces of
-    /// their own, which the estimate takes for the motors'. `None` where the mass matrix is none.
+    /// Response of the filtered force, N/m, to a displacement added to the force loop's own, at
+    /// these frequencies, rad/s. The loop is closed with these gains on the force estimated from
+    /// the motors. Links oscillating behind the springs have inertial forces of their own, which
+    /// the estimate attributes to the motors. `None` if the mass matrix is singular.
     pub fn response_to_displacement(&self, kp: f64, ki: f64, frequencies: &[f64]) -> Option<Vec<Complex<f64>>> {
         let inner = self.inner()?;
-        // Torques to the force along the normal: `n J^+'`, all joints alike, as far as that
-        // direction goes.
+        // Torques to the force along the normal: `n J^+'` with equal joint weights, within that
+        // direction.
         let per_torque = &self.along / self.along.norm_squared().max(1e-12);
         let lever = &self.mass * per_torque;
         let of = |w: &f64| {
@@ -204,7 +205,7 @@ impl ForcePlant {
         frequencies.iter().map(of).collect()
     }
 
-    /// Answer to a step of the desired force by 1 N.
+    /// Response to a step of the desired force by 1 N, over `seconds`.
     pub fn step(&self, kp: f64, ki: f64, seconds: f64) -> Option<Step> {
         let inner = self.inner()?;
         let (a, b) = self.closed(&inner, kp, ki);
@@ -221,8 +222,9 @@ impl ForcePlant {
     }
 }
 
-/// The fastest gains that keep the margins in all postures. For several ratios of proportional to
-/// integral gain the largest integral gain is taken, and of these the one whose step settles first.
+/// Proposes the fastest gains that keep the margins in all postures. For each of several ratios of
+/// proportional to integral gain it takes the largest integral gain, and among these the one whose
+/// step settles first.
 pub fn propose_force(postures: &[ForcePlant]) -> Option<ForceProposal> {
     let worst = |kp: f64, ki: f64| {
         let mut all = postures.iter().map(|p| p.margins(kp, ki));

@@ -1,51 +1,51 @@
-//! The loop of one joint: proportional-derivative with a backward difference, torques held over a
-//! period.
+//! Loop of one joint: proportional-derivative control with a backward difference, torques held over
+//! a period.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
 use super::sampled::{Margins, held, radius, response};
 
-/// Load of a joint's loop.
+/// Plant of a joint's loop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JointPlant {
     /// Time between samples, s.
     pub period: f64,
-    /// Periods until a torque acts.
+    /// Number of periods until a torque acts.
     pub delay: u32,
-    /// Least and largest inertia at the joint, rotor included, kg m^2.
+    /// Smallest and largest inertia at the joint, rotor included, kg m^2.
     pub inertia: [f64; 2],
-    /// Rotor by itself, kg m^2: what a soft joint's loop moves at high frequencies. Infinite: the
-    /// joint is rigid.
+    /// Inertia of the rotor alone, kg m^2: what a soft joint's loop moves at high frequencies.
+    /// Infinite for a rigid joint.
     pub rotor: f64,
-    /// Spring between rotor and link, N m/rad.
+    /// Stiffness of the spring between rotor and link, N m/rad.
     pub stiffness: f64,
-    /// Its damping, N m s/rad.
+    /// Damping of the spring, N m s/rad.
     pub damping: f64,
     /// Viscous friction, N m s/rad.
     pub viscous: f64,
 }
 
-/// Gains of a joint and what they give.
+/// Gains of a joint with the resulting bandwidth and margins.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JointProposal {
-    /// N m/rad
+    /// Proportional gain, N m/rad.
     pub kp: f64,
-    /// N m s/rad
+    /// Derivative gain, N m s/rad.
     pub kd: f64,
     /// `sqrt(kp / inertia)` with the largest inertia, rad/s.
     pub bandwidth: f64,
-    /// The worst of rigid and soft, light and heavy.
+    /// Worst margins over rigid and soft joint, smallest and largest inertia.
     pub margins: Margins,
 }
 
 impl JointPlant {
-    /// Margins with these gains.
+    /// Margins with these gains, the worst over all cases.
     pub fn margins(&self, kp: f64, kd: f64) -> Margins {
         let mut worst: Option<Margins> = None;
         for inertia in self.inertia {
             for soft in [false, true] {
-                // A light link on a spring is faster than any sampling: all joints together are
-                // judged in `arm`.
+                // A light link on a spring is faster than any sampling; `arm` checks all joints
+                // together.
                 if soft && !(inertia == self.inertia[1] && self.rotor < inertia && self.stiffness.is_finite()) {
                     continue;
                 }
@@ -58,7 +58,7 @@ impl JointPlant {
 
     fn case(&self, inertia: f64, soft: bool, kp: f64, kd: f64) -> Margins {
         let Self { period, rotor, stiffness, damping, viscous, .. } = *self;
-        // Motor first: [x, x', (link, link')].
+        // States, motor first: [x, x', (link, link')].
         let (a, b) = if soft {
             let link = inertia - rotor;
             let (k, d) = (stiffness, damping);
@@ -92,7 +92,7 @@ impl JointPlant {
         let (ad, bd) = held(&a, &b, period);
         let n = ad.nrows();
         let late = self.delay as usize;
-        // [x.., position before, torques on their way]
+        // [x.., previous position, torques in transit]
         let size = n + 1 + late;
         let mut closed = DMatrix::zeros(size, size);
         closed.view_mut((0, 0), (n, n)).copy_from(&ad);
@@ -125,19 +125,20 @@ impl JointPlant {
     }
 }
 
-/// Margins of a joint's loop: 30 degrees, a factor of two (6 dB), and a sensitivity of at most
-/// 2.2. Less than [`wanted`](super::wanted), as stiffness is what the joints are there for.
+/// Margins of a joint's loop: 30 degrees, a factor of two (6 dB), and a sensitivity of at most 2.2.
+/// They are lower than [`wanted`](super::wanted), as the joint loops are there to provide
+/// stiffness.
 pub fn wanted_joint(m: &Margins) -> bool {
     m.radius < 1.0 && m.phase >= 30.0 && m.gain >= 6.0 && m.modulus >= 0.45
 }
 
 /// Damping ratios for the largest inertia, well damped ones first. Where a light rotor limits the
-/// derivative gain, a lower one allows for more stiffness (as its square); 0.35 is a phase margin
-/// of 38 degrees for a rigid joint.
+/// derivative gain, a lower ratio allows more stiffness (with its inverse square). A ratio of 0.35
+/// is a phase margin of 38 degrees for a rigid joint.
 const DAMPING: [f64; 3] = [0.7, 0.5, 0.35];
 
-/// The stiffest gains that keep the margins: of several damping ratios the one that gives the most
-/// stiffness, a lower one only for half as much again.
+/// Proposes the stiffest gains that keep the margins, over several damping ratios. A lower ratio is
+/// accepted only if it gives half as much stiffness again.
 pub fn propose_joint(plant: &JointPlant) -> Option<JointProposal> {
     let heavy = plant.inertia[1];
     let mut best: Option<JointProposal> = None;
@@ -156,7 +157,7 @@ pub fn propose_joint(plant: &JointPlant) -> Option<JointProposal> {
     best
 }
 
-/// The largest number up to which all is good, to 5 %; `None` if not even the smallest is.
+/// Largest value up to which `good` holds, to 5 %; `None` if not even `low` is good.
 pub(super) fn largest(low: f64, high: f64, good: impl Fn(f64) -> bool) -> Option<f64> {
     if !good(low) {
         return None;

@@ -4,18 +4,18 @@ use std::f64::consts::PI;
 
 use nalgebra::{Complex, DMatrix, DVector};
 
-/// How far a loop is from ringing.
+/// Stability margins of a loop.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Margins {
-    /// Last frequency at which the loop gain falls below 1, rad/s.
+    /// Highest frequency at which the loop gain crosses 1, rad/s.
     pub crossover: f64,
-    /// Least phase margin at any crossover, degrees.
+    /// Smallest phase margin at any crossover, degrees.
     pub phase: f64,
-    /// Least factor on the gain that makes the loop unstable, dB; infinite where none does.
+    /// Smallest factor on the gain that makes the loop unstable, dB; infinite if there is none.
     pub gain: f64,
-    /// Least distance of the loop from -1: one over the largest sensitivity.
+    /// Smallest distance of the loop from -1: the reciprocal of the largest sensitivity.
     pub modulus: f64,
-    /// Largest eigenvalue of the closed loop, per period: below 1 it is stable.
+    /// Spectral radius of the closed loop, per period: below 1 it is stable.
     pub radius: f64,
 }
 
@@ -25,7 +25,7 @@ pub fn wanted(m: &Margins) -> bool {
 }
 
 impl Margins {
-    /// The worse of two, each figure by itself; the slower crossover.
+    /// The worse of two, figure by figure; the lower crossover.
     pub fn worse(self, other: Self) -> Self {
         Self {
             crossover: self.crossover.min(other.crossover),
@@ -36,8 +36,8 @@ impl Margins {
         }
     }
 
-    /// Of a loop `L` at `z`, closed by negative feedback, sampled each `period` s; `radius` that of
-    /// the closed loop.
+    /// Margins of a loop `L` at `z`, closed by negative feedback and sampled every `period` s;
+    /// `radius` is that of the closed loop.
     pub fn of(period: f64, radius: f64, transfer: impl Fn(Complex<f64>) -> Complex<f64>) -> Self {
         const POINTS: usize = 400;
         let (low, high) = (0.2_f64, PI / period);
@@ -49,7 +49,7 @@ impl Margins {
             found.modulus = found.modulus.min((value + 1.0).norm());
             if let Some(last) = before {
                 if (last.norm() >= 1.0) != (value.norm() >= 1.0) {
-                    // The angle to -1, from either side.
+                    // The angle to -1 from either side.
                     found.phase = found.phase.min((-value).arg().abs().to_degrees());
                     found.crossover = w;
                 }
@@ -63,8 +63,8 @@ impl Margins {
     }
 }
 
-/// `x' = A x + B u` held over a period: `(A_d, B_d)`, by the exponential of `[A B; 0 0] T`
-/// (squaring a Taylor series).
+/// Discretises `x' = A x + B u` with `u` held over a period: `(A_d, B_d)` from the exponential of
+/// `[A B; 0 0] T` (squaring a Taylor series).
 pub fn held(a: &DMatrix<f64>, b: &DMatrix<f64>, period: f64) -> (DMatrix<f64>, DMatrix<f64>) {
     let (n, m) = (a.nrows(), b.ncols());
     let mut block = DMatrix::zeros(n + m, n + m);
@@ -85,7 +85,7 @@ pub fn held(a: &DMatrix<f64>, b: &DMatrix<f64>, period: f64) -> (DMatrix<f64>, D
     (sum.view((0, 0), (n, n)).into_owned(), sum.view((0, n), (n, m)).into_owned())
 }
 
-/// `C (z - A)^-1 B` of a sampled system with one input and one output.
+/// Frequency response `C (z - A)^-1 B` of a sampled system with one input and one output.
 pub fn response(a: &DMatrix<f64>, b: &DVector<f64>, c: &DVector<f64>, z: Complex<f64>) -> Complex<f64> {
     match states(a, b, z) {
         Some(x) => c.iter().zip(x.iter()).map(|(c, x)| x * *c).sum(),
@@ -93,14 +93,14 @@ pub fn response(a: &DMatrix<f64>, b: &DVector<f64>, c: &DVector<f64>, z: Complex
     }
 }
 
-/// `(z - A)^-1 B`; `None` at a pole.
+/// State response `(z - A)^-1 B`; `None` at a pole.
 pub fn states(a: &DMatrix<f64>, b: &DVector<f64>, z: Complex<f64>) -> Option<DVector<Complex<f64>>> {
     let n = a.nrows();
     let matrix = DMatrix::from_fn(n, n, |i, k| Complex::from(-a[(i, k)]) + if i == k { z } else { Complex::ZERO });
     matrix.lu().solve(&b.map(Complex::from))
 }
 
-/// Largest absolute value of the eigenvalues.
+/// Spectral radius: largest absolute value of the eigenvalues.
 pub fn radius(a: &DMatrix<f64>) -> f64 {
     a.complex_eigenvalues().iter().fold(0.0, |most: f64, v| most.max(v.norm()))
 }

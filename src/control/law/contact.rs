@@ -1,37 +1,37 @@
-//! Is the wall there?
+//! Contact state of the tool: found, lost, or given up.
 
 use super::machine::Touch;
 
 /// Limits of the search for a contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Search {
-    /// Force that means contact, N.
+    /// Force above which there is contact, N.
     pub(super) contact: f64,
-    /// Contact that is gone for this long is lost, s.
+    /// Time without contact after which it counts as lost, s.
     pub(super) lost_after: f64,
-    /// How long it is looked for, s.
+    /// Duration of the search for contact, s.
     pub(super) give_up: f64,
-    /// How far the displacement may follow a contact that was lost, m.
+    /// Farthest displacement beyond the point where contact was lost, m.
     pub(super) regain: f64,
     /// End of the displacement's range, m.
     pub(super) end: f64,
 }
 
-/// What the force has said so far.
+/// State of the contact so far.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Contact {
     touched: bool,
-    /// Since it was there, or at the end of the range without it, s.
+    /// Time since contact ended, or at the end of the range without contact, s.
     away: f64,
-    /// Displacement where it was lost, m.
+    /// Displacement at which contact was lost, m.
     anchor: f64,
-    /// At the end of the range with too little force, s.
+    /// Time at the end of the range with less than the desired force, s.
     exhausted: f64,
 }
 
 impl Contact {
-    /// Takes in a force, `wanted` being the desired one (N), at a displacement (m), `dt` seconds
-    /// after the one before.
+    /// Processes a force, N, with the desired one `wanted`, N, at a displacement, m, `dt` s after
+    /// the previous one.
     pub(super) fn step(&mut self, force: f64, wanted: f64, displacement: f64, dt: f64, search: &Search) -> Touch {
         let at_end = displacement >= search.end;
         self.exhausted = if at_end && force < wanted { self.exhausted + dt } else { 0.0 };
@@ -43,7 +43,7 @@ impl Contact {
             }
             self.away += dt;
         } else {
-            // At the end of its range there is no wall to be found.
+            // At the end of the range there is no wall to find.
             self.away = if at_end { self.away + dt } else { 0.0 };
         }
         match self.touched {
@@ -54,12 +54,12 @@ impl Contact {
         }
     }
 
-    /// Farthest displacement, m.
+    /// Largest permitted displacement, m.
     pub(super) fn ceiling(&self, search: &Search) -> f64 {
         if self.touched && self.away > 0.0 { self.anchor + search.regain } else { f64::MAX }
     }
 
-    /// Whether the tool touches now.
+    /// Whether the tool is in contact now.
     pub(super) fn touches(&self) -> bool {
         self.touched && self.away == 0.0
     }

@@ -1,16 +1,22 @@
 //! The two loops of the paper's Fig. 8, under the state machine of [`Machine`].
 //!
-//! | what happens | what is done |
-//! |---|---|
-//! | a sample is missing, late, stale, not a number, or a leap; the model gives no numbers | torques and displacement are held ([`Status::Holding`]), for `patience` steps at most |
-//! | positions are missing for longer, or are frozen | gravity, brakes; with samples again, damping |
-//! | stamps and steps disagree, the model is dead, a joint is too far or too fast, torques are at their limits | damping and gravity to rest, then brakes |
-//! | targets beyond the limits, no posture, no force, no contact, too much or a stuck force | the tool leaves the wall while the path is followed to a stop; then brakes |
-//! | contact is lost | the displacement may follow by `regain` |
-//! | the inverse kinematics finds nothing | desired positions stay, for `give_up` seconds at most |
+//! Reactions to faults:
 //!
-//! Torques are finite, within their limits, and change no faster than theirs, whatever arrives.
-//! A fault lasts until [`Controller::reset`].
+//! - A sample is missing, late, stale, not a number or discontinuous, or the model returns no
+//!   numbers: torques and displacement are held ([`Status::Holding`]), for at most `patience`
+//!   steps.
+//! - Positions are missing for longer, or are frozen: gravity torques and brakes; damping once
+//!   samples return.
+//! - Time stamps and steps disagree, the model fails, a joint is too far or too fast, or torques
+//!   are at their limits: damping and gravity until rest, then brakes.
+//! - Targets beyond the limits, no posture, no force, no contact, too high or stuck force: the tool
+//!   leaves the wall while the path is followed to a stop; then brakes.
+//! - Contact is lost: the displacement may follow by `regain`.
+//! - The inverse kinematics has no solution: desired positions are held, for at most `give_up`
+//!   seconds.
+//!
+//! Torques are finite, within their limits and rate limits, for any input. A fault lasts until
+//! [`Controller::reset`].
 
 use super::contact::Contact;
 use super::drag::Drag;
@@ -28,9 +34,9 @@ use super::watch::{Sample, Tally, Watch};
 pub struct Command<const N: usize> {
     /// Torques of the actuators, N m.
     pub torque: [f64; N],
-    /// Positions that the joints are sent to.
+    /// Desired joint positions, rad.
     pub desired: [f64; N],
-    /// Along the normal, m.
+    /// Displacement along the normal, m.
     pub displacement: f64,
     /// State of the controller; [`Status::brakes`] requests the brakes.
     pub status: Status,
@@ -48,7 +54,7 @@ pub struct Controller<M, const N: usize> {
     drag: Drag,
 }
 
-/// How often the model, targets and forces have failed of late.
+/// Recent failures of model, targets and force.
 #[derive(Debug, Clone, Copy, Default)]
 struct Failing {
     model: Tally,
@@ -56,7 +62,7 @@ struct Failing {
     force: Tally,
 }
 
-/// All that begins again with a reset.
+/// State that a reset clears.
 #[derive(Debug, Clone, Copy)]
 struct State<const N: usize> {
     machine: Machine,
@@ -69,13 +75,13 @@ struct State<const N: usize> {
     postures: Postures<N>,
     still: Still<N>,
     desired: Option<[f64; N]>,
-    /// The last torques.
+    /// Torques of the previous step, N m.
     torque: Option<[f64; N]>,
-    /// The last gravity that was a number.
+    /// Last valid gravity torques, N m.
     gravity: [f64; N],
-    /// Whether the model gave numbers when it was last asked.
+    /// Whether the last evaluation of the model gave valid numbers.
     answers: bool,
-    /// The force that is pressed with, on its way to the one that the plan asks for.
+    /// Desired force after its rate limit, on its way to the plan's, N.
     asked: f64,
     carried: f64,
     aside: [f64; 3],
@@ -104,19 +110,19 @@ impl<const N: usize> State<N> {
     }
 }
 
-/// A sample that can be used.
+/// A usable sample.
 struct Measured<'a, const N: usize> {
     sample: &'a Sample<N>,
-    /// The position before it; the same where nothing is known of the motion in between.
+    /// Previous position; equal to the present one where the motion in between is unknown.
     before: [f64; N],
     dt: f64,
 }
 
 impl<M: Model<N>, const N: usize> Controller<M, N> {
-    /// With a model of the arm.
+    /// Creates a controller with a model of the arm.
     ///
     /// # Errors
-    /// The first setting that makes no sense.
+    /// Returns the first invalid setting.
     pub fn new(model: M, settings: Settings<N>) -> Result<Self, ControllerError> {
         if let Some(problem) = settings.problem() {
             return Err(problem);
@@ -133,7 +139,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         })
     }
 
-    /// The model, to look at or to change.
+    /// The model, for inspection or changes.
     pub fn model(&mut self) -> &mut M {
         &mut self.model
     }
@@ -143,7 +149,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         &self.drag
     }
 
-    /// Longest stays in the states that end by themselves.
+    /// Longest durations of the states that end by themselves.
     pub fn bounds(&self) -> &Bounds {
         &self.bounds
     }
@@ -156,7 +162,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         self.state = State::new();
     }
 
-    /// One period: what is wanted and what was measured in, torques out.
+    /// Runs one period: takes target and measurements, returns torques.
     pub fn step(&mut self, target: &Target<N>, sample: &Sample<N>) -> Command<N> {
         let Self { model, settings, state, .. } = self;
         let plan = state.plan.take(target, settings, self.force.displacement(), || model.touch(&target.q));
@@ -173,13 +179,14 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         }
     }
 
-    /// How the present fault is answered.
+    /// Reaction to the present fault.
     fn reaction(&self) -> Option<Reaction> {
         self.state.machine.status().fault().map(Fault::reaction)
     }
 
-    /// The position before. No joint is taken to be faster than three times its limit, so that a
-    /// leap gives a bounded damping, and an arm that is as fast as that is damped all the same.
+    /// Previous position, limited so that no joint moved faster than three times its velocity
+    /// limit. A discontinuity then gives bounded damping, and an arm that really is that fast is
+    /// still damped.
     fn before(&self, before: Option<[f64; N]>, q: &[f64; N], dt: f64) -> [f64; N] {
         let Some(before) = before else { return *q };
         let reach = 3.0 * dt.max(self.settings.period);
@@ -189,7 +196,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         })
     }
 
-    /// The guards of this step.
+    /// Evaluates the guards of this step.
     fn look(&mut self, arrival: Arrival, plan: bool, measured: Option<&Measured<'_, N>>) -> Seen {
         let displacement = self.force.displacement();
         let Settings { limits, velocity, patience, period, most, give_up, .. } = self.settings;
@@ -249,7 +256,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         seen
     }
 
-    /// The machine's step, and what begins with a new state.
+    /// Advances the state machine and initialises what starts with a fault.
     fn advance(&mut self, seen: &Seen) {
         let state = &mut self.state;
         let healthy = state.machine.status().fault().is_none();
@@ -260,7 +267,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         }
     }
 
-    /// Without a sample.
+    /// Command for a period without a sample.
     fn wait(&mut self, last: Option<[f64; N]>) -> Command<N> {
         let desired = self.state.desired.or(last).unwrap_or([0.0; N]);
         match (self.reaction(), last) {
@@ -273,18 +280,18 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         }
     }
 
-    /// Gravity of the model; the last one where it gives no numbers, or such as no drive could
-    /// hold.
+    /// Updates gravity from the model; keeps the last value if the model gives no numbers or
+    /// torques above the limits.
     fn weigh(&mut self, q: &[f64; N]) {
         let gravity = self.model.gravity(q);
-        // A NaN is not below anything.
+        // A comparison with NaN is false.
         self.state.answers = (0..N).all(|j| gravity[j].abs() <= self.settings.torque[j]);
         if self.state.answers {
             self.state.gravity = gravity;
         }
     }
 
-    /// With a sample.
+    /// Command for a period with a sample.
     fn control(&mut self, measured: &Measured<'_, N>, has_force: bool) -> Command<N> {
         let Measured { sample, before, dt } = measured;
         let (q, dt) = (&sample.q, *dt);
@@ -295,7 +302,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             Some(Reaction::Path) => self.state.stop.as_mut().map(|stop| stop.step(dt)),
             None => self.state.plan.last().copied(),
         };
-        // Nothing to follow, or nothing that it could be trusted to follow.
+        // No target, or one that cannot be followed reliably.
         let Some(mut target) = target else {
             self.state.desired = Some(*q);
             self.force.reset();
@@ -331,14 +338,14 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         self.answer(torque, desired, false)
     }
 
-    /// The force to press with: what the plan asks for, come to no faster than its limit allows.
+    /// Desired force from the plan, limited in rate, N.
     fn asks(&mut self, wanted: Option<f64>, dt: f64) -> Option<f64> {
         let (step, last) = (self.settings.limits.force_rate * dt, self.state.asked);
         self.state.asked = wanted.map_or(0.0, |wanted| wanted.clamp(last - step, last + step));
         wanted.map(|_| self.state.asked)
     }
 
-    /// Moves the displacement.
+    /// Moves the displacement along the normal.
     fn press(&mut self, target: &Target<N>, force: f64, has_force: bool, dt: f64) {
         match (self.state.machine.status(), target.force) {
             (Status::Leaving(_), _) => {
@@ -359,7 +366,8 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         }
     }
 
-    /// Comes within half a second of contact, and goes within 20 ms of its end.
+    /// Ramps the feed-forward force up within half a second of contact and down within 20 ms of its
+    /// end.
     fn carry(&mut self, target: &Target<N>, status: Status, dt: f64) {
         let wanted = target.force.unwrap_or(0.0);
         let to = if self.presses(status) { self.settings.carry * wanted } else { 0.0 };
@@ -373,8 +381,8 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         status == Status::Pressing && self.state.contact.touches()
     }
 
-    /// The push that drag will take (N, world axes): where the plan slides now, with the delay of
-    /// the estimate. Learns from the estimate.
+    /// Predicted drag, N, world axes: for the planned sliding now, and with the delay of the
+    /// estimate. Learns the friction from the estimate.
     fn slide(&mut self, q: &[f64; N], target: &Target<N>, push: &[f64; 3], status: Status, dt: f64) -> [[f64; 3]; 2] {
         let Settings { drag, corner, contact, period, .. } = self.settings;
         let (true, Some(most), true) = (drag > 0.0, target.force, self.presses(status)) else { return [[0.0; 3]; 2] };
@@ -389,10 +397,11 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         self.drag.predicted().map(|by| by.map(|x| drag * most * x))
     }
 
-    /// Estimated force aside of the normal, low-passed, at most as large as the desired force along
-    /// it. Friction goes with the normal force. Its ratio to the force along the normal is taken,
-    /// times the desired force; otherwise each swing of the one would come back by the other. What
-    /// of it was fed forward already (`known`, as late as the estimate) is taken off.
+    /// Feeds forward the estimated tangential force, low-passed and at most as large as the desired
+    /// normal force. Friction is proportional to the normal force. So the ratio of tangential to
+    /// normal force is used, times the desired force; otherwise oscillations of one would feed back
+    /// into the other. The part already fed forward (`known`, with the estimate's delay) is
+    /// subtracted.
     fn yield_aside(&mut self, target: &Target<N>, push: &[f64; 3], known: &[f64; 3], status: Status, dt: f64) {
         let (n, most) = (target.normal, target.force.unwrap_or(0.0));
         let presses = self.presses(status);
@@ -402,14 +411,14 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         for k in 0..3 {
             let left = share * (push[k] - out * n[k]) - known[k];
             let to = if presses { self.settings.aside * left } else { 0.0 };
-            // Without an estimate it is held.
+            // Holds the value while there is no estimate.
             if to.is_finite() {
                 self.state.aside[k] = (to + keep * (self.state.aside[k] - to)).clamp(-most, most);
             }
         }
     }
 
-    /// Desired positions: the plan's, displaced, no faster than the joints may be.
+    /// Desired positions: the plan's, displaced along the normal, within the velocity limits.
     fn send(&mut self, target: &Target<N>, last: &[f64; N], dt: f64) -> [f64; N] {
         let by = target.normal.map(|n| n * self.force.displacement());
         let wanted = self.model.displaced(&target.q, &by, last);
@@ -427,8 +436,8 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
         })
     }
 
-    /// Within the limits of size and rate, and finite: torques that are no numbers are held, or, in
-    /// a stop that must not hold any (`stops`), replaced by gravity.
+    /// Builds a command within the limits of size and rate. Torques that are not finite are held,
+    /// or, in a stop that must not hold any (`stops`), replaced by gravity.
     fn answer(&mut self, torque: [f64; N], desired: [f64; N], stops: bool) -> Command<N> {
         let Settings { torque: most, limits, period, .. } = &self.settings;
         let state = &mut self.state;
@@ -440,7 +449,7 @@ impl<M: Model<N>, const N: usize> Controller<M, N> {
             (false, true) => core::array::from_fn(|j| if torque[j].is_finite() { torque[j] } else { state.gravity[j] }),
             (false, false) => held,
         };
-        // The first torques take the arm over from its brakes.
+        // The first torques take over the arm from its brakes.
         let last = state.torque.unwrap_or(wanted);
         let next = core::array::from_fn(|j| {
             let step = limits.torque_rate[j] * period;

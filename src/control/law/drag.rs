@@ -1,33 +1,32 @@
-//! Drag on what touches: friction aside of the normal, learned from the estimate, and known before
+//! Drag at the contact: tangential friction, learned from the force estimate and predicted before
 //! the estimate shows it.
 //!
-//! A roller that is dragged along its axis holds back with half of the pressing force, within a
-//! tenth of a second. The estimate shows it one low-pass later, and the springs of the joint loop
-//! have given way by then, aside and along the normal. But the time and direction of sliding are
+//! A roller dragged along its axis resists with half of the pressing force, within a tenth of a
+//! second. The estimate shows it one low-pass later; by then the springs of the joint loop have
+//! yielded, both tangentially and along the normal. But the time and direction of sliding are
 //! planned. With `v_k` the planned velocity along each axis of the tool, drag is `-mu_k s(v_k) F`.
-//! The three `mu_k` are learned from the estimate in the motion so far (a gradient step each
-//! period, on its difference to the prediction with the same delay).
+//! The three `mu_k` are learned during the motion: a gradient step per period on the difference of
+//! the estimate to the prediction with the same delay.
 
 use super::model::Tool;
 
-/// Coefficients of friction along the tool's axes, and the prediction as the estimate's low-pass
-/// shows it.
+/// Friction coefficients along the tool's axes, and the prediction through the estimate's low-pass.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Drag {
     coefficients: [f64; 3],
-    /// Direction of sliding along each axis, -1 to 1, and the same through the three poles of the
-    /// estimate.
+    /// Direction of sliding along each axis, -1 to 1; `late` is the same through the three poles of
+    /// the estimate.
     sign: [f64; 3],
     late: [[f64; 3]; 3],
     axes: [[f64; 3]; 3],
 }
 
-/// Planned speed at which friction has two thirds of its level, m/s: some multiples of what a
-/// joint's smallest step moves the tool by in a period.
+/// Planned speed at which friction reaches two thirds of its level, m/s: some multiples of the tool
+/// speed that a joint's smallest step per period causes.
 const CREEP: f64 = 5e-3;
-/// Learning rate, 1/s: a wipe of half a second is the most informative part.
+/// Learning rate, 1/s: a stroke of half a second is the most informative part.
 const PACE: f64 = 5.0;
-/// A force of sliding above this is no friction.
+/// Largest friction coefficient; a sliding force above this is not friction.
 const MOST: f64 = 1.5;
 
 impl Drag {
@@ -36,13 +35,13 @@ impl Drag {
         *self = Self::default();
     }
 
-    /// Coefficients along the tool's axes, as learned so far.
+    /// Coefficients along the tool's axes learned so far.
     pub fn coefficients(&self) -> &[f64; 3] {
         &self.coefficients
     }
 
-    /// Sliding of the plan, with `share` the part of its way that each pole of the estimate's
-    /// low-pass goes in a period.
+    /// Updates the planned sliding directions; `share` is the fraction of its way that each pole of
+    /// the estimate's low-pass covers in a period.
     pub(super) fn slide<const N: usize>(&mut self, tool: &Tool<N>, dq: &[f64; N], normal: &[f64; 3], share: f64) {
         let velocity: [f64; 3] = core::array::from_fn(|i| (0..N).map(|j| tool.jacobian[i][j] * dq[j]).sum());
         for k in 0..3 {
@@ -52,7 +51,7 @@ impl Drag {
             let v = dot(&axis, &velocity);
             let size = v.abs();
             let sign = v * (size + CREEP) / (v * v + CREEP * size + CREEP * CREEP);
-            // The axis that points into the wall has nothing left of it, and no number must get in.
+            // An axis along the normal has a zero tangential part, and no NaN must enter.
             (self.axes[k], self.sign[k]) = (axis, if sign.is_finite() { sign } else { 0.0 });
             let mut from = self.sign[k];
             for stage in &mut self.late {
@@ -62,7 +61,7 @@ impl Drag {
         }
     }
 
-    /// Learns from an estimated push of the tool aside of the normal, by the push along it.
+    /// Learns from an estimated tangential push of the tool, given relative to its normal push.
     pub(super) fn learn(&mut self, aside: &[f64; 3], dt: f64) {
         let late = self.late[2];
         let size: f64 = late.iter().map(|s| s * s).sum();
@@ -76,8 +75,7 @@ impl Drag {
         }
     }
 
-    /// Push of the tool aside of the normal, by the push along it: now, and as the estimate shows
-    /// it.
+    /// Tangential push of the tool relative to its normal push: now, and with the estimate's delay.
     pub(super) fn predicted(&self) -> [[f64; 3]; 2] {
         [self.sign, self.late[2]].map(|sign| {
             core::array::from_fn(|i| (0..3).map(|k| self.coefficients[k] * sign[k] * self.axes[k][i]).sum())

@@ -1,8 +1,8 @@
-//! Settings with which no controller can work.
+//! Errors in the controller's settings.
 
 use core::fmt::{Display, Formatter};
 
-/// The first setting that makes no sense.
+/// The first invalid setting of a controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ControllerError {
     /// [`Settings::period`](super::Settings::period).
@@ -13,15 +13,15 @@ pub enum ControllerError {
     ForceGains,
     /// The range of the displacement does not hold 0.
     Range,
-    /// The displacement's speed.
+    /// Speed of the displacement.
     Rate,
     /// [`Settings::torque`](super::Settings::torque),
     /// [`Settings::velocity`](super::Settings::velocity) or
     /// [`Settings::limits`](super::Settings::limits).
     Limits,
-    /// A limit of contact.
+    /// A limit of the contact.
     Contact,
-    /// A share that is fed forward.
+    /// A feed-forward share.
     Share,
     /// [`Settings::aside_pole`](super::Settings::aside_pole).
     AsidePole,

@@ -1,79 +1,81 @@
-//! The force without a sensor, equation (14): `F = (J')^+ (Gamma - Gamma_dyn)`, sample by sample.
+//! Force estimate without a sensor, equation (14): `F = (J')^+ (Gamma - Gamma_dyn)`, sample by
+//! sample.
 //!
-//! Positions and torques pass the same low-pass before anything else, so that model and measurement
-//! stay in step; velocity and acceleration are backward differences of what comes out.
+//! Positions and torques first pass the same low-pass, so that model and measurement have the same
+//! delay; velocity and acceleration are backward differences of its output.
 //!
 //! A joint at rest is held by friction of any value within its breakaway level
-//! ([`Body::static_friction`]). While such friction explains all that the torques of the arm leave,
-//! there is no force: the estimate decays to zero. Torques that it does not explain are a force,
-//! with friction as the model has it.
+//! ([`Body::static_friction`]). While such friction explains all residual torques of the arm, there
+//! is no force: the estimate decays to zero. Residual torques that it does not explain are a force,
+//! with friction as in the model.
 
 use super::least::{factor, substitute};
 use super::model::{Body, Tool};
 use super::rest::Rest;
 
-/// How the force is estimated.
+/// Settings of the force estimate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EstimatorSettings<const N: usize> {
     /// Time between samples, s.
     pub period: f64,
-    /// Corner of the low-pass (three equal poles), Hz.
+    /// Corner frequency of the low-pass (three equal poles), Hz.
     pub corner: f64,
-    /// Weight of each joint's torque: one over the variance of its error.
+    /// Weight of each joint's torque: reciprocal of its error variance.
     pub weights: [f64; N],
-    /// Part of the mean eigenvalue of `J W J'` that is added to all: bounds the estimate near
-    /// singular postures.
+    /// Share of the mean eigenvalue of `J W J'` that is added to all eigenvalues: bounds the
+    /// estimate near singular postures.
     pub damping: f64,
-    /// How large a moment the contact may carry, N m, as a standard deviation. Infinite: any at
-    /// all, equation (14) of the paper; 0: none, and three components are found in place of six. A
-    /// prior on the moment improves the force: seven torques determine six components hardly better
-    /// than they are measured.
+    /// Standard deviation of the moment that the contact may transmit, N m. Infinite: unrestricted,
+    /// equation (14) of the paper; 0: no moment, and three components are estimated instead of six.
+    /// A prior on the moment improves the force, as seven torques determine six components with
+    /// hardly any redundancy.
     pub moment: f64,
-    /// Largest error of the friction of each joint just after a reversal ([`Body::turning`] gives
-    /// place and size), N m. There the wrench is only known to lie in an interval. The value next
-    /// to the last one is taken, so that possible friction does not count as force. Where no joint
-    /// has just turned round nearly nothing is changed, and nothing comes later. The held value
-    /// decays to the estimate within half a second. 0: equation (14) of the paper.
+    /// Largest friction error of each joint just after a reversal ([`Body::turning`] gives joint
+    /// and size), N m. After a reversal the wrench is only known to lie in an interval. The value
+    /// closest to the previous one is taken, so that possible friction does not count as force.
+    /// Where no joint has just reversed, almost nothing changes and no delay is added. The held
+    /// value decays to the estimate with a time constant of 0.5 s. 0: equation (14) of the paper.
     pub turning: [f64; N],
-    /// Travel within which a joint stands, rad or m: more than the noise of its position behind the
-    /// low-pass. 0: it never does.
+    /// Travel within which a joint stands, rad or m: more than the noise of its low-passed
+    /// position. 0: it never stands.
     pub rest: [f64; N],
 }
 
-/// Time constant with which a held value decays to the estimate, s. It is some times as long as
-/// friction takes to turn round in a motion (0.1 s), so that a joint that stops does not hold a
-/// lost contact, or a glitch.
+/// Time constant with which a held value decays to the estimate, s. It is several times the
+/// duration of a friction reversal in a motion (0.1 s), so that a joint that stops does not hold a
+/// lost contact or a glitch for long.
 const HELD: f64 = 0.5;
 
 /// Squared standard deviations of a joint's torque ([`EstimatorSettings::weights`]) within which
-/// friction explains it: to begin with, and as long as it did.
+/// friction explains it: to enter the state, and to stay in it.
 const EXPLAINED: [f64; 2] = [9.0, 25.0];
 
-/// Farthest that a joint goes from one sample to the next, rad or m. Beyond it an encoder has wrapped
-/// round, samples are missing, or the position is wrong.
+/// Largest change of a joint position between samples, rad or m. Beyond it an encoder has wrapped
+/// around, samples are missing, or the position is wrong.
 const JUMP: f64 = 1.0;
 
-/// Longest time over which lost samples are replaced by the motion before them, s. Then the low-pass
-/// begins again.
+/// Longest time over which lost samples are extrapolated from the preceding motion, s. After it the
+/// low-pass restarts.
 const LOST: f64 = 0.1;
 
-/// No joint has a position (rad or m) or a torque (N m or N) beyond these.
+/// Largest plausible position (rad or m) and torque (N m or N).
 const LARGEST: [f64; 2] = [1e5, 1e9];
 
-/// How far a joint may go while no torque changes by a bit, rad or m. Beyond it the torques are
-/// those of another time.
+/// Largest travel of a joint while all torques stay bit-identical, rad or m. Beyond it the torques
+/// are outdated.
 const FROZEN: f64 = 0.05;
 
-/// State that runs along with the arm.
+/// Force estimator with its state.
 #[derive(Debug, Clone)]
 pub struct Estimator<B, const N: usize> {
     body: B,
     settings: EstimatorSettings<N>,
-    /// Each pole of the low-pass moves by this share of the way in a period.
+    /// Share of the remaining distance that each pole of the low-pass covers in a period.
     share: f64,
     q: [[f64; N]; 3],
     tau: [[f64; N]; 3],
-    /// Positions of the last sample; positions and torques that went into the low-pass last.
+    /// Positions of the previous sample; `taken` are the last positions and torques fed to the
+    /// low-pass.
     last: Option<[f64; N]>,
     taken: [[f64; N]; 2],
     /// Time since a sample was taken, s.
@@ -84,14 +86,14 @@ pub struct Estimator<B, const N: usize> {
     seen: u32,
     rest: Rest<N>,
     friction_alone: bool,
-    /// The last torques that differed from those before, and where that was.
+    /// Last torques that differed from those before, and the positions at that time.
     changed: Option<[[f64; N]; 2]>,
 }
 
 impl<B: Body<N>, const N: usize> Estimator<B, N> {
-    /// With a model of the arm.
+    /// Creates an estimator with a model of the arm.
     pub fn new(body: B, settings: EstimatorSettings<N>) -> Self {
-        // A pole at -w, by the backward rule: w T / (1 + w T).
+        // A pole at -w, discretised by the backward rule: w T / (1 + w T).
         let turn = core::f64::consts::TAU * settings.corner * settings.period;
         Self {
             body,
@@ -112,22 +114,22 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         }
     }
 
-    /// Whether joints stand and static friction explains what the torques of the last sample left:
-    /// the wrench is then taken as zero, and goes there within half a second.
+    /// Whether joints stand and static friction explains the residual torques of the last sample.
+    /// The wrench is then taken as zero, and decays to it with a time constant of 0.5 s.
     pub fn friction_alone(&self) -> bool {
         self.friction_alone
     }
 
-    /// The model, to look at or to change.
+    /// The model, for inspection or changes.
     pub fn body(&mut self) -> &mut B {
         &mut self.body
     }
 
     /// Torques of the environment at the joints, `Gamma - Gamma_dyn`, of a sample. `None` until the
-    /// differences are there, for a sample that is no number or no joint's, for positions that jump,
-    /// and for torques that are frozen while the arm moves. The low-pass then goes on as fast as
-    /// before, up to 0.1 s; so it does when positions have jumped for good (an encoder that wraps
-    /// round).
+    /// differences are available, for invalid values, for discontinuous positions, and for torques
+    /// that are frozen while the arm moves. The low-pass is then extrapolated at constant speed,
+    /// for up to 0.1 s. The same happens when positions have jumped for good (an encoder that wraps
+    /// around).
     pub fn external(&mut self, q: &[f64; N], tau: &[f64; N]) -> Option<[f64; N]> {
         let sound = [q, tau].into_iter().zip(LARGEST).all(|(x, most)| x.iter().all(|x| x.abs() <= most));
         if !sound || self.jumps(q) {
@@ -152,7 +154,8 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         (self.seen > 3).then(|| core::array::from_fn(|j| self.tau[2][j] - model[j]))
     }
 
-    /// Puts positions and torques through the low-pass; speed and acceleration behind it.
+    /// Low-passes positions and torques; returns velocity and acceleration of the filtered
+    /// positions.
     fn pass(&mut self, q: &[f64; N], tau: &[f64; N]) -> ([f64; N], [f64; N]) {
         for j in 0..N {
             for (stages, new) in [(&mut self.q, q[j]), (&mut self.tau, tau[j])] {
@@ -171,7 +174,7 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         (speed, change)
     }
 
-    /// Replaces a lost sample by the motion and the torques before it.
+    /// Replaces a lost sample by extrapolating the motion and holding the torques.
     fn bridge(&mut self) {
         self.wrench = None;
         let period = self.settings.period;
@@ -182,13 +185,13 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         }
     }
 
-    /// Whether a joint is far from where it was a sample ago.
+    /// Whether a joint is far from its position in the previous sample.
     fn jumps(&mut self, q: &[f64; N]) -> bool {
         let last = self.last.replace(*q).unwrap_or(*q);
         (0..N).any(|j| (q[j] - last[j]).abs() > JUMP)
     }
 
-    /// Moves the low-pass along with joints that have jumped since the last sample that it took.
+    /// Shifts the low-pass with joints that have jumped since the last sample fed to it.
     fn follow(&mut self, q: &[f64; N]) {
         for j in (0..N).filter(|&j| (q[j] - self.taken[0][j]).abs() > JUMP) {
             let by = q[j] - self.speed[j] * self.settings.period - self.taken[0][j];
@@ -197,7 +200,7 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         }
     }
 
-    /// Whether all torques have been the same to the bit while the arm has moved.
+    /// Whether all torques have stayed bit-identical while the arm has moved.
     fn is_frozen(&mut self, q: &[f64; N], tau: &[f64; N]) -> bool {
         let [_, place] = *self.changed.insert(match self.changed {
             Some([last, place]) if last == *tau => [last, place],
@@ -206,8 +209,8 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         (0..N).any(|j| (q[j] - place[j]).abs() > FROZEN)
     }
 
-    /// Wrench of the tool on its surroundings, world axes, about the point of contact: force (N)
-    /// and moment (N m).
+    /// Wrench of the tool on its surroundings, world axes, about the point of contact: force, N,
+    /// and moment, N m.
     pub fn step(&mut self, q: &[f64; N], tau: &[f64; N]) -> Option<[f64; 6]> {
         let external = self.external(q, tau)?;
         let stands = self.rest.step(&self.before, self.settings.period);
@@ -230,7 +233,7 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
             let [force, less, more] = self.estimated::<3>(&tool, &external, &turning)?;
             [force, less, more].map(|w| [w[0], w[1], w[2], 0.0, 0.0, 0.0])
         };
-        // Within the bounds of all wrenches that it may be, the one that changes least.
+        // Of all wrenches within the bounds, the one that changes least.
         let [wrench, less, more] = found;
         let last = self.wrench.unwrap_or(wrench);
         let share = (self.settings.period / HELD).min(1.0);
@@ -245,8 +248,8 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         Some(wrench)
     }
 
-    /// Whether friction explains all torques: of joints that stand within the breakaway level, of
-    /// others as far as they have just turned round. Not where every joint moves.
+    /// Whether friction explains all torques: for joints at rest within the breakaway level, for
+    /// others within the deviation after a reversal. False if every joint moves.
     fn explained(&self, external: &[f64; N], stands: &[bool; N], turning: &[f64; N]) -> bool {
         let at_rest = self.body.static_friction();
         let limit = EXPLAINED[usize::from(self.friction_alone)];
@@ -258,8 +261,8 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         stands.contains(&true) && (0..N).all(within)
     }
 
-    /// The first `M` components as estimated from the torques, and by how much they may be less
-    /// (not above 0) and more, where friction is in doubt.
+    /// Estimates the first `M` components from the torques, with the amounts by which uncertain
+    /// friction may lower (not above 0) and raise them.
     fn estimated<const M: usize>(
         &self,
         tool: &Tool<N>,
@@ -283,14 +286,14 @@ impl<B: Body<N>, const N: usize> Estimator<B, N> {
         let wrench = substitute(&a, &right);
         let [mut less, mut more] = [[0.0; M]; 2];
         for j in (0..N).filter(|&j| turning[j] != 0.0) {
-            // Friction that is more in the model is less at the contact.
+            // Friction that is higher in the model is lower at the contact.
             let by = substitute(&a, &core::array::from_fn(|i| -tool.jacobian[i][j] * weights[j] * turning[j]));
             for i in 0..M {
                 less[i] += by[i].min(0.0);
                 more[i] += by[i].max(0.0);
             }
         }
-        // A minimum drops NaN, so the doubt itself is examined.
+        // A minimum drops NaN, so the friction range itself is checked.
         let sound = wrench.iter().chain(&less).chain(&more).chain(turning).all(|x| x.is_finite());
         sound.then_some([wrench, less, more])
     }

@@ -1,10 +1,10 @@
-//! A small damped least-squares problem, without square roots.
+//! A small damped least-squares problem, solved without square roots.
 
 /// Solves `(J W J' + d tr(J W J') / 6) y = r` for `W` diagonal, by `L D L'`; `None` where it is
 /// singular or not finite.
 ///
-/// `J' y` is the least joint motion for a twist `r` (`W = 1`). With `r = J W tau`, `y` is the
-/// wrench whose torques `J' y` come closest to `tau` in the metric `W`: `(J')^+ tau`.
+/// `J' y` is the least-norm joint motion for a twist `r` (`W = 1`). With `r = J W tau`, `y` is the
+/// wrench whose torques `J' y` are closest to `tau` in the metric `W`: `(J')^+ tau`.
 pub fn damped<const N: usize>(
     jacobian: &[[f64; N]; 6],
     weights: &[f64; N],
@@ -24,20 +24,21 @@ pub fn damped<const N: usize>(
     solve(&mut a, right, trace)
 }
 
-/// By `L D L'` of the lower triangle; a pivot below rounding of the trace is singular.
+/// Solves by `L D L'` of the lower triangle; a pivot below the rounding error of the trace is
+/// singular.
 pub(super) fn solve<const M: usize>(a: &mut [[f64; M]; M], right: &[f64; M], trace: f64) -> Option<[f64; M]> {
     factor(a, trace)?;
     let y = substitute(a, right);
     y.iter().all(|x| x.is_finite()).then_some(y)
 }
 
-/// `L D L'` in place of the lower triangle.
+/// Factors the lower triangle in place as `L D L'`; `None` if it is singular.
 pub(super) fn factor<const M: usize>(a: &mut [[f64; M]; M], trace: f64) -> Option<()> {
     for k in 0..M {
         for j in 0..k {
             a[k][k] -= a[k][j] * a[k][j] * a[j][j];
         }
-        // A NaN must not pass either.
+        // NaN is rejected too.
         if a[k][k].is_nan() || a[k][k] <= 1e-13 * trace {
             return None;
         }
@@ -51,7 +52,7 @@ pub(super) fn factor<const M: usize>(a: &mut [[f64; M]; M], trace: f64) -> Optio
     Some(())
 }
 
-/// The solution for one right side, from what [`factor`] has left.
+/// Solves for one right-hand side, given the result of [`factor`].
 pub(super) fn substitute<const M: usize>(a: &[[f64; M]; M], right: &[f64; M]) -> [f64; M] {
     let mut y = *right;
     for i in 0..M {

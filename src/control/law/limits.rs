@@ -1,4 +1,4 @@
-//! Limits of the plan and of the arm, as libfranka has them for its motions and torques.
+//! Limits of the plan and of the arm, like those of libfranka for motions and torques.
 
 use super::error::ControllerError;
 use super::machine::Fault;
@@ -9,7 +9,7 @@ use super::watch::Tally;
 /// Limits beyond torque and speed. Each may be infinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits<const N: usize> {
-    /// Least and largest position of each joint, rad or m. Targets outside are not followed;
+    /// Lower and upper position limit of each joint, rad or m. Targets outside are not followed;
     /// measured positions may be outside by a fiftieth of the range.
     pub position: [[f64; 2]; N],
     /// Largest planned acceleration, rad/s^2 or m/s^2.
@@ -17,26 +17,26 @@ pub struct Limits<const N: usize> {
     /// Largest planned jerk, rad/s^3 or m/s^3.
     pub jerk: [f64; N],
     /// Largest planned speed (m/s), acceleration (m/s^2) and jerk (m/s^3) of the point of contact
-    /// ([`Model::touch`](super::Model::touch)). Without contact the displacement by the force
-    /// loop keeps to the last two by itself.
+    /// ([`Model::touch`](super::Model::touch)). Without contact the force loop's displacement also
+    /// keeps the last two.
     pub tool: [f64; 3],
-    /// Fastest change of the force that is pressed with, N/s: a plan that asks for another one is
-    /// followed no faster.
+    /// Largest rate of the desired force, N/s; a plan that changes it faster is followed at this
+    /// rate.
     pub force_rate: f64,
-    /// Fastest change of the torques, N m/s.
+    /// Largest rate of the torques, N m/s.
     pub torque_rate: [f64; N],
-    /// How long torques may stay at a limit of size or rate, s.
+    /// Longest time that torques may stay at a limit of size or rate, s.
     pub saturated: f64,
-    /// How far a joint may be sent while its measured position does not change by a bit, rad or m:
-    /// more than its static friction bends the spring of the joint loop.
+    /// Largest change of a joint's command while its measured position stays bit-identical, rad or
+    /// m: more than its static friction deflects the spring of the joint loop.
     pub frozen: [f64; N],
-    /// How far the displacement (m) and any joint (rad or m) may be sent while a force of contact
-    /// does not change by a bit.
+    /// Largest change of the displacement (m) and of any joint's command (rad or m) while the
+    /// contact force stays bit-identical.
     pub stuck: [f64; 2],
 }
 
 impl<const N: usize> Limits<N> {
-    /// No limit at all.
+    /// No limits.
     pub const NONE: Self = Self {
         position: [[f64::NEG_INFINITY, f64::INFINITY]; N],
         acceleration: [f64::INFINITY; N],
@@ -63,7 +63,7 @@ impl<const N: usize> Limits<N> {
         (0..N).all(|j| (self.position[j][0]..=self.position[j][1]).contains(&q[j]))
     }
 
-    /// Whether a measured posture is beyond it.
+    /// Whether a measured posture is outside the range by more than the margin.
     fn is_beyond(&self, q: &[f64; N]) -> bool {
         const MARGIN: f64 = 0.02;
         (0..N).any(|j| {
@@ -74,16 +74,16 @@ impl<const N: usize> Limits<N> {
     }
 }
 
-/// A planned value may be at its limit, up to rounding.
+/// Tolerance for planned values at their limit: rounding.
 const ROUNDING: f64 = 1.0 + 1e-6;
 
-/// The last target that was sound, and the motion of its tool.
+/// Last valid target and the motion of its tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Plan<const N: usize> {
     last: Option<Target<N>>,
     velocity: Option<[f64; 3]>,
     acceleration: Option<[f64; 3]>,
-    /// Steps since it was taken.
+    /// Number of steps since it was taken.
     since: u32,
 }
 
@@ -94,9 +94,9 @@ impl<const N: usize> Plan<N> {
         self.last.as_ref()
     }
 
-    /// Counts a step and takes its target, if that is sound and within the limits, at a displacement
-    /// (m). `touch` is the point of contact at the target, read where there are limits of its
-    /// motion.
+    /// Counts a step and takes its target if it is valid and within the limits, at a displacement,
+    /// m. `touch` gives the point of contact at the target; it is evaluated only if its motion is
+    /// limited.
     pub(super) fn take(
         &mut self,
         target: &Target<N>,
@@ -109,8 +109,8 @@ impl<const N: usize> Plan<N> {
         let dt = f64::from(self.since) * period;
         let within = |x: &[f64; N], most: &[f64; N]| (0..N).all(|j| x[j].abs() <= ROUNDING * most[j]);
         let change = |now: &[f64; N], then: &[f64; N]| core::array::from_fn(|j| (now[j] - then[j]) / dt);
-        // Positions and speeds may be wrong by themselves, without the speed and acceleration that
-        // are said to belong to them. A normal that turns moves the displaced tool.
+        // Positions and speeds are checked by themselves, as they may not match the given speed and
+        // acceleration. A normal that turns moves the displaced tool.
         let follows = |from: &Target<N>| {
             let by = |k: usize| target.normal[k] - from.normal[k];
             let turn: f64 = (0..3).map(|k| by(k) * by(k)).sum();
@@ -136,7 +136,7 @@ impl<const N: usize> Plan<N> {
         true
     }
 
-    /// The motion of the tool, by differences from target to target; `None` beyond its limits.
+    /// Motion of the tool from differences between targets; `None` beyond its limits.
     fn tool(&self, tool: Option<&Tool<N>>, target: &Target<N>, dt: f64, limits: &[f64; 3]) -> Option<Self> {
         let Some(tool) = tool else { return Some(Self { velocity: None, acceleration: None, ..*self }) };
         let size = |x: &[f64; 3]| x.iter().map(|x| x * x).sum::<f64>();
@@ -157,21 +157,21 @@ impl<const N: usize> Plan<N> {
 fn is_sound<const N: usize>(target: &Target<N>) -> bool {
     let Target { q, dq, ddq, normal, force, ahead } = target;
     let length: f64 = normal.iter().map(|n| n * n).sum();
-    // A NaN is in no range.
+    // NaN is in no range.
     q.iter().chain(dq).chain(ddq).all(|x| x.is_finite())
         && (0.98..1.02).contains(&length)
         && force.is_none_or(|f| f >= 0.0)
         && ahead.abs() < 1.0
 }
 
-/// Values that stay the same to the bit while they ought to change.
+/// Detects values that stay bit-identical while they should change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Freeze<const N: usize> {
     q: [f64; N],
-    /// Where each joint was sent when its position changed last.
+    /// Command of each joint when its position last changed.
     sent: [f64; N],
     force: f64,
-    /// Displacement and posture sent when the force changed last.
+    /// Displacement and commanded posture when the force last changed.
     displaced: f64,
     posture: [f64; N],
 }
@@ -180,7 +180,7 @@ impl<const N: usize> Freeze<N> {
     pub(super) const NONE: Self =
         Self { q: [f64::NAN; N], sent: [0.0; N], force: f64::NAN, displaced: 0.0, posture: [0.0; N] };
 
-    /// Whether a position is frozen, of joints that are sent to a posture.
+    /// Whether a measured position is frozen while the joints are commanded to `sent`.
     pub(super) fn position(&mut self, q: &[f64; N], sent: &[f64; N], limits: &Limits<N>) -> bool {
         for j in 0..N {
             if q[j] != self.q[j] {
@@ -190,7 +190,7 @@ impl<const N: usize> Freeze<N> {
         (0..N).any(|j| (sent[j] - self.sent[j]).abs() > limits.frozen[j])
     }
 
-    /// Whether a force of contact is stuck.
+    /// Whether the contact force is stuck.
     pub(super) fn force(&mut self, force: f64, displaced: f64, sent: &[f64; N], limits: &Limits<N>) -> bool {
         if force != self.force {
             (self.force, self.displaced, self.posture) = (force, displaced, *sent);
@@ -200,8 +200,8 @@ impl<const N: usize> Freeze<N> {
     }
 }
 
-/// Counts how long limits are exceeded that a moment's noise may exceed: without a break, and with
-/// some.
+/// Measures how long limits are exceeded that noise may exceed for a moment, both continuously and
+/// with interruptions.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Exceeded {
     fast: (u32, Tally),
@@ -210,33 +210,33 @@ pub(super) struct Exceeded {
     unreached: f64,
 }
 
-/// Counts, and says whether that is too often: in a row, or a third of them for long.
+/// Counts an event; true if it occurs too often: in a row, or a third of the time for long.
 fn too_often((row, all): &mut (u32, Tally), is: bool, patience: u32) -> bool {
     *row = if is { row.saturating_add(1) } else { 0 };
     all.count(is) || *row > patience
 }
 
-/// Measured speeds may be this many times the speed limit: desired positions go at the limit, and
-/// the arm swings about them.
+/// Factor by which measured speeds may exceed the speed limit: commands move at the limit, and the
+/// arm oscillates about them.
 const OVERSPEED: f64 = 1.5;
 
 impl Exceeded {
-    /// Counts whether the last torques were at a limit, and for how long.
+    /// Measures how long the torques have been at a limit.
     pub(super) fn saturate(&mut self, at_limit: bool, period: f64) {
         self.saturated = if at_limit { self.saturated + period } else { 0.0 };
     }
 
-    /// The same for targets without a posture.
+    /// Measures how long targets have been without a posture.
     pub(super) fn reach(&mut self, found: bool, period: f64) {
         self.unreached = if found { 0.0 } else { self.unreached + period };
     }
 
-    /// Whether there was no posture for longer than this, s.
+    /// Whether there was no posture for longer than `give_up`, s.
     pub(super) fn unreached(&self, give_up: f64) -> bool {
         self.unreached > give_up
     }
 
-    /// Limits of the arm's state: the gravest that is exceeded.
+    /// Checks the limits of the arm's state; returns the most severe fault.
     pub(super) fn joints<const N: usize>(
         &mut self,
         [q, before]: [&[f64; N]; 2],
@@ -256,30 +256,30 @@ impl Exceeded {
         }
     }
 
-    /// Whether the estimated push, in any direction, has been above this for too long, N.
+    /// Whether the estimated push, in any direction, has been above `most`, N, for too long.
     pub(super) fn push(&mut self, push: &[f64; 3], most: f64, patience: u32) -> bool {
         let above = push.iter().map(|x| x * x).sum::<f64>() > most * most;
         too_often(&mut self.pushed, above, patience)
     }
 }
 
-/// Postures that the model has found for the displaced targets.
+/// Postures that the model found for the displaced targets.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Postures<const N: usize> {
     last: Option<[f64; N]>,
-    /// Steps since it was found.
+    /// Number of steps since it was found.
     since: u32,
 }
 
-/// A posture may be this many times as far from the one before as the speed limits allow: near a
-/// singularity the joints come later than the plan.
+/// Factor by which the change of posture may exceed the speed limits: near a singularity the joints
+/// lag behind the plan.
 const LEAP: f64 = 3.0;
 
 impl<const N: usize> Postures<N> {
     pub(super) const NONE: Self = Self { last: None, since: 0 };
 
-    /// Whether a posture follows the last one, and is no other branch of the inverse. However long
-    /// ago that was found, the way from it is no longer than the patience allows.
+    /// Whether a posture continues the last one and is not on another branch of the inverse
+    /// kinematics. The permitted change grows with the time since then, up to that of the patience.
     pub(super) fn take(&mut self, q: &[f64; N], velocity: &[f64; N], period: f64, patience: u32) -> bool {
         self.since = self.since.saturating_add(1).min(patience.saturating_add(1));
         let reach = LEAP * f64::from(self.since) * period;

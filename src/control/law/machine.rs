@@ -1,20 +1,20 @@
-//! The state machine of the controller: one pure function from a state and what a step has shown to
-//! the next state. docs/control.md has it as a table.
+//! The state machine of the controller: a pure function from a state and the observations of a step
+//! to the next state. docs/control.md has it as a table.
 //!
-//! Nothing here knows a robot. `tests/machine.rs` walks all states under all guards.
+//! It is independent of the robot. `tests/machine.rs` checks all states under all guards.
 
-/// Why it does not press any more.
+/// Reason for which the controller stopped pressing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Fault {
     /// No positions for too long, or too few of them.
     Position,
-    /// A measured position does not change by a bit while its joint is sent away.
+    /// A measured position stays bit-identical while its joint is commanded to move.
     Frozen,
     /// Time stamps and steps disagree.
     Clock,
-    /// The model gives no numbers for too long.
+    /// The model returns no numbers for too long.
     Model,
-    /// A joint is beyond its range.
+    /// A joint is outside its range.
     Joint,
     /// A joint is too fast for too long.
     Speed,
@@ -26,7 +26,7 @@ pub enum Fault {
     Reach,
     /// Too much force.
     Excess,
-    /// The force does not change by a bit while the tool is sent deeper, or along the wall.
+    /// The force stays bit-identical while the tool is moved deeper, or along the wall.
     Stuck,
     /// No force for too long.
     Force,
@@ -34,20 +34,20 @@ pub enum Fault {
     Contact,
 }
 
-/// What is left to stop an arm with.
+/// Reaction to a fault: the information that is left to stop the arm with.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Reaction {
-    /// Positions, model and plan can be relied on: the tool leaves the wall while the plan's path
-    /// is followed to a stop, then the posture is held.
+    /// Positions, model and plan are reliable: the tool leaves the wall while the plan's path is
+    /// followed to a stop; then the posture is held.
     Path,
-    /// Positions can be relied on, but not what the arm is sent to: damping and gravity.
+    /// Positions are reliable, but not the targets: damping and gravity.
     Damped,
-    /// Nothing is known of the motion: gravity, and the brakes at once.
+    /// The motion is unknown: gravity, and the brakes at once.
     Blind,
 }
 
 impl Fault {
-    /// All of them, the most severe first.
+    /// All faults, the most severe first.
     pub const ALL: [Self; 13] = [
         Self::Position,
         Self::Frozen,
@@ -64,7 +64,7 @@ impl Fault {
         Self::Contact,
     ];
 
-    /// How it is answered.
+    /// Reaction to the fault.
     pub fn reaction(self) -> Reaction {
         match self {
             Self::Position | Self::Frozen => Reaction::Blind,
@@ -77,30 +77,31 @@ impl Fault {
 /// State of the controller.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Status {
-    /// Has nothing to follow yet: damping and gravity.
+    /// No target yet: damping and gravity.
     Waiting,
-    /// Follows the plan; no force was asked for.
+    /// Follows the plan; no force is desired.
     Free,
-    /// On the way to the wall.
+    /// Moves towards the wall.
     Approaching,
-    /// Presses.
+    /// Presses on the wall.
     Pressing,
-    /// Looks for a contact that is lost.
+    /// Searches for a lost contact.
     Lost,
-    /// Waits for a sample, a force or the model, no longer than the patience lasts.
+    /// Holds while a sample, a force or the model is missing, for at most the patience.
     Holding,
     /// Leaves the wall while the plan's path is followed to a stop.
     Leaving(Fault),
-    /// Comes to rest.
+    /// Brings the arm to rest.
     Stopping(Fault),
-    /// Rests, or hangs on gravity where positions are missing, until [`Controller::reset`].
+    /// At rest, or held by gravity torques where positions are missing, until
+    /// [`Controller::reset`].
     ///
     /// [`Controller::reset`]: super::Controller::reset
     Stopped(Fault),
 }
 
 impl Status {
-    /// Why it leaves, stops or has stopped.
+    /// Fault for which the arm leaves the wall, stops or has stopped.
     pub fn fault(self) -> Option<Fault> {
         match self {
             Self::Leaving(fault) | Self::Stopping(fault) | Self::Stopped(fault) => Some(fault),
@@ -117,73 +118,73 @@ impl Status {
 /// Outcome of a step's sample.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Arrival {
-    /// Can be used.
+    /// Usable.
     Good,
-    /// Missing, stale, no number, or a leap.
+    /// Missing, stale, not a number, or discontinuous.
     Bad,
-    /// Another one of too many.
+    /// One of too many bad samples.
     Gone,
-    /// Its stamp and the count of steps disagree.
+    /// Time stamp and step count disagree.
     Jumped,
 }
 
-/// What the plan asks for.
+/// What the plan requests.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Wanted {
-    /// There was no target yet.
+    /// No target yet.
     Nothing,
     /// Motion away from the wall.
     Free,
-    /// A force.
+    /// Pressing with a force.
     Press,
 }
 
-/// What the force says of the contact.
+/// State of the contact according to the force.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Touch {
-    /// None so far.
+    /// No contact so far.
     NotYet,
-    /// There is, or was a moment ago.
+    /// In contact now, or a moment ago.
     Touches,
-    /// Lost, and looked for.
+    /// Lost; the search is running.
     Lost,
-    /// Looked for in vain.
+    /// Search given up.
     GivenUp,
 }
 
-/// The guards: what one step has shown.
+/// The guards: observations of one step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Seen {
-    /// The sample.
+    /// Outcome of the sample.
     pub arrival: Arrival,
-    /// Whether the model gave numbers when it was last asked.
+    /// Whether the last evaluation of the model gave valid numbers.
     pub model: bool,
-    /// Whether this step's target is sound and within the limits.
+    /// Whether this step's target is valid and within the limits.
     pub plan: bool,
-    /// What the last sound target asks for.
+    /// Request of the last valid target.
     pub wanted: Wanted,
-    /// Whether there is a force.
+    /// Whether there is a force value.
     pub force: bool,
-    /// The contact.
+    /// State of the contact.
     pub touch: Touch,
-    /// The most severe limit that is exceeded: any but [`Fault::Position`], [`Fault::Clock`] and
-    /// [`Fault::Contact`]. [`Fault::Model`], [`Fault::Plan`] and [`Fault::Force`] are among them
-    /// where the patience is never over and yet too many steps fail.
+    /// Most severe limit that is exceeded: any but [`Fault::Position`], [`Fault::Clock`] and
+    /// [`Fault::Contact`]. [`Fault::Model`], [`Fault::Plan`] and [`Fault::Force`] are included for
+    /// the case that too many steps fail although the patience never runs out.
     pub limit: Option<Fault>,
-    /// Whether the tool is off the wall and the path has come to its stop.
+    /// Whether the tool is off the wall and the path has been followed to its stop.
     pub clear: bool,
-    /// Whether the joints rest and the path has come to its stop.
+    /// Whether the joints are at rest and the path has been followed to its stop.
     pub rest: bool,
 }
 
-/// Longest stays, in steps.
+/// Longest durations of states, in steps.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Bounds {
-    /// Steps in a row that samples, force, model or targets may fail.
+    /// Number of consecutive steps in which samples, force, model or targets may fail.
     pub patience: u32,
-    /// In [`Status::Leaving`].
+    /// Longest stay in [`Status::Leaving`].
     pub leave: u32,
-    /// In [`Status::Stopping`].
+    /// Longest stay in [`Status::Stopping`].
     pub stop: u32,
 }
 
@@ -191,12 +192,12 @@ pub struct Bounds {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Machine {
     status: Status,
-    /// Steps in a row without a sample or a model, so that torques were held; without a target; and
-    /// without a force.
+    /// Consecutive steps without a sample or a model, in which torques were held; `unplanned`:
+    /// without a target; `blind`: without a force.
     held: u32,
     unplanned: u32,
     blind: u32,
-    /// Steps that are left in [`Status::Leaving`] and [`Status::Stopping`].
+    /// Steps left in [`Status::Leaving`] and [`Status::Stopping`].
     left: u32,
 }
 
@@ -207,12 +208,12 @@ impl Default for Machine {
 }
 
 impl Machine {
-    /// The state.
+    /// Current state.
     pub fn status(self) -> Status {
         self.status
     }
 
-    /// The state after a step.
+    /// Returns the state after a step.
     #[must_use]
     pub fn next(self, seen: &Seen, bounds: &Bounds) -> Self {
         let counted = self.counted(seen, bounds.patience);
@@ -228,16 +229,16 @@ impl Machine {
         let looked = arrived || seen.wanted != Wanted::Press;
         Self {
             status: self.status,
-            // One count for both: held by turns is held all the same.
+            // One count for both: alternating failures hold the torques all the same.
             held: count(self.held, !arrived || !seen.model),
             unplanned: count(self.unplanned, !seen.plan && seen.wanted != Wanted::Nothing),
-            // Without a sample nothing is known of the force.
+            // Without a sample there is no information about the force.
             blind: if looked { count(self.blind, !seen.force && seen.wanted == Wanted::Press) } else { self.blind },
             left: self.left,
         }
     }
 
-    /// The gravest of what is wrong.
+    /// Returns the most severe fault of this step.
     fn worst(&self, seen: &Seen, patience: u32) -> Option<Fault> {
         let over = |n: u32| n > patience;
         let arrived = seen.arrival != Arrival::Bad;
@@ -259,7 +260,7 @@ impl Machine {
         .next()
     }
 
-    /// A fault is only replaced by one that leaves less to stop with.
+    /// Whether a fault replaces the present one: only if it leaves less to stop the arm with.
     fn is_graver(&self, fault: Fault) -> bool {
         self.status.fault().is_none_or(|old| fault.reaction() > old.reaction())
     }
@@ -267,7 +268,7 @@ impl Machine {
     fn failed(self, fault: Fault, seen: &Seen, bounds: &Bounds) -> Self {
         let (status, left) = match (fault.reaction(), self.status) {
             (Reaction::Blind, _) | (_, Status::Stopped(_)) => (Status::Stopped(fault), 0),
-            // The time to come to rest is not begun again.
+            // The time to come to rest is not restarted.
             (_, Status::Stopping(_)) if self.left > 1 => (Status::Stopping(fault), self.left - 1),
             (_, Status::Stopping(_)) => (Status::Stopped(fault), 0),
             (Reaction::Path, _) if seen.wanted == Wanted::Press => (Status::Leaving(fault), bounds.leave),
@@ -289,7 +290,7 @@ impl Machine {
     }
 }
 
-/// Without a fault the state follows from what is seen.
+/// State without a fault, determined by the observations.
 fn working(seen: &Seen) -> Status {
     match (seen.arrival, seen.wanted) {
         (Arrival::Good, Wanted::Nothing) => Status::Waiting,

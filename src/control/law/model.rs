@@ -1,4 +1,4 @@
-//! The law's view of the robot.
+//! Interface of the control law to the robot.
 
 use super::least::damped;
 
@@ -13,7 +13,7 @@ pub struct Tool<const N: usize> {
     pub jacobian: [[f64; N]; 6],
 }
 
-/// Functions that the two loops need of a robot with `N` joints.
+/// Functions of a robot with `N` joints that the two loops use.
 pub trait Model<const N: usize> {
     /// Torques that hold the arm still, N m: the identified `G(q)`, the tool included.
     fn gravity(&mut self, q: &[f64; N]) -> [f64; N];
@@ -25,45 +25,46 @@ pub trait Model<const N: usize> {
         [0.0; N]
     }
 
-    /// Torques with which the tool presses by a force (world axes, N): `J'` times it.
+    /// Joint torques, N m, with which the tool exerts a force `along` (world axes, N): `J'` times
+    /// it.
     fn pressing(&mut self, q: &[f64; N], along: &[f64; 3]) -> [f64; N];
 
-    /// Frame and Jacobian of the point that touches; read where
+    /// Frame and Jacobian of the point of contact; used where
     /// [`Settings::drag`](super::Settings::drag) is not 0. None by default: drag is not predicted.
     fn touch(&mut self, _q: &[f64; N]) -> Option<Tool<N>> {
         None
     }
 
-    /// A posture whose tool has the orientation of `q`, moved by `by` (m, world axes), with the
-    /// arm's redundancy of `q`; `near` is the last command. `None` where there is none.
+    /// Posture whose tool has the orientation of `q`, displaced by `by` (m, world axes), with the
+    /// redundancy of `q`; `near` is the last command. `None` if there is none.
     fn displaced(&mut self, q: &[f64; N], by: &[f64; 3], near: &[f64; N]) -> Option<[f64; N]>;
 }
 
-/// Functions that the force estimate needs of it.
+/// Functions of a robot with `N` joints that the force estimate uses.
 pub trait Body<const N: usize> {
-    /// Torques of the motion without contact, N m: bodies, tool and friction; `dt` (s) since the
-    /// call before, for friction with memory.
+    /// Torques of the motion without contact, N m: bodies, tool and friction. `dt` (s) is the time
+    /// since the previous call, for friction with memory.
     fn torques(&mut self, q: &[f64; N], dq: &[f64; N], ddq: &[f64; N], dt: f64) -> [f64; N];
 
-    /// Possible deviation of the friction of each joint from the last [`Body::torques`], N m, less
-    /// where negative. Friction takes an unknown way to turn round with its joint. None by default.
+    /// Possible deviation of each joint's friction from the last [`Body::torques`], N m, signed.
+    /// After a reversal, friction takes an unknown travel to reverse. None by default.
     fn turning(&self) -> [f64; N] {
         [0.0; N]
     }
 
-    /// Interval of the friction of each joint about the last [`Body::torques`], less and more, N m,
-    /// if the joint stands: static friction is anything within its breakaway level. None by
-    /// default.
+    /// Interval of each joint's friction about the last [`Body::torques`] if the joint stands,
+    /// lower and upper deviation, N m. Static friction is anything within its breakaway level. None
+    /// by default.
     fn static_friction(&self) -> [[f64; 2]; N] {
         [[0.0; 2]; N]
     }
 
-    /// Frame and Jacobian of the point where contact is.
+    /// Frame and Jacobian of the point of contact.
     fn tool(&mut self, q: &[f64; N]) -> Tool<N>;
 }
 
-/// [`Model::displaced`] by the Jacobian: Newton's steps with the least joint motion, from `q`. For
-/// arms without a closed form, and where the closed form finds nothing.
+/// Computes [`Model::displaced`] from the Jacobian: Newton's method with least-norm joint steps,
+/// from `q`. For arms without a closed form, and where the closed form has no solution.
 pub fn moved<const N: usize>(
     q: &[f64; N],
     by: &[f64; 3],
@@ -78,7 +79,7 @@ pub fn moved<const N: usize>(
         for k in 0..3 {
             error[k] = start.origin[k] + by[k] - here.origin[k];
         }
-        // Half the sum of cross products of the axes: the rotation that is left, for small angles.
+        // Half the sum of cross products of the axes: the remaining rotation, for small angles.
         for axis in 0..3 {
             let column = |r: &[[f64; 3]; 3]| [r[0][axis], r[1][axis], r[2][axis]];
             let (a, b) = (column(&here.rotation), column(&start.rotation));
@@ -86,7 +87,7 @@ pub fn moved<const N: usize>(
             error[4] += 0.5 * (a[2] * b[0] - a[0] * b[2]);
             error[5] += 0.5 * (a[0] * b[1] - a[1] * b[0]);
         }
-        // J' (J J' + d)^-1 e: joints weigh the same.
+        // J' (J J' + d)^-1 e with equal joint weights.
         let y = damped(&here.jacobian, &[1.0; N], &error, 1e-9)?;
         for j in 0..N {
             at[j] += (0..6).map(|i| here.jacobian[i][j] * y[i]).sum::<f64>();

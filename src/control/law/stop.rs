@@ -1,17 +1,17 @@
-//! A stop along the path, and how to see that an arm rests.
+//! Stop along the planned path, and detection of an arm at rest.
 
 use super::settings::Target;
 
-/// The plan's path from a point on, to second order, followed ever more slowly.
+/// Follows the plan's path from a point on, to second order, at a decreasing pace.
 ///
-/// The path's own time runs at a share of the clock that goes from 1 to 0 by a cubic in `within`
-/// seconds; velocity and acceleration stay continuous. The plan beyond the point is not needed:
-/// half of `within` is all that is followed of it.
+/// The ratio of path time to clock time decreases from 1 to 0 by a cubic in `within` seconds;
+/// velocity and acceleration stay continuous. The plan beyond the point is not needed: the path
+/// advances by half of `within` in all.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct PathStop<const N: usize> {
     from: Target<N>,
     within: f64,
-    /// Since the stop began, on the clock and along the path, s.
+    /// Time since the stop began, s; `along` is the path time since then.
     clock: f64,
     along: f64,
 }
@@ -25,7 +25,7 @@ impl<const N: usize> PathStop<N> {
         self.clock >= self.within
     }
 
-    /// The target after `dt`.
+    /// Target after `dt`, s.
     pub(super) fn step(&mut self, dt: f64) -> Target<N> {
         let [before, _] = self.pace();
         self.clock = (self.clock + dt).min(self.within);
@@ -41,17 +41,17 @@ impl<const N: usize> PathStop<N> {
         }
     }
 
-    /// Path time per time, and its change, 1/s.
+    /// Path time per clock time, and its derivative, 1/s.
     fn pace(&self) -> [f64; 2] {
         let s = (self.clock / self.within).min(1.0);
         [1.0 - s * s * (3.0 - 2.0 * s), -6.0 * s * (1.0 - s) / self.within]
     }
 }
 
-/// Steps within the travel after which the arm rests.
+/// Number of steps within the travel after which the arm is at rest.
 const RESTS: u32 = 32;
 
-/// Watches whether all joints stay where they are.
+/// Detects that all joints are at rest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Still<const N: usize> {
     about: [f64; N],
@@ -61,7 +61,7 @@ pub(super) struct Still<const N: usize> {
 impl<const N: usize> Still<N> {
     pub(super) const NONE: Self = Self { about: [f64::NAN; N], within: 0 };
 
-    /// Whether no joint has left the way of two periods at its speed limit for some time: a mean
+    /// Whether no joint has left the travel of two periods at its speed limit for some time: a mean
     /// speed below 1/16 of the limit.
     pub(super) fn step(&mut self, q: &[f64; N], velocity: &[f64; N], period: f64) -> bool {
         let stays = (0..N).all(|j| (q[j] - self.about[j]).abs() <= 2.0 * velocity[j] * period);

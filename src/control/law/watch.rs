@@ -1,74 +1,73 @@
-//! Judges what arrives: is there a sample, is it new, can it be true, and do its stamps agree with
-//! the count of steps?
+//! Validation of samples: whether one arrived, is new and plausible, and whether its time stamp
+//! agrees with the step count.
 //!
-//! The count of steps is a clock of its own: a step is a period. A stamp only says whether a sample
-//! is new, and how far in time it is from the one before, as far as the count bears it out.
+//! The step count is a clock of its own: a step is a period. A time stamp only shows whether a
+//! sample is new, and the time since the previous one, as far as the step count confirms it.
 
 use super::machine::Arrival;
 
 /// Measurements of the robot at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample<const N: usize> {
-    /// Time stamp, s. One that is not later than the one before marks a sample that did not arrive.
+    /// Time stamp, s. If it is not later than the previous one, the sample counts as missing.
     pub t: f64,
-    /// Measured positions, rad or m; not a number where one is missing.
+    /// Measured positions, rad or m; NaN where one is missing.
     pub q: [f64; N],
-    /// Force of the tool on what it presses, along the target's normal, N: estimated or measured;
-    /// not a number where it is missing.
+    /// Normal force of the tool on the surface, along the target's normal, N: estimated or
+    /// measured; NaN where it is missing.
     pub force: f64,
-    /// Force of the tool on its surroundings, world axes, N: estimated. Its part aside of the
-    /// normal is read where [`Settings::aside`](super::Settings::aside) is not 0; not a number
-    /// where it is missing.
+    /// Estimated force of the tool on its surroundings, world axes, N; NaN where it is missing. Its
+    /// tangential part is used where [`Settings::aside`](super::Settings::aside) is not 0.
     pub push: [f64; 3],
 }
 
-/// Share of the disagreement of stamps and steps that is forgotten in each step: clocks may differ
-/// by this share of the tolerance in periods, 6.5 % with a patience of 5.
+/// Share of the disagreement between time stamps and steps that decays in each step. Clocks may
+/// differ by this share of the tolerance in periods, 6.5 % with a patience of 5.
 const FORGOTTEN: f64 = 0.01;
 
-/// Counts whether too much of something is bad. What is bad weighs as much as two that are good: a
-/// third may be bad for long.
+/// Counts bad events against good ones. A bad one weighs as much as two good ones, so that a third
+/// may be bad for long.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Tally(u32);
 
 impl Tally {
-    /// Weight of one that is bad.
+    /// Weight of a bad event.
     const BAD: u32 = 2;
-    /// Weight at which too many are bad: 20 in a row from none, as libfranka has it.
+    /// Weight above which too many are bad: 20 in a row from zero, as in libfranka.
     const MOST: u32 = 40;
 
-    /// Counts one more, and says whether too many are bad.
+    /// Counts an event; returns whether too many are bad.
     pub(super) fn count(&mut self, bad: bool) -> bool {
         self.0 = if bad { (self.0 + Self::BAD).min(Self::MOST + Self::BAD) } else { self.0.saturating_sub(1) };
         self.0 > Self::MOST
     }
 }
 
-/// Keeps the last good position, its stamp, and how many steps it is old.
+/// Last good position with its time stamp and age in steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Watch<const N: usize> {
     period: f64,
-    /// Speeds that can't be true, rad/s or m/s.
+    /// Speeds above which a sample is implausible, rad/s or m/s.
     fastest: [f64; N],
     patience: u32,
     last: Option<(f64, [f64; N])>,
-    /// What arrived last, good or not.
+    /// Last sample received, good or not.
     heard: Option<(f64, [f64; N])>,
     /// Steps since the last good sample.
     since: u32,
-    /// By how much the stamps have run ahead of the steps of late, s.
+    /// Recent lead of the time stamps over the steps, s.
     slip: f64,
     bad: Tally,
 }
 
 impl<const N: usize> Watch<N> {
-    /// For samples each `period` (s), of which `patience` in a row may fail, of joints that can't
-    /// be faster than this.
+    /// Creates a monitor for samples every `period`, s, of which `patience` in a row may fail. No
+    /// joint can be faster than `fastest`, rad/s or m/s.
     pub fn new(period: f64, patience: u32, fastest: [f64; N]) -> Self {
         Self { period, fastest, patience, last: None, heard: None, since: 0, slip: 0.0, bad: Tally::default() }
     }
 
-    /// The last good position.
+    /// Last good position, rad or m.
     pub fn position(&self) -> Option<[f64; N]> {
         self.last.map(|(_, q)| q)
     }
@@ -78,13 +77,14 @@ impl<const N: usize> Watch<N> {
         *self = Self::new(self.period, self.patience, self.fastest);
     }
 
-    /// Longest time by which a sample may be late, s.
+    /// Longest delay of a sample, s.
     fn late(&self) -> f64 {
         (f64::from(self.patience) + 1.5) * self.period
     }
 
-    /// Counts a step and judges its sample, with the time since the last good one, s. Whether the
-    /// stamps are believed: after a fault the count of steps is the only clock.
+    /// Counts a step and validates its sample; returns the time since the last good one, s.
+    /// `stamped` selects whether time stamps are used: after a fault the step count is the only
+    /// clock.
     pub(super) fn judge(&mut self, sample: &Sample<N>, stamped: bool) -> (Arrival, f64) {
         self.since = self.since.saturating_add(1);
         let heard = self.heard.replace((sample.t, sample.q));
@@ -99,7 +99,7 @@ impl<const N: usize> Watch<N> {
         }
         let Some((t, q)) = self.last else { return self.take(sample, self.period) };
         let dt = sample.t - t;
-        // Not `dt <= 0`: a difference that overflows is no time either.
+        // Not `dt <= 0`: a difference that overflows is not a valid time either.
         if !(dt > 0.0 && dt.is_finite()) {
             let runs = heard.is_some_and(|(t, _)| sample.t > t && sample.t - t <= self.late());
             return if runs && self.since > self.patience { self.jumped(sample) } else { self.bad(own) };
@@ -108,7 +108,7 @@ impl<const N: usize> Watch<N> {
         if dt > self.late() || slip.abs() > self.late() {
             return self.jumped(sample);
         }
-        // A step of the encoder in a sample that came early is no leap.
+        // An encoder step in a sample that came early is not a discontinuity.
         let reach = dt.max(self.period);
         let follows = |j: usize| (sample.q[j] - q[j]).abs() <= self.fastest[j] * reach;
         if !(0..N).all(follows) {
@@ -124,14 +124,15 @@ impl<const N: usize> Watch<N> {
         (Arrival::Good, dt)
     }
 
-    /// The position is taken, the time of it is not.
+    /// Accepts the position but not its time stamp.
     fn jumped(&mut self, sample: &Sample<N>) -> (Arrival, f64) {
         let own = f64::from(self.since) * self.period;
         self.take(sample, own);
         (Arrival::Jumped, own)
     }
 
-    /// A leap that lasts is a fault after some steps; from there on the arm is where it says.
+    /// Rejects a sample. A discontinuity that lasts becomes a fault after some steps; from then on
+    /// the reported position is accepted.
     fn bad(&mut self, own: f64) -> (Arrival, f64) {
         (if self.bad.count(true) { Arrival::Gone } else { Arrival::Bad }, own)
     }

@@ -8,7 +8,7 @@ use super::super::xml::Element;
 use super::{Reader, from_columns};
 
 impl<'a> Reader<'a, '_> {
-    /// Position and orientation of an element in its body; `None` where they are wrong.
+    /// Position and orientation of an element in its body; `None` if they are invalid.
     pub(super) fn pose(&mut self, element: Element<'a>, tag: &str, class: Option<&'a str>) -> Option<Displacement> {
         let value = |name: &str| self.settings.value(element, tag, class, name);
         let before = self.found.0.len();
@@ -33,7 +33,7 @@ impl<'a> Reader<'a, '_> {
                     let axis =
                         Vector3::from(["x", "y", "z"].map(|l| f64::from(l == letter.to_lowercase().to_string())));
                     let turn = self.exact_turn(&axis, angle * unit);
-                    // Small letters turn about the moved axes, capitals about the fixed ones.
+                    // Small letters rotate about the moved axes, capitals about the fixed ones.
                     all = if letter.is_lowercase() { all.then(&turn) } else { turn.then(&all) };
                 }
                 self.snap.rotation(all)
@@ -49,7 +49,7 @@ impl<'a> Reader<'a, '_> {
         (self.found.0.len() == before).then_some(Displacement { origin, ..at })
     }
 
-    /// A turn whose sine and cosine are exact at fractions of pi.
+    /// A rotation whose sine and cosine are exact at fractions of pi.
     fn exact_turn(&mut self, axis: &Vector3<f64>, angle: f64) -> Displacement {
         exact_turn(self.snap, axis, angle)
     }
@@ -61,7 +61,7 @@ fn exact_turn(snap: &mut Snap, axis: &Vector3<f64>, angle: f64) -> Displacement 
     Displacement { rotation: nalgebra::Matrix3::identity() + k * s + k * k * (1.0 - c), origin: Vector3::zeros() }
 }
 
-/// Axes x and y, the latter made square to the former.
+/// Rotation from axes x and y, the latter made orthogonal to the former.
 fn square([a, b, c, d, e, f]: [f64; 6]) -> Displacement {
     let x = Vector3::new(a, b, c).normalize();
     let y = Vector3::new(d, e, f);
@@ -69,7 +69,7 @@ fn square([a, b, c, d, e, f]: [f64; 6]) -> Displacement {
     from_columns(x, y, x.cross(&y))
 }
 
-/// The smallest turn that brings z onto a direction.
+/// The smallest rotation of z onto a direction.
 pub(super) fn onto(z: Vector3<f64>) -> Displacement {
     let z = z.normalize();
     let axis = Vector3::z().cross(&z);

@@ -1,37 +1,37 @@
-//! `compiler`, `option` and default classes.
+//! Settings from `compiler`, `option` and default classes.
 
 use std::collections::BTreeMap;
 
 use super::super::xml::{Element, Mistakes, children};
 
-/// An attribute, from the element or from a default of its class.
+/// An attribute of an element or of a default of its class.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Value<'a> {
-    /// Its place.
+    /// Element that has the attribute.
     pub(super) at: Element<'a>,
-    /// Its name.
+    /// Name of the attribute.
     pub(super) name: &'static str,
-    /// Its value.
+    /// Text of its value.
     pub(super) text: &'a str,
 }
 
 /// Settings of the whole file.
 pub(super) struct Settings<'a> {
-    /// rad per unit of angle.
+    /// Unit of angle, rad.
     pub(super) angle: f64,
     /// Letters of `eulerseq`.
     pub(super) euler: &'a str,
-    /// Shapes make the inertia also where it is given.
+    /// Whether shapes define the inertia even where it is given.
     pub(super) inertia_from_geoms: bool,
-    /// m/s^2
+    /// Gravity, m/s^2.
     pub(super) gravity: [f64; 3],
     /// Skipped elements.
     pub(super) notes: Vec<String>,
-    /// Of each class: its default elements, its own first, then those of the classes around it.
+    /// Default elements of each class: its own first, then those of the enclosing classes.
     classes: BTreeMap<&'a str, Vec<Element<'a>>>,
 }
 
-/// Names of attributes that are looked up, as they stay valid beyond a call.
+/// Names of attributes in use, as references that outlive a call.
 const NAMES: [&str; 33] = [
     "type",
     "pos",
@@ -98,7 +98,7 @@ impl<'a> Settings<'a> {
         settings
     }
 
-    /// Every class that an element names must be one of the defaults.
+    /// Reports elements whose class is not among the defaults.
     fn classes_exist(&self, root: Element<'a>, found: &mut Mistakes) {
         let elements = root.descendants().filter(|n| n.is_element() && n.tag_name().name() != "default");
         for element in elements {
@@ -138,13 +138,13 @@ impl<'a> Settings<'a> {
         }
     }
 
-    /// A class, with what it has from those around it.
+    /// Adds a class with the defaults of its enclosing classes.
     fn default(&mut self, default: Element<'a>, around: &[Element<'a>], top: bool) {
         let name = default.attribute("class").unwrap_or("main");
         let mut elements: Vec<Element<'a>> = default.children().filter(|n| n.is_element()).collect();
         elements.extend(around);
         if top {
-            // Several defaults at the top add up.
+            // Several defaults at the top are combined.
             elements.extend(self.classes.get("main").into_iter().flatten());
             self.classes.insert("main", elements.clone());
         }
@@ -154,7 +154,7 @@ impl<'a> Settings<'a> {
         }
     }
 
-    /// An attribute of an element, or of its class.
+    /// Value of an attribute of an element, or of its class.
     pub(super) fn value(&self, element: Element<'a>, tag: &str, class: Option<&str>, name: &str) -> Option<Value<'a>> {
         let name = NAMES.iter().find(|n| **n == name)?;
         let of = |at: Element<'a>| at.attribute(*name).map(|text| Value { at, name, text: text.trim() });

@@ -10,11 +10,12 @@ use super::super::xml::Element;
 use super::Reader;
 use super::orientation::onto;
 
-/// kg/m^3, where the file says nothing.
+/// Default density, kg/m^3.
 const DENSITY: f64 = 1000.0;
 
 impl<'a> Reader<'a, '_> {
-    /// Inertia of a geom in its body's frame; `None`: not known from the file alone (a mesh).
+    /// Inertia of a geom in its body's frame; `None` if it is not known from the file alone (a
+    /// mesh).
     pub(super) fn geom(&mut self, geom: Element<'a>, class: Option<&'a str>) -> Option<Inertia> {
         let value = |name: &str| self.settings.value(geom, "geom", class, name);
         let mesh = value("mesh").is_some();
@@ -51,7 +52,7 @@ impl<'a> Reader<'a, '_> {
         Some(own.moved(&at.rows(), &at.origin.into()))
     }
 
-    /// The pose of the `frame` elements between an element and its body.
+    /// Pose of the `frame` elements between an element and its body.
     fn frames(&mut self, element: Element<'a>) -> Option<Displacement> {
         let mut all = Displacement::identity();
         let frames: Vec<Element<'a>> =
@@ -63,7 +64,7 @@ impl<'a> Reader<'a, '_> {
     }
 }
 
-/// Volume, m^3, and principal moments per mass, m^2, of a solid with half sizes.
+/// Volume, m^3, and principal moments per mass, m^2, of a solid with these half sizes, m.
 fn solid(kind: &str, size: &[f64]) -> Option<(f64, [f64; 3])> {
     let ball = 4.0 / 3.0 * PI;
     Some(match (kind, size) {

@@ -1,4 +1,4 @@
-//! What a run records, and the figures of it.
+//! Recording of a run and its error figures.
 
 use super::{Feedback, ForceErrors, Run, RunTask, Trace, root_mean_square};
 use crate::apps::painting::tune::Tuning;
@@ -8,7 +8,7 @@ use crate::control::law::{Status, Target};
 use crate::control::robot::RobotModel;
 use crate::simulate::Instant;
 
-/// The sensor in the wall through three low-passes of first order.
+/// The sensor in the wall through three first-order low-passes.
 pub(super) struct FilteredWallSensor {
     sensor: WallSensor,
     low: [f64; 3],
@@ -21,7 +21,7 @@ impl FilteredWallSensor {
         Self { sensor: WallSensor::new(task.seed), low: [0.0; 3], share: turn / (1.0 + turn) }
     }
 
-    /// Reading for the true force, N.
+    /// Filtered reading for the true force, N.
     pub(super) fn read(&mut self, truth: f64) -> f64 {
         let mut from = self.sensor.read(truth);
         for stage in &mut self.low {
@@ -39,16 +39,16 @@ pub(super) struct Forces {
     pub truth: f64,
 }
 
-/// The recording of the painting proper.
+/// Recording of the painting itself.
 pub(super) struct Recorder<'a> {
     task: &'a RunTask<'a>,
     planned: RobotModel<'a>,
     pub trace: Trace,
-    /// Largest joint speed of the plan at each sample, rad/s.
+    /// Largest planned joint speed at each sample, rad/s.
     pub pace: Vec<f64>,
     /// State of the controller.
     pub status: Status,
-    /// Seconds without contact.
+    /// Time without contact, s.
     idle: f64,
 }
 
@@ -57,7 +57,7 @@ impl<'a> Recorder<'a> {
         Self { task, planned, trace: Trace::default(), pace: Vec::new(), status: Status::Free, idle: 0.0 }
     }
 
-    /// Keeps a sample, `t` after the painting began.
+    /// Records a sample, `t` s after painting began.
     pub(super) fn absorb<const N: usize>(
         &mut self,
         t: f64,
@@ -83,12 +83,12 @@ impl<'a> Recorder<'a> {
         }));
     }
 
-    /// Whether the contact held from begin to end.
+    /// Whether contact held from beginning to end.
     pub(super) fn pressed_throughout(&self) -> bool {
         self.status == Status::Pressing && self.idle == 0.0
     }
 
-    /// Desired force less the one fed back, N.
+    /// Desired force minus the one fed back, N.
     pub(super) fn force_error(&self) -> Vec<f64> {
         let fed_back = match self.task.feedback {
             Feedback::Estimated => &self.trace.estimated,

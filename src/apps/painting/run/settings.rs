@@ -8,18 +8,18 @@ use crate::control::law::{EstimatorSettings, ForceSettings, JointLoop, Limits, S
 use crate::control::robot::STANDING;
 use crate::simulate::Simulator;
 
-/// Pole of the force aside, rad/s: what comes faster is predicted, and a fast one rings at 3 Hz
-/// with the estimate's low-pass and soft joints.
+/// Pole of the tangential-force low-pass, rad/s. Faster changes are predicted; a faster pole
+/// oscillates at 3 Hz with the estimate's low-pass and soft joints.
 const ASIDE_POLE: f64 = 4.0;
 /// Time of a stop along the path, s.
 const STOP: f64 = 0.25;
-/// Time in which the force comes up to the one that is asked for, s.
+/// Time in which the force rises to the desired one, s.
 const RISE: f64 = 0.05;
-/// Share of its torque limit that a joint's spring may have while its position does not change by a
-/// bit: above static friction.
+/// Share of its torque limit that a joint's spring may exert while its position stays
+/// bit-identical: above static friction.
 const STUCK: f64 = 0.15;
 
-/// Limits of torque (N m) and speed (rad/s) of the file, and what stands for those that it has not.
+/// Torque (N m) and speed (rad/s) limits of the file, with defaults for missing ones.
 fn strength<const N: usize>(robot: &Robot) -> [[f64; N]; 2] {
     let limits: Vec<_> = robot.moving().iter().map(|&row| &robot.joints[row].limits).collect();
     [
@@ -28,9 +28,9 @@ fn strength<const N: usize>(robot: &Robot) -> [[f64; N]; 2] {
     ]
 }
 
-/// Limits of the file; what it has not is libfranka's for the tool (its jerk is what takes 2 ms to
-/// the full acceleration, for joints too), and for the torques a wide one, their range
-/// in 2 ms: where the displacement begins to move, the joints' loops answer its speed at once.
+/// Limits of the file. Missing ones are libfranka's for the tool; the jerk limit is such that full
+/// acceleration takes 2 ms, for joints too. The torque rate is a wide one, the torque range in 2
+/// ms: where the displacement starts to move, the joint loops respond to its speed at once.
 fn limits_of<const N: usize>(robot: &Robot, kp: &[f64; N], torque: &[f64; N], force: f64) -> Limits<N> {
     let limits: Vec<_> = robot.moving().iter().map(|&row| &robot.joints[row].limits).collect();
     let acceleration: [f64; N] = std::array::from_fn(|j| limits[j].acceleration.unwrap_or(f64::INFINITY));
@@ -47,8 +47,8 @@ fn limits_of<const N: usize>(robot: &Robot, kp: &[f64; N], torque: &[f64; N], fo
     }
 }
 
-/// What the gains have to cope with: sampling, filter, wall, and what the joints have beyond the
-/// model.
+/// Conditions that the gains must tolerate: sampling, filter, wall, and properties of the joints
+/// beyond the model.
 pub(super) fn demands(known: &Known<'_>, real: &Simulator, task: &RunTask<'_>) -> Demands {
     Demands {
         period: 1.0 / task.sensors.rate,
@@ -67,7 +67,7 @@ pub(super) fn demands(known: &Known<'_>, real: &Simulator, task: &RunTask<'_>) -
     }
 }
 
-/// Of the controller, with the gains found.
+/// Settings of the controller with the gains found.
 pub(super) fn controller<const N: usize>(known: &Known<'_>, task: &RunTask<'_>, tuning: &Tuning) -> Settings<N> {
     let [torque, velocity] = strength(known.robot);
     let kp = std::array::from_fn(|j| tuning.joints[j].kp);
@@ -94,7 +94,7 @@ pub(super) fn controller<const N: usize>(known: &Known<'_>, task: &RunTask<'_>, 
     }
 }
 
-/// Of the estimator: joints weigh by the spread of their torque errors.
+/// Settings of the estimator: joints are weighted by the spread of their torque errors.
 pub(super) fn estimator<const N: usize>(known: &Known<'_>, task: &RunTask<'_>) -> EstimatorSettings<N> {
     EstimatorSettings {
         period: 1.0 / task.sensors.rate,

@@ -1,4 +1,4 @@
-//! Targets over time: rest, come to the wall, press, wipe, paint.
+//! Target schedule of a run: rest, approach to the wall, pressing, calibration stroke, painting.
 
 use super::RunTask;
 use crate::apps::painting::strokes::rest_to_rest;
@@ -6,11 +6,11 @@ use crate::control::iterative_learning::Learned;
 use crate::control::law::Target;
 use crate::simulate::Trajectory;
 
-/// How long it rests before the wall, and how long it takes to come to it, s.
+/// Time of rest before the wall, s; `COME` is that of the approach, s.
 const REST: f64 = 0.3;
 const COME: f64 = 1.5;
 
-/// The plan, read forward: positions, speeds, accelerations at a time since it began.
+/// The plan, read forwards in time: positions, speeds, accelerations at a time since its start.
 pub(super) struct PlannedMotion<'a, const N: usize> {
     motion: &'a Trajectory,
     hint: usize,
@@ -22,7 +22,7 @@ impl<'a, const N: usize> PlannedMotion<'a, N> {
         Self { motion, hint: 0, points: vec![[0.0; 3]; N] }
     }
 
-    /// How long it lasts.
+    /// Duration, s.
     pub(super) fn seconds(&self) -> f64 {
         self.motion.span().end - self.motion.span().start
     }
@@ -37,20 +37,20 @@ impl<'a, const N: usize> PlannedMotion<'a, N> {
     }
 }
 
-/// What is asked of the controller at each instant.
+/// Targets of the controller at each instant.
 pub(super) struct TargetSchedule<'a, const N: usize> {
-    /// The plan that is painted.
+    /// The plan to paint.
     pub plan: PlannedMotion<'a, N>,
-    /// Posture before the wall, and the plan's first.
+    /// Posture before the wall; `first` is the plan's first posture.
     start: [f64; N],
     first: [f64; N],
-    /// Direction of the press, and its force, N.
+    /// Direction of pressing; `force` is the desired force, N.
     press: [f64; 3],
     force: f64,
-    /// Motion in which drag is measured.
+    /// Calibration stroke, in which drag is measured.
     wiped: Option<Trajectory>,
     hint: usize,
-    /// Time at which the painting begins, s.
+    /// Time at which painting begins, s.
     begin: f64,
     learned: Option<&'a Learned>,
 }
@@ -76,12 +76,12 @@ impl<'a, const N: usize> TargetSchedule<'a, N> {
         }
     }
 
-    /// Time at which the painting begins, s.
+    /// Time at which painting begins, s.
     pub(super) fn painting_begins(&self) -> f64 {
         self.begin
     }
 
-    /// The target at `t` since the run began.
+    /// Target at time `t`, s, since the run began.
     pub(super) fn at(&mut self, t: f64) -> Target<N> {
         if t < REST + COME {
             return self.approach(t);
@@ -104,7 +104,7 @@ impl<'a, const N: usize> TargetSchedule<'a, N> {
         }
     }
 
-    /// Rest, then a polynomial of fifth degree to the plan's first posture.
+    /// Rest, then a fifth-degree polynomial to the plan's first posture.
     fn approach(&self, t: f64) -> Target<N> {
         let [s, ds, dds, _] = rest_to_rest(((t - REST) / COME).clamp(0.0, 1.0));
         let along = [s, ds / COME, dds / (COME * COME)];

@@ -1,5 +1,5 @@
-//! One case: a seed draws arm, what is hidden, motion and noise; the simulator writes logs; the
-//! diagnosis sees files.
+//! One test case: a seed draws arm, hidden effects, motion and noise; the simulator writes logs;
+//! the diagnosis reads files only.
 
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -19,8 +19,8 @@ use crate::model::{Arm, States};
 use crate::numerics::prng::Random;
 use crate::simulate::{Control, Mode, Request, Sensors, Simulator, Trajectory};
 
-/// The arms, with links; and torque limits of those whose files have none (Armstrong, Khatib and
-/// Burdick 1986).
+/// Arms with known links. `PUMA` has torque limits, N m, for the arm whose file has none
+/// (Armstrong, Khatib and Burdick 1986).
 const ARMS: [(&str, &str); 6] = [
     ("kuka-lwr4", include_str!("../../../../robots/kuka-lwr4.yaml")),
     ("franka-panda", include_str!("../../../../robots/franka-panda.yaml")),
@@ -31,7 +31,7 @@ const ARMS: [(&str, &str); 6] = [
 ];
 const PUMA: [f64; 6] = [97.6, 186.4, 89.4, 24.2, 20.1, 21.3];
 
-/// Noise of a joint's torque by its limit.
+/// Noise of a joint's torque relative to its limit.
 const NOISE: f64 = 1e-3;
 
 /// Kind of case.
@@ -43,25 +43,25 @@ pub enum CaseKind {
     One(Wanted),
     /// One effect, and a robot file without link parameters.
     NoLinks(EffectKind),
-    /// Two on one joint.
+    /// Two effects on one joint.
     OneJoint([EffectKind; 2]),
-    /// Two on two joints.
+    /// Two effects on two joints.
     TwoJoints([EffectKind; 2]),
-    /// A friction law, and a link that is not what the file says.
+    /// A friction law, and link parameters that differ from the file's.
     WrongLinks(EffectKind),
-    /// Nothing that the vocabulary has.
+    /// Structure outside the vocabulary.
     Outside(usize),
 }
 
-/// Number of cases of a round with two effects on one joint, two on two joints, a law and a wrong
+/// Number of cases per round with two effects on one joint, two on two joints, a law and a wrong
 /// link, a law in a file without links, and structure outside the vocabulary.
 const SEVERAL: [usize; 5] = [3, 3, 2, 2, 3];
 
-/// Cases go round in this many kinds: nothing, every single effect, and the rest.
+/// Number of kinds in a round of cases: nothing, every single effect, and the rest.
 pub(super) const KINDS: usize = 1 + Wanted::ALONE + SEVERAL[0] + SEVERAL[1] + SEVERAL[2] + SEVERAL[3] + SEVERAL[4];
 
 impl CaseKind {
-    /// The kind of a seed.
+    /// Kind of the case with this seed.
     pub(super) fn of(seed: u64, random: &mut Random) -> Self {
         let kind = (seed % KINDS as u64) as usize;
         let friction = |random: &mut Random| FRICTION[random.below(FRICTION.len())];
@@ -88,7 +88,8 @@ impl CaseKind {
         }
     }
 
-    /// Hidden joints, from 0: a first one, another, and that of a wrong link.
+    /// Hidden effects with their joints, from 0. `joint` is the first joint, `apart` another, and
+    /// `link` that of a wrong link.
     fn effects(self, joint: usize, apart: usize, link: usize) -> Vec<(Wanted, usize)> {
         match self {
             Self::Nothing | Self::Outside(_) => Vec::new(),
@@ -104,31 +105,31 @@ impl CaseKind {
     }
 }
 
-/// A case that was diagnosed.
+/// Outcome of a diagnosed case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Outcome {
-    /// Its seed.
+    /// Seed of the case.
     pub seed: u64,
-    /// The arm.
+    /// Name of the arm.
     pub robot: &'static str,
     /// Kind of case.
     pub task: CaseKind,
     /// Hidden effects.
     pub hidden: Vec<Hidden>,
-    /// Standard deviation of each joint's torque noise with the step of the sensor, N m.
+    /// Standard deviation of each joint's torque noise including the sensor's resolution, N m.
     pub noise: Vec<f64>,
-    /// Error of the file on the validating motion where nothing is hidden, N m, the attainable
-    /// error; of all samples and where the joint moves.
+    /// Attainable error: that of the file on the validating motion if nothing is hidden, N m. Over
+    /// all samples, and where the joint moves.
     pub attainable: [Vec<f64>; 2],
     /// Found causes.
     pub found: Diagnosis,
 }
 
-/// Plants and simulators are costly to make, and the same file makes the same ones.
+/// Cache of robot models and simulators by robot file, as they are costly to make.
 #[derive(Default)]
 pub(super) struct Plants {
     plants: Mutex<HashMap<String, Arc<PerturbableRobot>>>,
-    /// Of arms in which nothing is hidden.
+    /// Simulators of arms in which nothing is hidden.
     simulators: Mutex<HashMap<String, Arc<Simulator>>>,
 }
 
@@ -146,7 +147,7 @@ impl Plants {
         Ok((robot, made))
     }
 
-    /// The simulator of an arm as its file is.
+    /// Simulator of an arm as its file describes it.
     fn plain(&self, robot: &Robot) -> Result<Arc<Simulator>, ReproduceError> {
         let text = robot.to_yaml();
         let lock = || self.simulators.lock().unwrap_or_else(PoisonError::into_inner);
@@ -159,7 +160,7 @@ impl Plants {
     }
 }
 
-/// The file of an arm, with friction on every joint.
+/// Robot file of an arm, with friction on every joint.
 fn arm(number: usize) -> Result<(&'static str, Robot), ReproduceError> {
     let (name, text) = ARMS[number];
     let read = Robot::from_yaml(text, &no_files);
@@ -179,7 +180,7 @@ fn arm(number: usize) -> Result<(&'static str, Robot), ReproduceError> {
     Ok((name, robot))
 }
 
-/// Five sines a joint from a tenth of a hertz up, inside the limits.
+/// Draws a motion of five sines per joint from a tenth of a hertz up, within the limits.
 fn motion(robot: &Robot, seconds: f64, random: &mut Random) -> Result<Trajectory, ReproduceError> {
     let knots = (seconds * 50.0).ceil() as usize + 1;
     let t: Vec<f64> = (0..knots).map(|k| k as f64 / 50.0).collect();
@@ -218,7 +219,7 @@ fn rms(x: &[f64]) -> f64 {
     (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt()
 }
 
-/// Error of a simulation of the given file on a log without noise, per joint.
+/// Torque error of a simulation of the given file on a noise-free log, per joint, N m.
 fn missed(log: &Log, plant: &PerturbableRobot, standard: &[f64], rate: f64) -> Vec<Vec<f64>> {
     let (dof, len) = (plant.dof(), log.len());
     let row = |quantity: Quantity, j: usize| log.joint(quantity, j).map(<[f64]>::to_vec).unwrap_or_default();
@@ -231,7 +232,7 @@ fn missed(log: &Log, plant: &PerturbableRobot, standard: &[f64], rate: f64) -> V
     }
     let mut model = vec![0.0; dof * len];
     plant.inverse_dynamics(&states, standard, &mut model);
-    // The ends, where differences are one-sided, are left out.
+    // The ends, with one-sided differences, are left out.
     let cut = 8.min(len / 4);
     (0..dof)
         .map(|j| {
@@ -241,7 +242,7 @@ fn missed(log: &Log, plant: &PerturbableRobot, standard: &[f64], rate: f64) -> V
         .collect()
 }
 
-/// The wanted size of an effect.
+/// Determines the size parameter for the desired effect of a cause.
 struct Sizer<'a> {
     robot: &'a Robot,
     plant: &'a PerturbableRobot,
@@ -251,7 +252,7 @@ struct Sizer<'a> {
     plain: Vec<Vec<f64>>,
 }
 
-/// Samples per second on which sizes are worked out.
+/// Sampling rate for determining sizes, Hz.
 const COARSE: f64 = 100.0;
 
 impl<'a> Sizer<'a> {
@@ -282,8 +283,8 @@ impl<'a> Sizer<'a> {
         Ok(simulator.run(self.motion, &request, &mut |_| {})?.log)
     }
 
-    /// Root mean square of what an effect does to the error of a simulation of the file, by the
-    /// noise, on the joint that counts.
+    /// Root mean square change that an effect makes to the error of a simulation of the file,
+    /// relative to the noise, on the relevant joint.
     fn ratio(&self, draft: &Draft, x: f64) -> Result<f64, ReproduceError> {
         let simulator = Simulator::new(self.robot, &effects(self.robot, &[(draft.clone(), x)]))?;
         let with = missed(&self.exact(&simulator)?, self.plant, &self.standard, COARSE);
@@ -297,8 +298,8 @@ impl<'a> Sizer<'a> {
         })
     }
 
-    /// `x` at which the effect has the wanted size, and that size; `None` where it would be no
-    /// effect of its kind.
+    /// Value of `x` at which the effect has the desired size, and that size; `None` if it would no
+    /// longer be an effect of its kind.
     fn size(&self, draft: &Draft, wanted: f64) -> Result<Option<(f64, f64)>, ReproduceError> {
         let mut x = draft.start().min(draft.most());
         for _ in 0..6 {
@@ -330,7 +331,7 @@ fn record(name: &str, bytes: &[u8], dof: usize) -> Result<Recording, ReproduceEr
     record_keeping(name, bytes, dof, Acceptance::default())
 }
 
-/// Reads a log in the way of the command, a slow one with a lower cutoff.
+/// Reads a log as the command does; a slow one with a lower cutoff.
 pub(super) fn record_keeping(
     name: &str,
     bytes: &[u8],
@@ -346,7 +347,7 @@ pub(super) fn record_keeping(
     Ok(recording)
 }
 
-/// Draws, hides, records, diagnoses.
+/// Draws and hides effects, records logs and diagnoses them.
 pub(super) fn case(settings: &DiagnosisSettings, seed: u64, plants: &Plants) -> Result<Outcome, ReproduceError> {
     let mut random = Random::new(seed.wrapping_mul(0x9E37_79B9).wrapping_add(77));
     let task = if settings.clean { CaseKind::Nothing } else { CaseKind::of(seed, &mut random) };
@@ -359,7 +360,7 @@ pub(super) fn case(settings: &DiagnosisSettings, seed: u64, plants: &Plants) -> 
     Err(ReproduceError::NothingToShow { seed })
 }
 
-/// What the file says of a joint, with its largest torque on the motion.
+/// Torque scales of a joint from the file, with its largest torque on the motion.
 fn joint_scales(robot: &Robot, j: usize, limit: f64, peak: f64) -> JointScales {
     let drive = &robot.joints[robot.moving()[j]].drive;
     JointScales {
@@ -393,7 +394,7 @@ fn attempt(
     let scales: Vec<JointScales> = (0..dof).map(|j| joint_scales(&robot, j, limit(j), peaks[j])).collect();
     let joint = random.below(dof);
     let apart = (joint + 1 + random.below(dof - 1)) % dof;
-    // The last link with another body on it is the same as a payload: no case of its own.
+    // A body on the last link is the same as a payload and no case of its own.
     let link = random.below(dof - 1);
     let wanted = task.effects(joint, apart, link);
     let (mut sized, mut hidden) = (Vec::new(), Vec::new());
@@ -412,7 +413,7 @@ fn attempt(
     };
 
     let simulator = Simulator::new(&robot, &effects(&robot, &sized))?;
-    // A push in the one log is none in the other.
+    // A push in one log is not in the other.
     let lasting: Vec<(Draft, f64)> =
         sized.iter().filter(|s| s.0.cause != EffectKind::ExternalContact).cloned().collect();
     let later =
@@ -428,8 +429,8 @@ fn attempt(
         desired: false,
         ..Sensors::default()
     };
-    // A torque that is clipped, or lost in a gap, in a loop changes the motion, and the recorded
-    // torque is right for it. To be an error of the torque, the motion must come from elsewhere.
+    // In a closed loop a torque that is clipped or lost in a gap changes the motion, and the
+    // recorded torque matches it. To be a torque error, the motion must not depend on it.
     let open = sized.iter().any(|(d, _)| matches!(d.cause, EffectKind::TorqueSaturation | EffectKind::Backlash));
     let control = Control { mode: if open { Mode::Exact } else { settings.control }, ..Control::default() };
     let mut scale = None;
@@ -440,7 +441,7 @@ fn attempt(
             if let Some(outside) = outside {
                 let tau = |j: usize| log.joint(Quantity::Tau, j).map(<[f64]>::to_vec).unwrap_or_default();
                 let series = outside.series(&log.columns[0], tau);
-                // The second log has the physics of the first.
+                // The second log has the same scale as the first.
                 let by = *scale.get_or_insert_with(|| settings.size * noise[joint] / rms(&series).max(1e-12));
                 if let Some(at) = log.layout.find(crate::data::log::Role::Joint(Quantity::Tau, joint)) {
                     log.columns[at].iter_mut().zip(&series).for_each(|(tau, s)| *tau += by * s);

@@ -1,4 +1,4 @@
-//! Effects of the vocabulary with drawn shapes, before they have their size.
+//! Effects of the vocabulary with drawn shapes, before their size is set.
 
 use std::f64::consts::TAU;
 
@@ -13,27 +13,27 @@ use dh_codegen::robot::{Effect, EffectKind, Effects, Robot};
 use super::hidden::{Hidden, JointScales, Wanted};
 use crate::numerics::prng::Random;
 
-/// An effect in a place, its size still open.
+/// An effect at its place with an undetermined size.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Draft {
     pub cause: EffectKind,
-    /// Joint, from 0; `None`: the whole robot.
+    /// Joint, from 0; `None` for the whole robot.
     pub joint: Option<usize>,
     /// The other joint of a coupling, from 0.
     pub other: Option<usize>,
     law: Law,
 }
 
-/// Keys of an effect, and sizes between which it is searched for.
+/// Keys of an effect and the range of the search for its size.
 #[derive(Debug, Clone, PartialEq)]
 struct Law {
     terms: Vec<Term>,
     /// Start of the search for the size.
     start: f64,
-    /// Beyond this it is no longer an effect of this kind.
+    /// Largest size at which it is still an effect of this kind.
     most: f64,
-    /// Whether the size is that of the joint's own torque error; otherwise of whichever joint shows
-    /// it most.
+    /// Whether the size refers to the joint's own torque error; otherwise to that of the joint that
+    /// shows it most.
     own: bool,
 }
 
@@ -42,8 +42,8 @@ struct Law {
 struct Term {
     key: String,
     value: Growth,
-    /// What the robot file has of it, where an estimate is compared with the sum of both; `None`:
-    /// not compared, because the law's other numbers are estimated with it.
+    /// Value of this key in the robot file, added before the comparison with the estimate. `None`:
+    /// not compared, because other numbers of the law are estimated with it.
     given: Option<f64>,
 }
 
@@ -51,41 +51,41 @@ struct Term {
 enum Growth {
     /// `fixed + x grows`.
     Linear { fixed: f64, grows: f64 },
-    /// `1 / x`: a stiffness, whose effect grows with what it gives way.
+    /// `1 / x`: a stiffness, whose effect grows with its compliance.
     Inverse,
 }
 
-/// A key that grows with the size, and is compared with its estimate.
+/// Term of a key that grows with the size and is compared with its estimate.
 fn size(key: Key, grows: f64) -> Term {
     from(key, 0.0, grows)
 }
 
-/// One that has a value without the effect.
+/// Term of a key that has a value without the effect.
 fn from(key: Key, fixed: f64, grows: f64) -> Term {
     Term { key: key.name().to_string(), value: Growth::Linear { fixed, grows }, given: Some(0.0) }
 }
 
-/// One whose estimate depends on others of the law: an order's phase, a power's factor.
+/// Term whose estimate depends on others of the law: an order's phase, a power's factor.
 fn part(key: Key, grows: f64) -> Term {
     Term { given: None, ..size(key, grows) }
 }
 
-/// One of the law's shape, whatever the size.
+/// Term of the law's shape, independent of the size.
 fn shape(key: Key, fixed: f64) -> Term {
     Term { given: None, ..from(key, fixed, 0.0) }
 }
 
-/// A second order of a ripple.
+/// Term of a ripple's second order.
 fn second(term: Term) -> Term {
     Term { key: term.key + "2", ..term }
 }
 
-/// A law of torque on its own joint, whose size has no limit.
+/// A torque law on its own joint, whose size has no limit.
 fn torque(start: f64, terms: Vec<Term>) -> Law {
     Law { terms, start, most: f64::MAX, own: true }
 }
 
-/// One whose size is a number of its own kind.
+/// A law whose size has a range of its own.
 fn bounded([start, most]: [f64; 2], own: bool, terms: Vec<Term>) -> Law {
     Law { terms, start, most, own }
 }
@@ -114,12 +114,12 @@ impl Draft {
         self.law.most
     }
 
-    /// Whether the size is that of the joint's own torque error.
+    /// Whether the size refers to the joint's own torque error.
     pub fn own(&self) -> bool {
         self.law.own
     }
 
-    /// Whether its torque on a given motion is in proportion to the size.
+    /// Whether its torque on a given motion is proportional to the size.
     pub fn linear(&self) -> bool {
         self.law.own && !matches!(self.cause, EffectKind::TorqueSaturation | EffectKind::TimeDelay)
     }
@@ -131,7 +131,7 @@ impl Draft {
         effect.unwrap_or_else(|error| unreachable!("a draft has the keys of its effect: {error}"))
     }
 
-    /// Expected result of a diagnosis, with the size of the effect in noise.
+    /// Expected result of a diagnosis; `size` is the effect's, relative to the noise.
     pub fn hidden(&self, x: f64, size: f64) -> Hidden {
         let suffix = self.joint.map(|j| (j + 1).to_string()).unwrap_or_default();
         let expected = |term: &Term| term.given.map(|given| (format!("{}{suffix}", term.key), term.at(x) + given));
@@ -152,13 +152,13 @@ impl Term {
         }
     }
 
-    /// Compared with an estimate that has what the file gives in it.
+    /// Sets the file's value that is added before the comparison with the estimate.
     fn beside(self, given: f64) -> Self {
         Self { given: Some(given), ..self }
     }
 }
 
-/// Laws of friction.
+/// Friction laws.
 fn friction(cause: EffectKind, of: &JointScales, sign: f64, random: &mut Random) -> Option<Law> {
     let percent = 0.01 * of.limit;
     Some(match cause {
@@ -200,7 +200,7 @@ fn friction(cause: EffectKind, of: &JointScales, sign: f64, random: &mut Random)
     })
 }
 
-/// Rotor, gear, spring.
+/// Laws of rotor, gear and spring.
 fn transmission(
     cause: EffectKind,
     of: &JointScales,
@@ -236,7 +236,7 @@ fn transmission(
     })
 }
 
-/// A ripple with a second harmonic of a seventh.
+/// A ripple with a second harmonic of about a seventh.
 fn ripple(of: &JointScales, random: &mut Random) -> Law {
     let order = random.uniform(12.0, 60.0).round();
     let phase = random.uniform(0.0, TAU);
@@ -250,7 +250,7 @@ fn ripple(of: &JointScales, random: &mut Random) -> Law {
     torque(0.006 * of.limit, terms)
 }
 
-/// What the torque and the angle are measured with.
+/// Laws of the torque and position sensors.
 fn sensor(cause: EffectKind, of: &JointScales, sign: f64) -> Option<Law> {
     Some(match cause {
         EffectKind::TorqueGainError => bounded([0.05, 0.6], true, vec![from(TorqueGainError::GT, 1.0, sign)]),
@@ -262,7 +262,7 @@ fn sensor(cause: EffectKind, of: &JointScales, sign: f64) -> Option<Law> {
     })
 }
 
-/// Geometry, bodies, and what touches them: all that is no law of one joint.
+/// Laws of geometry, bodies and contact, which do not belong to one joint.
 fn structure(cause: EffectKind, joint: usize, robot: &Robot, sign: f64, random: &mut Random) -> Law {
     match cause {
         EffectKind::GeometricError => {
@@ -329,8 +329,8 @@ pub(super) fn effects(robot: &Robot, sized: &[(Draft, f64)]) -> Effects {
         match draft.joint {
             Some(j) => {
                 effects.joints.push((rows[j], draft.effect(*x)));
-                // A motor behind a spring needs a rotor; one that is hardly felt, lest it be a
-                // second effect.
+                // A motor behind a spring needs a rotor; it is small, so as not to be a second
+                // effect.
                 if matches!(draft.cause, EffectKind::JointElasticity | EffectKind::Backlash) {
                     let inertia = 1e-4 * robot.joints[rows[j]].limits.torque.unwrap_or(50.0);
                     effects.joints.push((rows[j], RotorInertia { inertia: Some(inertia) }.into()));

@@ -1,34 +1,34 @@
-//! What a case hides: effects of the vocabulary with their sizes, and structure outside it.
+//! Hidden content of a case: effects of the vocabulary with their sizes, and structure outside it.
 
 use dh_codegen::robot::EffectKind;
 
 use crate::numerics::prng::Random;
 
-/// An effect with its size.
+/// A hidden effect with its size.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Hidden {
-    /// Name in the vocabulary; `unknown` for what has none.
+    /// Name in the vocabulary; `unknown` for structure outside it.
     pub cause: &'static str,
     /// Joints, from 1; empty for the whole robot.
     pub joints: Vec<usize>,
-    /// Expected parameters of a diagnosis, by symbol, where its law has the same parameter.
+    /// Expected parameters of a diagnosis by symbol, where its law has the same parameter.
     pub truth: Vec<(String, f64)>,
-    /// Root mean square of what it does to the torque, by the noise, on the joint that it was made
-    /// for.
+    /// Root mean square of its effect on the torque relative to the noise, on the joint that it was
+    /// sized for.
     pub size: f64,
 }
 
 /// An effect that a case hides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Wanted {
-    /// Of the vocabulary; a delay: of the whole robot.
+    /// An effect of the vocabulary; a delay acts on the whole robot.
     Effect(EffectKind),
-    /// A delay of one joint alone.
+    /// A delay of a single joint.
     OneJointLate,
 }
 
 impl Wanted {
-    /// Effects that are hidden alone.
+    /// Number of effects that are hidden alone.
     pub(super) const ALONE: usize = EffectKind::ALL.len() + 1;
 
     /// The effect of this number, below [`Wanted::ALONE`].
@@ -53,7 +53,7 @@ impl std::fmt::Display for Wanted {
     }
 }
 
-/// Two of these on one joint are two different things.
+/// Pairs of effects that are distinguishable on one joint.
 pub(super) const SAME_JOINT: [[EffectKind; 2]; 6] = [
     [EffectKind::StribeckFriction, EffectKind::TorqueRipple],
     [EffectKind::LoadDependentFriction, EffectKind::JointSpring],
@@ -63,7 +63,7 @@ pub(super) const SAME_JOINT: [[EffectKind; 2]; 6] = [
     [EffectKind::ViscousFriction, EffectKind::RotorInertia],
 ];
 
-/// Laws that hide behind other things: on another joint, beside wrong links, in a file without
+/// Laws that are hidden together with something else: a second joint, wrong links, a file without
 /// links.
 pub(super) const FRICTION: [EffectKind; 7] = [
     EffectKind::StribeckFriction,
@@ -75,14 +75,14 @@ pub(super) const FRICTION: [EffectKind; 7] = [
     EffectKind::TorqueRipple,
 ];
 
-/// Torque scales of a joint in the given model, for sizes that are shares of it.
+/// Torque scales of a joint in the given model; sizes of effects are shares of them.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct JointScales {
     /// Torque limit, N m.
     pub limit: f64,
     /// Largest torque on the motion, N m.
     pub peak: f64,
-    /// Given friction.
+    /// Given friction: `viscous`, N m s/rad, and `coulomb`, N m; `rotor` inertia, kg m^2.
     pub viscous: f64,
     pub coulomb: f64,
     pub rotor: f64,
@@ -91,11 +91,11 @@ pub(super) struct JointScales {
 /// Structure outside the vocabulary, added to the recorded torque of one joint.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Outside {
-    /// A tone in time, Hz and phase.
+    /// A sine in time: frequency, Hz, and phase.
     Tone(f64, f64),
     /// Cross talk from another joint's torque sensor.
     CrossTalk(usize),
-    /// The sensor's zero wanders: four slow waves with these phases.
+    /// Drift of the sensor's zero: four slow waves with these phases.
     Wander([f64; 4]),
 }
 
@@ -112,7 +112,7 @@ impl Outside {
         }
     }
 
-    /// At unit size or so.
+    /// Time series with an amplitude of about 1.
     pub fn series(&self, t: &[f64], tau: impl Fn(usize) -> Vec<f64>) -> Vec<f64> {
         let turn = std::f64::consts::TAU;
         match *self {

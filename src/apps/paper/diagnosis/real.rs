@@ -1,11 +1,11 @@
-//! The diagnosis put to the test on real recordings: known causes are added to measured torques,
-//! and the diagnosis sees the changed logs.
+//! Tests of the diagnosis on real recordings: known causes are added to measured torques, and the
+//! diagnosis reads the changed logs.
 //!
 //! The chain is `recordings of an arm -> identification -> residual -> a drawn cause, added ->
 //! bytes of a log -> diagnosis -> figures`. The cause has 3, 1 or 0.5 times the size of that
-//! residual. The untouched logs are diagnosed as well. Noise, friction and clock are those of the
-//! recordings; labels are exact. What is added is written here, with the numeric recursion, and
-//! shares no law with `simulate` or `diagnose`.
+//! residual. The unchanged logs are diagnosed as well. Noise, friction and clock are those of the
+//! recordings; labels are exact. Additions are written here with the numeric recursion, and share
+//! no law with `simulate` or `diagnose`.
 
 mod addition;
 mod arms;
@@ -28,19 +28,19 @@ pub use addition::Added;
 pub use arms::{ARMS, ArmData};
 pub use figures::{Figures, Stability, calibration_error, reliability};
 
-/// The cases.
+/// Settings of the cases on real recordings.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RealSettings {
-    /// How many causes are drawn; each is added in every size.
+    /// Number of causes drawn; each is added in every size.
     pub cases: usize,
-    /// Of the draw.
+    /// Seed of the draw.
     pub seed: u64,
-    /// Root mean square of what is added on its main joint, by that of the identified model's
-    /// residual there.
+    /// Sizes: root mean square of the addition on its main joint, relative to that of the
+    /// identified model's residual there.
     pub sizes: Vec<f64>,
-    /// The most that is used of the fitted logs of an arm, and of the validating ones, s.
+    /// Longest total duration used of an arm's fitted logs and of its validating ones, s.
     pub seconds: [f64; 2],
-    /// Skip causes whose size a fit that knows the form does not recover.
+    /// Whether to skip causes whose size is not recovered by a fit of the known form.
     pub recoverable: bool,
 }
 
@@ -61,57 +61,58 @@ pub struct Recorded {
     pub validate: Vec<Vec<u8>>,
 }
 
-/// A cause that was added in one size, and the diagnosis of the changed logs.
+/// A cause added in one size, and the diagnosis of the changed logs.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RealCase {
-    /// The arm.
+    /// Name of the arm.
     pub arm: String,
-    /// Wanted size, in residuals.
+    /// Desired size, in residuals.
     pub size: f64,
     /// The addition.
     pub added: Added,
-    /// Size found by a fit of the true form, by the true one.
+    /// Size found by a fit of the true form, relative to the true size.
     pub informed: f64,
     /// Found causes.
     pub found: Diagnosis,
-    /// Causes (index into those found) that the untouched logs do not have.
+    /// Causes (indices into `found`) that the unchanged logs do not have.
     pub new: Vec<usize>,
 }
 
-/// The untouched logs of an arm.
+/// The unchanged logs of an arm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Untouched {
-    /// The arm.
+    /// Name of the arm.
     pub arm: String,
     /// Root mean square of the identified model's residual on the fitted logs, per joint, N m.
     pub residual: Vec<f64>,
     /// Diagnosis of the whole excerpt.
     pub whole: Diagnosis,
-    /// Diagnoses of its first and second half; `None` where one is too short.
+    /// Diagnoses of its first and second half; `None` if one is too short.
     pub halves: [Option<Diagnosis>; 2],
 }
 
-/// All cases.
+/// Results of all cases.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RealBattery {
-    /// The kind.
+    /// Settings of the cases.
     pub settings: RealSettings,
-    /// One per arm.
+    /// Results without an addition, one per arm.
     pub untouched: Vec<Untouched>,
-    /// One per draw and size.
+    /// Cases, one per draw and size.
     pub cases: Vec<RealCase>,
-    /// Why a draw or an arm has no case: sentences.
+    /// Reasons why a draw or an arm has no case, as sentences.
     pub skipped: Vec<String>,
     /// Figures for each size.
     pub figures: Vec<Figures>,
-    /// Causes that untouched logs are said to have, and whether other excerpts agree.
+    /// Causes named in unchanged logs, and whether other excerpts agree.
     pub stability: Stability,
 }
 
 /// Identifies each arm, diagnoses its logs, adds causes and diagnoses again.
 ///
 /// # Errors
-/// Where a log can't be read. An arm that can't be identified is skipped with a reason.
+/// Returns an error if a log can't be read. An arm that can't be identified is skipped with a
+/// reason.
 pub fn on_real(
     settings: &RealSettings,
     recorded: &[Recorded],
@@ -158,7 +159,7 @@ pub fn on_real(
     Ok(RealBattery { settings: settings.clone(), untouched, cases, skipped, figures, stability })
 }
 
-/// All forms, shuffled.
+/// All forms in random order.
 fn deck(random: &mut Random) -> Vec<Form> {
     let mut deck = Form::ALL.to_vec();
     for last in (1..deck.len()).rev() {
@@ -167,7 +168,7 @@ fn deck(random: &mut Random) -> Vec<Form> {
     deck
 }
 
-/// Why a drawn cause is not diagnosed: end of a sentence.
+/// Reason why a drawn cause is not diagnosed, as the end of a sentence.
 type Skipped = &'static str;
 
 /// Adds one cause in one size; the same `random` draws the same cause for every size.
@@ -181,7 +182,7 @@ fn case(
     let named = |joints: &[usize]| plain.causes.iter().any(|c| c.cause == form.cause() && c.joints == joints);
     let drawn = (0..20).find_map(|_| {
         let addition = Addition::draw(form, session, &mut random)?;
-        // A cause that the untouched logs already have can't be recognised as new.
+        // A cause that the unchanged logs already have can't be recognised as new.
         (!named(&addition.joints)).then_some(addition)
     });
     let Some((addition, x)) = drawn.and_then(|a| Some((a.sized(session, size)?, a)).map(|(x, a)| (a, x))) else {

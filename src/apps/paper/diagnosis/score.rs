@@ -1,15 +1,15 @@
-//! Figures of a battery.
+//! Summary figures of a battery of cases.
 
 use super::case::{CaseKind, Outcome};
 use super::hidden::Hidden;
 use crate::diagnose::{Cause, Verdict};
 
-/// So many of so many.
+/// A count out of a total.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Tally {
-    /// Number that hold.
+    /// Number of successes.
     pub good: usize,
-    /// Of these.
+    /// Total number.
     pub all: usize,
 }
 
@@ -19,57 +19,57 @@ impl Tally {
         self.all += 1;
     }
 
-    /// 0 to 1; `None` of nothing.
+    /// Share of successes, 0 to 1; `None` if the total is zero.
     pub fn value(&self) -> Option<f64> {
         (self.all > 0).then(|| self.good as f64 / self.all as f64)
     }
 }
 
-/// A cause that a diagnosis named, and whether it was hidden there.
+/// A cause named by a diagnosis, and whether it was hidden there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Claim {
-    /// Its probability, as the diagnosis says.
+    /// Probability stated by the diagnosis.
     pub probability: f64,
-    /// Whether it is one of those that were hidden, in its place.
+    /// Whether it is one of the hidden ones, at its place.
     pub right: bool,
 }
 
-/// The figures.
+/// Summary figures.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Scores {
-    /// One effect: the right cause first.
+    /// One effect hidden: cases with the right cause first.
     pub first: Tally,
-    /// The same, but the hidden cause may also stand beside the first as not distinguished from it,
-    /// provided that the extended model leaves nothing but noise.
+    /// The same, but the hidden cause may also be listed as not distinguished from the first,
+    /// provided that the extended model leaves only noise.
     pub first_or_named: Tally,
-    /// Of those with the right cause first: in the right place.
+    /// Share at the right place, of cases with the right cause first.
     pub place: Tally,
-    /// Two effects: both among the causes, in their places.
+    /// Two effects hidden: cases with both among the causes, at their places.
     pub both: Tally,
-    /// Nothing hidden: something named.
+    /// Nothing hidden: cases with a cause named.
     pub false_alarms: Tally,
-    /// Nothing that the vocabulary has: `unknown` first, or no cause at all while the verdict says
-    /// that structure is left.
+    /// Structure outside the vocabulary: cases with `unknown` first, or with no cause while the
+    /// verdict reports remaining structure.
     pub outside: Tally,
-    /// Wrong causes beside the right ones, per case with something of the vocabulary hidden.
+    /// Wrong causes beside the right ones, per case with an effect of the vocabulary hidden.
     pub beside: f64,
     /// Attained share of the possible gain on the validating log, mean over cases with a hidden
-    /// effect of the vocabulary. It is the RMS removed by the RMS above the file's error where
-    /// nothing is hidden, on the joint with the largest error, where it moves.
+    /// effect of the vocabulary. It is the RMS removed, relative to the RMS above the file's error
+    /// without hidden effects, on the joint with the largest error, where it moves.
     pub gain: f64,
-    /// The same of all samples.
+    /// The same share over all samples.
     pub gain_of_all: f64,
-    /// Cases that reach nine tenths of it where the joint moves.
+    /// Cases that attain nine tenths of the possible gain where the joint moves.
     pub gained: Tally,
-    /// Parameters of causes that were rightly named within three of their standard deviations.
+    /// Parameters of correctly named causes within three of their standard deviations.
     pub within_three: Tally,
-    /// By what was hidden: how often each answer came first, most frequent first.
+    /// For each kind of hidden content: how often each answer came first, most frequent first.
     pub confusion: Vec<(String, Vec<(&'static str, usize)>)>,
-    /// Every cause that was named, for the reliability of probabilities.
+    /// Every cause named, for the reliability of probabilities.
     pub claims: Vec<Claim>,
 }
 
-/// The answer of a diagnosis in a word.
+/// Answer of a diagnosis in one word.
 pub fn answer(outcome: &Outcome) -> &'static str {
     match outcome.found.causes.first() {
         Some(cause) => cause.cause,
@@ -90,12 +90,13 @@ fn same(cause: &Cause, hidden: &Hidden) -> bool {
     cause.cause == hidden.cause && same_place(cause, hidden)
 }
 
-/// Whether the extended model leaves nothing but noise on the validating log.
+/// Whether the extended model leaves only noise on the validating log.
 fn only_noise(outcome: &Outcome) -> bool {
     outcome.found.extended.moving.iter().zip(&outcome.attainable[1]).all(|(e, s)| *e < 1.1 * s)
 }
 
-/// Tally of what could be gained on the joint with the largest error, if anything could.
+/// Attained share of the possible gain on the joint with the largest error; `None` if there is
+/// none.
 fn gained(before: &[f64], after: &[f64], attainable: &[f64]) -> Option<f64> {
     let above = |j: &usize| before[*j] / attainable[*j].max(1e-12);
     let j = (0..before.len()).max_by(|a, b| above(a).total_cmp(&above(b)))?;
@@ -103,7 +104,7 @@ fn gained(before: &[f64], after: &[f64], attainable: &[f64]) -> Option<f64> {
 }
 
 impl Outcome {
-    /// Hidden effect, in a word.
+    /// Label of the hidden content.
     pub fn label(&self) -> String {
         match self.task {
             CaseKind::Nothing => "nothing_wrong".into(),
@@ -118,7 +119,7 @@ impl Outcome {
         }
     }
 
-    /// Whether the first cause is the one that was hidden.
+    /// Whether the first cause is the hidden one.
     pub fn right(&self) -> bool {
         match (self.task, self.hidden.first()) {
             (CaseKind::Nothing, _) => answer(self) == "nothing_wrong",
@@ -127,19 +128,19 @@ impl Outcome {
         }
     }
 
-    /// The same, but the hidden cause may stand beside the first as not distinguished, if nothing
-    /// but noise is left.
+    /// The same, but the hidden cause may be listed as not distinguished from the first if only
+    /// noise is left.
     pub fn right_or_named(&self) -> bool {
         let (Some(first), Some(hidden)) = (self.found.causes.first(), self.hidden.first()) else { return self.right() };
         self.right() || first.not_distinguished_from.contains(&hidden.cause) && only_noise(self)
     }
 
-    /// Whether all that was hidden is named, in its place.
+    /// Whether all hidden effects are named, at their places.
     pub fn complete(&self) -> bool {
         self.hidden.iter().all(|h| self.found.causes.iter().any(|c| same(c, h)))
     }
 
-    /// Criterion of the case: the right cause first, of several all of them.
+    /// Success criterion of the case: the right cause first; all of them if several are hidden.
     pub fn good(&self) -> bool {
         if self.hidden.len() > 1 { self.complete() } else { self.right() && self.complete() }
     }
@@ -149,18 +150,18 @@ impl Outcome {
         self.hidden.iter().any(|h| if h.cause == "unknown" { cause.cause == "unknown" } else { same(cause, h) })
     }
 
-    /// Tally of what could be gained where the joint moves, if anything could.
+    /// Attained share of the possible gain where the joint moves; `None` if there is none.
     pub fn gain(&self) -> Option<f64> {
         gained(&self.found.baseline.moving, &self.found.extended.moving, &self.attainable[1])
     }
 
-    /// The same of all samples: what friction does while a joint sticks counts too, and what is
-    /// hidden may have made it stick longer.
+    /// The same share over all samples: friction during stiction counts too, and the hidden effect
+    /// may have prolonged the stiction.
     pub fn gain_of_all(&self) -> Option<f64> {
         gained(&self.found.baseline.validate, &self.found.extended.validate, &self.attainable[0])
     }
 
-    /// Parameters of rightly named causes: symbol, truth, value, standard deviation.
+    /// Parameters of correctly named causes: symbol, truth, value, standard deviation.
     pub fn parameters(&self) -> Vec<(String, f64, f64, f64)> {
         let mut all = Vec::new();
         for hidden in &self.hidden {
@@ -233,7 +234,8 @@ impl Scores {
         scores
     }
 
-    /// Claims by probability: from, to, mean probability, how many were right.
+    /// Claims binned by probability: lower and upper edge, mean probability, number that were
+    /// right.
     pub fn reliability(&self) -> Vec<(f64, f64, f64, Tally)> {
         const EDGES: [f64; 7] = [0.0, 0.5, 0.7, 0.85, 0.93, 0.98, 1.0];
         EDGES

@@ -1,4 +1,4 @@
-//! The motion on the wall by equation (12), and the same in the air.
+//! Plan of the motion on the wall by equation (12), and the same motion in the air.
 
 use dh_codegen::robot::Robot;
 
@@ -14,33 +14,33 @@ use crate::model::interpreted::Interpreted;
 use crate::model::inverse_kinematics::Kinematics;
 use crate::simulate::{SimulateError, Trajectory};
 
-/// How much is to be painted.
+/// Extent of the painting.
 #[derive(Debug, Clone, Copy)]
 pub struct Extent {
     /// Width and height of the wall, m.
     size: [f64; 2],
-    /// For each roller, s; as many rollers are used.
+    /// Duration for each roller, s; the number of entries is the number of rollers.
     pub seconds: &'static [f64],
-    /// With one swivel angle, and all of the wall.
+    /// Whether to use one swivel angle and to require the whole wall.
     plain: bool,
-    /// How long it presses before it paints, s.
+    /// Time of pressing before painting begins, s.
     pub settle: f64,
 }
 
 impl Extent {
     /// The paper's wall and durations.
     pub const PAPER: Self = Self { size: [0.6, 0.8], seconds: &super::PAPER_SECONDS, plain: false, settle: SETTLE };
-    /// A hand's breadth.
+    /// A hand's breadth of wall.
     pub const QUICK: Self = Self { size: [0.2, 0.15], seconds: &[2.0], plain: true, settle: 3.0 };
 }
 
-/// Joints of the arm.
+/// Number of the arm's joints.
 const N: usize = 7;
-/// How much deeper than the wall the plan is made, m: room for the force loop to push, and a
-/// distance from where the arm is stretched out.
+/// Distance of the planned surface behind the wall, m: room for the force loop to push, and a
+/// margin from the stretched arm.
 pub const ROOM: f64 = 0.04;
 
-/// Plans for the tool in the robot's hand, in the paper's time.
+/// Plans for the robot's tool, in the paper's time.
 pub fn planned(
     robot: &Robot,
     standard: &[f64],
@@ -65,7 +65,7 @@ pub fn planned(
     Ok(plan(&task, &|what, share| tell(what, share))?)
 }
 
-/// A motion `off` (m) before the wall.
+/// Shifts a motion by `off`, m, along the normal of the wall.
 pub fn in_the_air(model: &mut RobotModel<'_>, motion: &Trajectory, off: f64) -> Result<Trajectory, ReproduceError> {
     let span = motion.span();
     let count = ((span.end - span.start) * 50.0).ceil() as usize;

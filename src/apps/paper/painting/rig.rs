@@ -1,4 +1,4 @@
-//! A robot, what is known of it, and its rollers.
+//! A robot with its model and its rollers.
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::{Effects, Robot, Tool};
@@ -32,23 +32,23 @@ use crate::simulate::{Drive, Request, SimulateError, Simulator, Trajectory};
 
 /// The paper's desired force, N.
 pub const FORCE: f64 = 30.0;
-/// Middle of the paper's wall, m, and the normal out of it: the robot stands at x = 0 and pushes
-/// along -x.
+/// Centre of the paper's wall, m, and the normal out of it: the robot is at x = 0 and pushes along
+/// -x.
 pub const CENTER: [f64; 3] = [-0.8, 0.3, 0.4];
 pub const NORMAL: [f64; 3] = [1.0, 0.0, 0.0];
-/// Corner of the low-pass of the forces: the paper filters at 10 Hz.
+/// Corner frequency of the forces' low-pass, Hz: the paper filters at 10 Hz.
 const CORNER: f64 = 10.0;
-/// Samples to one of the diagnosis.
+/// Number of samples averaged to one for the diagnosis.
 const THIN: usize = 4;
-/// Torque errors by what noise leaves, up to which noise explains them: the root mean square of 20
-/// s below 10 Hz scatters by a thirtieth.
+/// Largest ratio of torque error to filtered noise at which noise explains the error: the root mean
+/// square of 20 s below 10 Hz scatters by a thirtieth.
 const EXPLAINED: f64 = 1.25;
-/// How far before the wall a dry run passes, m.
+/// Distance of a dry run from the wall, m.
 const DRY: f64 = 0.05;
 
-/// The arm with a roller, the true one and its model.
+/// The arm with a roller: the true one and its model.
 pub struct Rig {
-    /// With the tool's frame; its inertia is a part of `standard`.
+    /// Robot with the tool's frame; the tool's inertia is part of `standard`.
     robot: Robot,
     arm: Interpreted,
     standard: Vec<f64>,
@@ -58,18 +58,18 @@ pub struct Rig {
     real: Simulator,
     motion: Trajectory,
     settle: f64,
-    /// The motion's plan.
+    /// Plan of the motion.
     pub plan: Plan,
 }
 
 impl Rig {
-    /// Length of the plan, s.
+    /// Duration of the plan, s.
     pub fn seconds(&self) -> f64 {
         let span = self.motion.span();
         span.end - span.start
     }
 
-    /// Paints.
+    /// Simulates the painting.
     pub fn paint(
         &self,
         law: Law,
@@ -78,7 +78,7 @@ impl Rig {
         seed: u64,
         progress: &mut dyn FnMut(f64),
     ) -> Result<Run, ReproduceError> {
-        // Equation (14) of the paper; the prior on a roller's contact and the uncertainty of
+        // Equation (14) is the paper's; the prior on a roller's contact and the uncertainty of
         // friction are ours.
         let paper = law == Law::PAPER;
         let known = Known {
@@ -106,25 +106,25 @@ impl Rig {
     }
 }
 
-/// A robot and everything that was recorded and found of it.
+/// A robot with its recordings and identified models.
 pub struct Stand {
     /// Held-out torque error, mean over the joints, N m.
     pub torque: f64,
-    /// One for each of the paper's rollers.
+    /// Rig for each of the paper's rollers.
     pub rollers: Vec<Rig>,
     settle: f64,
-    /// Of the friction of each joint where it has just turned round, N m: see [`Known::turning`].
+    /// Largest friction error of each joint just after a reversal, N m: see [`Known::turning`].
     turning: Vec<f64>,
     effects: Effects,
     tools: Vec<(Tool, [f64; 10])>,
-    /// The identified arm with an empty hand.
+    /// The identified arm without a tool.
     identified: Robot,
     logs: Vec<(&'static str, Log)>,
     validate: Log,
 }
 
-/// Means of so many samples each, as a logger at a lower rate would write them: a diagnosis of
-/// motion below 40 Hz needs no kilohertz.
+/// Means over `by` samples each, as a logger at a lower rate would record: a diagnosis of motion
+/// below 40 Hz does not need 1 kHz.
 fn thinned(log: &Log, by: usize) -> Log {
     let ends = log.starts.iter().skip(1).copied().chain([log.columns.first().map_or(0, Vec::len)]);
     let segments: Vec<_> = log.starts.iter().copied().zip(ends).collect();
@@ -150,8 +150,8 @@ fn tools() -> Result<Vec<Tool>, ReproduceError> {
 }
 
 impl Stand {
-    /// Records and identifies: the arm with the first motion, the rollers with the second, judged
-    /// on the third; and a dry run before the wall.
+    /// Records and identifies: the arm with the first motion and the rollers with the second,
+    /// validated on the third; also records a dry run before the wall.
     pub fn new(
         lwr: &Lwr,
         [exciting, carrying, validating]: [&PaperMotion; 3],
@@ -202,8 +202,8 @@ impl Stand {
             Some(plans) => plans.to_vec(),
             None => plan_all(&identified, &held, extent, tell)?,
         };
-        // If torque errors exceed noise the model lacks something, which may be friction that needs
-        // some way to turn round.
+        // If torque errors exceed noise, the model lacks something, possibly friction that takes
+        // some travel to reverse.
         let gain = Filter::default().noise_gain(Lwr::sensors().rate);
         let noise = |j: usize| gain * Lwr::sensors().torque_noise.get(j).copied().unwrap_or(0.0);
         let unmodelled = |(j, rms): (usize, &f64)| if *rms > EXPLAINED * noise(j) { f64::INFINITY } else { 0.0 };
@@ -222,7 +222,7 @@ impl Stand {
         Ok(Self { torque, rollers, settle: extent.settle, turning, effects, tools: held, identified, logs, validate })
     }
 
-    /// The same robot with the model that the diagnosis extends.
+    /// The same robot with the model extended by the diagnosis.
     pub fn extended(&self, lwr: &Lwr, progress: &(dyn Fn(&str) + Sync)) -> Result<(Self, Diagnosis), ReproduceError> {
         let plant = PerturbableRobot::new(&self.identified);
         let recording = |name: &str, log: &Log| -> Result<diagnose::Recording, ReproduceError> {
@@ -257,15 +257,15 @@ impl Stand {
     }
 }
 
-/// Standard parameters of bodies that could exist, and their torque errors where nothing was
-/// fitted. Least squares alone may give an arm whose mass matrix is none: it has no gains. Where
-/// possible bodies have the very base parameters of the fit it is these, else those that explain
-/// the log best. Nothing is known beforehand but the geometry.
+/// Standard parameters of physically consistent bodies, and their held-out torque errors. Least
+/// squares alone may give a mass matrix that is not positive definite, for which there are no
+/// gains. If consistent bodies have exactly the fitted base parameters, these are used; otherwise
+/// those that explain the log best. The only prior knowledge is the geometry.
 fn bodies(lwr: &Lwr, fitted: Factors, held_out: Factors) -> Result<(Vec<f64>, Vec<f64>), ReproduceError> {
     let found = fit(lwr, &fitted, &held_out)?;
     let prior = prior_bodies(&[], &geometric_bodies(&lwr.arm.ends()));
     let drives = vec![0.0; lwr.arm.standard_names().len()];
-    // The cost of possibility is in the table, as torque errors.
+    // The cost of consistency appears in the table as torque errors.
     let settings = ConsistentSettings { most_cost_percent: f64::INFINITY, ..ConsistentSettings::default() };
     let rms = |of: &Option<Accuracy>| of.as_ref().map_or_else(Vec::new, |v| v.rms.clone());
     if let Ok(same) = possible_bodies(&lwr.arm, &found.values(), &prior, &drives, &settings)
@@ -278,13 +278,13 @@ fn bodies(lwr: &Lwr, fitted: Factors, held_out: Factors) -> Result<(Vec<f64>, Ve
     Ok((possible.standard, errors))
 }
 
-/// The robot with a tool's frame, and its parameters with the weighed tool.
+/// The robot with a tool's frame, and its parameters including the identified tool.
 fn holding(known: &Robot, tool: &Tool, weighed: &[f64; 10]) -> Result<(Robot, Vec<f64>), ReproduceError> {
     let mut robot = known.clone();
     robot.tool = None;
     let standard = param::standard_values(&robot);
     let mut standard = standard.ok_or(ReproduceError::UnknownLinks)?;
-    // The ten of the last link stand ten by ten, links first.
+    // Parameters are stored ten per link, links first.
     let last = 10 * (robot.joints.len() - 1);
     weighed.iter().enumerate().for_each(|(k, w)| standard[last + k] += w);
     robot.tool = Some(Tool { inertia: None, ..tool.clone() });
@@ -307,7 +307,7 @@ fn plan_all(
     many(jobs.len(), &one, &|_, _| {})
 }
 
-/// The model of the arm, with each weighed roller.
+/// Models of the arm with each identified roller.
 fn rollers(
     known: &Robot,
     tools: &[(Tool, [f64; 10])],

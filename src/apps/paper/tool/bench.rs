@@ -1,4 +1,4 @@
-//! A robot on the bench: known parameters, one motion, noisy sensors, and anything in its hand.
+//! A simulated test bench: known parameters, one motion, noisy sensors, any tool.
 
 use dh_codegen::arm::{Function, param};
 use dh_codegen::robot::Robot;
@@ -11,15 +11,15 @@ use crate::model::interpreted::Interpreted;
 use crate::model::rigid_body::Numeric;
 use crate::numerics::prng::Random;
 
-/// White noise of the LWR's torques at 1 kHz, N m, joint by joint. It gives the base parameters the
-/// standard deviations of the paper's Table II when they are found from 10 s with an empty hand and
-/// 10 s with the tool. These are `MSY2R` 0.05 % of 3.43, `MSY4R` 0.05 % of 1.34, `MSY5R` 0.86 % of
+/// White noise of the LWR's torques at 1 kHz, N m, joint by joint. With it the base parameters
+/// identified from 10 s without a tool and 10 s with the tool have the standard deviations of the
+/// paper's Table II. These are `MSY2R` 0.05 % of 3.43, `MSY4R` 0.05 % of 1.34, `MSY5R` 0.86 % of
 /// 0.047, `MSY6R` 0.50 % of 0.034, `MSY7` 13.3 % of 0.001 kg m. After the 10 Hz low-pass 0.05 to
-/// 0.013 N m are left. The paper's own residuals (0.42 N m) are larger: they are model error, which
-/// is not noise.
+/// 0.013 N m are left. The paper's own residuals (0.42 N m) are larger, as they are model error and
+/// not noise.
 pub const PAPER_TORQUE_NOISE: [f64; 7] = [0.4, 0.4, 0.4, 0.2, 0.2, 0.1, 0.1];
 
-/// Of its encoders, rad: the order of their resolution.
+/// Noise of its encoders, rad: of the order of their resolution.
 #[cfg(test)]
 pub(super) const POSITION_NOISE: f64 = 1e-5;
 
@@ -33,32 +33,32 @@ pub struct Bench {
     units: Vec<Recording>,
 }
 
-/// Why a bench can't be set up or used.
+/// Reason why a bench can't be set up or used.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum BenchError {
-    /// No truth to simulate.
+    /// Link parameters are missing, so nothing can be simulated.
     #[error("the robot's links are not all known: there is nothing to simulate")]
     UnknownLinks,
-    /// Noise for another number of joints.
+    /// Noise is given for another number of joints.
     #[error("noise of {given} torques for {joints} joints")]
     Noise {
-        /// Given.
+        /// Number of entries given.
         given: usize,
-        /// Needed.
+        /// Number of joints.
         joints: usize,
     },
-    /// The log.
+    /// The log could not be prepared.
     #[error(transparent)]
     Prepare(#[from] PrepareError),
-    /// The identification.
+    /// The identification failed.
     #[error(transparent)]
     Tool(#[from] ToolError),
 }
 
 impl Bench {
-    /// The robot without its tool, in a motion of `seconds` at 1 kHz that is the best of 200 for
-    /// what it carries.
+    /// Creates a bench with the robot without its tool, and the best of 200 motions of `seconds` at
+    /// 1 kHz for identifying the load.
     pub fn new(robot: &Robot, noise: SensorNoise, seconds: f64, seed: u64) -> Result<Self, BenchError> {
         let mut robot = robot.clone();
         robot.tool = None;
@@ -72,8 +72,8 @@ impl Bench {
         let waves = Waves::exciting(&robot, &arm, &noise.torque, seconds, 200, seed);
         let record = |phi: &[f64]| Recording::new(&numeric, phi, &waves, 1000.0);
         let empty = record(&phi);
-        // The robot's own ten of the last link stand where a carried body's would (RBDA, section
-        // 2.13: inertias add up).
+        // The parameters of the last link act like those of a carried body (RBDA, section 2.13:
+        // inertias add up).
         let last = 10 * (robot.joints.len() - 1);
         let units = (last..last + 10)
             .map(|column| {
@@ -85,8 +85,8 @@ impl Bench {
         Ok(Self { arm, phi, noise, empty, units })
     }
 
-    /// Records `repeats` logs with an empty hand and as many with a body of these ten parameters
-    /// (last frame), and identifies it.
+    /// Records `repeats` logs without a tool and as many with a body of these ten parameters (last
+    /// frame), and identifies it.
     pub fn identify(&self, body: &[f64; 10], repeats: usize, random: &mut Random) -> Result<Carried, BenchError> {
         let parts: Vec<(&Recording, f64)> = self.units.iter().zip(body.iter().copied()).collect();
         let full = self.empty.combined(&parts);

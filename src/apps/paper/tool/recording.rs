@@ -1,7 +1,7 @@
-//! Logs of a robot whose parameters are known, with the noise of its sensors.
+//! Simulated logs of a robot with known parameters, with sensor noise.
 //!
-//! Torques come from the numeric recursion ([`Numeric`]), which shares nothing with the regressor
-//! that identifies.
+//! Torques come from the numeric recursion ([`Numeric`]), which shares no code with the regressor
+//! used for identification.
 
 use crate::data::log::{Block, Layout, LogError, Source};
 use crate::data::signal::{Prepare, PrepareError, each_motion};
@@ -12,7 +12,7 @@ use crate::numerics::prng::Random;
 
 use super::waves::Waves;
 
-/// Noise of the sensors: white, of each sample.
+/// White noise of the sensors, independent at each sample.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SensorNoise {
     /// Standard deviation of each joint's torque, N m.
@@ -21,17 +21,17 @@ pub struct SensorNoise {
     pub position: f64,
 }
 
-/// A log without noise.
+/// A noise-free log.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recording {
     rate: f64,
-    /// One vector per joint.
+    /// Positions, one vector per joint, rad; `tau` are the torques, N m.
     q: Vec<Vec<f64>>,
     tau: Vec<Vec<f64>>,
 }
 
 impl Recording {
-    /// A robot with standard parameters `phi` goes through one period of the motion.
+    /// Records one period of the motion of a robot with standard parameters `phi`.
     pub fn new(robot: &Numeric, phi: &[f64], waves: &Waves, rate: f64) -> Self {
         let n = robot.dof();
         let samples = (waves.period * rate).round() as usize;
@@ -49,8 +49,7 @@ impl Recording {
         recording
     }
 
-    /// The same motion with torques that a body adds: `difference` of two recordings, times
-    /// `factor`.
+    /// The same motion with added torques: those of each part times its factor.
     pub(super) fn combined(&self, parts: &[(&Self, f64)]) -> Self {
         let mut all = self.clone();
         for (part, factor) in parts {
@@ -61,8 +60,8 @@ impl Recording {
         all
     }
 
-    /// Sensor readings, prepared and stacked as the equations of `arm`. Every tenth sample after
-    /// the low-pass, which leaves nothing between them.
+    /// Noisy sensor readings, prepared and stacked as the equations of `arm`. Uses every tenth
+    /// sample after the low-pass, as those between are nearly redundant.
     pub fn factors(
         &self,
         name: &str,
@@ -89,12 +88,13 @@ impl Recording {
     }
 }
 
-/// Nearly normal: twelve uniform numbers less six (Irwin and Hall), the same bits on every machine.
+/// A nearly normal number: the sum of twelve uniform ones minus six (Irwin-Hall), bit-identical on
+/// every machine.
 pub(super) fn normal(random: &mut Random) -> f64 {
     (0..12).map(|_| random.uniform(0.0, 1.0)).sum::<f64>() - 6.0
 }
 
-/// A log that never was a file.
+/// A log in memory.
 struct Memory {
     layout: Layout,
     columns: Vec<Vec<f64>>,

@@ -1,5 +1,5 @@
-//! The paper's Table III, rerun: both rollers identified in simulation, beside the paper's figures
-//! and the truth.
+//! Rerun of the paper's Table III: both rollers identified in simulation, beside the paper's
+//! figures and the true values.
 
 use super::bench::{Bench, BenchError};
 use crate::identify::tool::{Carried, Entry, Tolerance, catalogue, names};
@@ -8,11 +8,11 @@ use crate::numerics::prng::Random;
 /// A roller of Table III.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct PaperRoller {
-    /// Its tool file.
+    /// Name of its tool file.
     pub tool: &'static str,
-    /// Identified by the paper.
+    /// Values identified by the paper.
     pub values: [f64; 10],
-    /// Relative standard deviations there, percent.
+    /// Relative standard deviations in the paper, percent.
     pub percent: [f64; 10],
 }
 
@@ -33,33 +33,33 @@ pub const TABLE_THREE: [PaperRoller; 2] = [
 /// A row of the table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ToolRow {
-    /// `MSX`.
+    /// Name of the parameter, such as `MSX`.
     pub name: String,
     /// The paper's value and its standard deviation.
     pub paper: [f64; 2],
-    /// The simulated roller's.
+    /// True value of the simulated roller.
     pub truth: f64,
-    /// Identified, and its standard deviation.
+    /// Our identified value and its standard deviation.
     pub ours: [f64; 2],
 }
 
 impl ToolRow {
-    /// Relative standard deviation, percent: the paper's, ours.
+    /// Relative standard deviations of the paper and ours, percent.
     pub fn percent(&self) -> [f64; 2] {
         [self.paper, self.ours].map(|[value, std]| 100.0 * std / value.abs())
     }
 }
 
-/// One roller's columns.
+/// Results for one roller.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Column {
-    /// Its tool file.
+    /// Name of its tool file.
     pub tool: String,
-    /// The ten.
+    /// Rows of the ten parameters.
     pub rows: Vec<ToolRow>,
-    /// Mass identified less true, percent.
+    /// Identified minus true mass, percent.
     pub mass_error_percent: f64,
-    /// From the identified to the true centre of mass, m; NaN where no centre was found.
+    /// Distance from the identified to the true centre of mass, m; NaN if no centre was found.
     pub center_error: f64,
     /// Standard deviation of the centre, root of the sum of squares over the axes, m.
     pub center_std: f64,
@@ -67,7 +67,7 @@ pub struct Column {
     pub carried: Carried,
 }
 
-/// Runs both rollers on the bench; `repeats` logs of each kind (the paper: 1).
+/// Identifies both rollers on the bench from `repeats` logs of each kind (1 in the paper).
 pub fn table_three(bench: &Bench, repeats: usize, seed: u64) -> Result<Vec<Column>, BenchError> {
     let mut random = Random::new(seed);
     let tools = catalogue();

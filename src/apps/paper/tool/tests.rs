@@ -1,11 +1,11 @@
-//! The paper's figures, and calibrated answers.
+//! Tests of the paper's figures and of calibrated recognition.
 
 use super::bench::POSITION_NOISE;
 use super::*;
 use crate::identify::tool::{Entry, RecogniseSettings, Tolerance, catalogue};
 use dh_codegen::robot::{Robot, no_files};
 
-/// The paper's noise, times this.
+/// A bench with `noise` times the paper's noise.
 fn bench(noise: f64) -> Bench {
     let text = std::fs::read_to_string("robots/kuka-lwr4.yaml").unwrap();
     let robot = Robot::from_yaml(&text, &no_files).unwrap().robot;
@@ -48,7 +48,7 @@ fn tell(t: &Trials) {
 
 /// Table III: mass of the large roller within 2 %, standard deviations of well-determined
 /// parameters no worse than the paper's. Its centre is within 2 mm from four motions of 10 s each
-/// way, and from one within its stated deviation (2.2 mm).
+/// way, and within its stated deviation (2.2 mm) from one.
 #[test]
 fn table_three_of_the_paper() {
     let bench = bench(1.0);
@@ -87,7 +87,7 @@ fn a_few_trials() {
     assert!(t.unknown[1] >= 15, "{:?}", t.unknown);
 }
 
-/// How far the interpolated sizes are off, worst last.
+/// Prints the largest errors of the interpolated sizes, worst last.
 fn tell_sizes(t: &Trials) {
     let mut sizes = t.sizes.clone();
     let off = |s: &SizeTrial| (0..2).map(|k| (s.found[k] - s.truth[k]).abs()).fold(0.0, f64::max);
@@ -98,7 +98,7 @@ fn tell_sizes(t: &Trials) {
     println!("median {:.4}", off(&sizes[sizes.len() / 2]));
 }
 
-/// 500 trials: minutes in debug, so by `cargo test --release -- --ignored`.
+/// 500 trials: minutes in debug, so run by `cargo test --release -- --ignored`.
 #[test]
 #[ignore = "takes half a minute in release"]
 fn five_hundred_trials() {
@@ -108,7 +108,7 @@ fn five_hundred_trials() {
     assert!(t.right() >= 0.98, "{}", t.right());
     assert!(t.rejected() >= 0.95, "{}", t.rejected());
     assert!((0.9..1.0).contains(&t.coverage()), "{}", t.coverage());
-    // Five times the noise: where the distances differ.
+    // With five times the noise the distance measures differ.
     let noisy = trials(&bench(5.0), &table(), &settings(168, 0, 2019), |_| {}).unwrap();
     tell(&noisy);
     assert!(noisy.nearest_right[0] >= noisy.nearest_right[2], "{:?}", noisy.nearest_right);

@@ -1,5 +1,5 @@
-//! How often the tool is recognised, and how often an unknown one is rejected: seeded trials of the
-//! whole chain.
+//! Recognition rate of known tools and rejection rate of unknown ones: seeded trials of the whole
+//! chain.
 
 use std::f64::consts::PI;
 
@@ -12,64 +12,63 @@ use crate::identify::tool::{
 };
 use crate::numerics::prng::Random;
 
-/// Settings of a trial.
+/// Settings of the trials.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TrialSettings {
-    /// Trials with a tool of the table.
+    /// Number of trials with a tool of the table.
     pub known: usize,
-    /// Trials with none of them: rollers of other sizes and random bodies by turns.
+    /// Number of trials with an unknown tool: rollers of other sizes and random bodies in turn.
     pub unknown: usize,
-    /// Spread of the tools in the hand about their entries, as given to recognition.
+    /// Spread of the tools about their entries, as given to recognition.
     pub tolerance: Tolerance,
-    /// Share and level.
+    /// Settings of the recognition: share and level.
     pub recognise: RecogniseSettings,
-    /// Of all that is drawn.
+    /// Seed of all random numbers.
     pub seed: u64,
 }
 
-/// Least difference of length or width, m, from every roller of the table that makes a roller
-/// another one: less, and for painting it is the same.
+/// Smallest difference of length or width, m, from every roller of the table for a roller to count
+/// as another one. With a smaller difference it is the same for painting.
 pub const OTHER_SIZE: f64 = 0.02;
 
-/// A roller that is not in the table.
+/// A trial with a roller that is not in the table.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SizeTrial {
     /// True length and width, m.
     pub truth: [f64; 2],
-    /// Interpolated.
+    /// Interpolated length and width, m.
     pub found: [f64; 2],
-    /// Ends of the 95 % intervals.
+    /// Ends of the 95 % intervals of length and width, m.
     pub ends: [[f64; 2]; 2],
-    /// Whether it was seen as a member of a family.
+    /// Whether it was recognised as a member of a family.
     pub fits: bool,
 }
 
-/// Result of a trial.
+/// Results of the trials.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Trials {
-    /// The table's names; answers have one more: none.
+    /// Names of the table; answers have one more: none.
     pub names: Vec<String>,
-    /// Rows: the tool in the hand, then unknown rollers, then unknown bodies. Columns: the answer,
-    /// then "none".
+    /// Rows: the tool, then unknown rollers, then unknown bodies. Columns: the answer, then "none".
     pub confusion: Vec<Vec<usize>>,
-    /// Known tools: how many, named rightly, rejected, named wrongly.
+    /// Known tools: number, recognised correctly, rejected, recognised wrongly.
     pub known: [usize; 4],
     /// Known tools whose nearest entry was the right one, whether rejected or not: by the weighted
-    /// distance, by the weighted distance in the reduced space, by the paper's.
+    /// distance, by the weighted distance in the reduced space, by the paper's distance.
     pub nearest_right: [usize; 3],
-    /// Unknown tools: how many, rejected.
+    /// Unknown tools: number, rejected.
     pub unknown: [usize; 2],
-    /// Unknown rollers: their sizes.
+    /// Sizes of unknown rollers.
     pub sizes: Vec<SizeTrial>,
-    /// Unknown bodies that were taken for a roller of another size.
+    /// Unknown bodies that were recognised as a roller of another size.
     pub false_relatives: usize,
-    /// Mean of the squared distance of the right tool, over its expectation (the number of
+    /// Mean squared distance of the right tool, relative to its expectation (the number of
     /// parameters).
     pub mean_square: f64,
 }
 
 impl Trials {
-    /// Share of known tools that are named rightly.
+    /// Share of known tools that are recognised correctly.
     pub fn right(&self) -> f64 {
         share(self.known[1], self.known[0])
     }
@@ -79,8 +78,8 @@ impl Trials {
         share(self.unknown[1], self.unknown[0])
     }
 
-    /// Share of intervals (lengths and widths of unknown rollers that fit a family) that hold the
-    /// truth.
+    /// Share of intervals (lengths and widths of unknown rollers that fit a family) that contain
+    /// the true value.
     pub fn coverage(&self) -> f64 {
         let fitting = || self.sizes.iter().filter(|s| s.fits);
         let held =
@@ -88,8 +87,7 @@ impl Trials {
         share(held.count(), 2 * fitting().count())
     }
 
-    /// Root mean square of the errors of length and width over unknown rollers that fit a family,
-    /// m.
+    /// Root mean square errors of length and width over unknown rollers that fit a family, m.
     #[cfg(test)]
     pub(super) fn size_error(&self) -> [f64; 2] {
         let fitting: Vec<&SizeTrial> = self.sizes.iter().filter(|s| s.fits).collect();
@@ -104,7 +102,7 @@ fn share(part: usize, whole: usize) -> f64 {
     part as f64 / whole.max(1) as f64
 }
 
-/// Runs the trials; `progress` hears the number of those that are done.
+/// Runs the trials; `progress` receives the number of finished ones.
 pub fn trials(
     bench: &Bench,
     table: &[Entry],
@@ -172,7 +170,7 @@ pub fn trials(
     Ok(out)
 }
 
-/// A tool of the table as it really is and hangs: off by the tolerance.
+/// A tool of the table as mounted: with random errors within the tolerance.
 fn as_mounted(values: &[f64; 10], tolerance: &Tolerance, random: &mut Random) -> [f64; 10] {
     let mass = 1.0 + tolerance.mass * normal(random);
     let origin: [f64; 3] = std::array::from_fn(|_| tolerance.position * normal(random));
@@ -181,7 +179,8 @@ fn as_mounted(values: &[f64; 10], tolerance: &Tolerance, random: &mut Random) ->
     (moving(&rotation, &origin) * nalgebra::SVector::from(values.map(|v| mass * v))).into()
 }
 
-/// A roller of either series whose size is not in the table, in the last frame.
+/// Parameters, in the last frame, and size of a roller of either series whose size is not in the
+/// table.
 fn other_roller(table: &[Entry], random: &mut Random) -> ([f64; 10], [f64; 2]) {
     loop {
         let (series, lengths, widths) = match random.chance(0.5) {
@@ -200,7 +199,7 @@ fn other_roller(table: &[Entry], random: &mut Random) -> ([f64; 10], [f64; 2]) {
     }
 }
 
-/// Two or three cuboids of 0.05 to 0.6 kg, somewhere within half a metre of the flange.
+/// Two or three cuboids of 0.05 to 0.6 kg at random within half a metre of the flange.
 fn some_body(random: &mut Random) -> [f64; 10] {
     let parts = 2 + random.below(2);
     let body = (0..parts).fold(Assembly::new(), |body, _| {

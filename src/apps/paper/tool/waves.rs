@@ -1,5 +1,5 @@
-//! A periodic motion that excites: sums of sines within the robot's limits, the best of some for
-//! what is carried.
+//! A periodic exciting motion: sums of sines within the robot's limits, the best of several for
+//! identifying the load.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -21,8 +21,8 @@ pub struct Waves {
     terms: Vec<Vec<[f64; 2]>>,
 }
 
-/// Harmonics of a motion: up to 1 Hz in 10 s, as of splines with a knot per second (the paper,
-/// section III.A); far below the low-pass.
+/// Number of harmonics of a motion: up to 1 Hz in 10 s, as for splines with a knot per second (the
+/// paper, section III.A); far below the low-pass.
 const HARMONICS: usize = 10;
 /// Share of the limits that is used.
 const SHARE: f64 = 0.8;
@@ -31,7 +31,7 @@ const POSITION: [f64; 2] = [-2.5, 2.5];
 const SPEED: f64 = 1.5;
 
 impl Waves {
-    /// A random one within the limits.
+    /// A random motion within the limits.
     pub fn random(robot: &Robot, period: f64, random: &mut Random) -> Self {
         let mut waves = Self { period, rest: Vec::new(), terms: Vec::new() };
         for row in robot.moving() {
@@ -45,7 +45,7 @@ impl Waves {
             };
             let half = 0.5 * SHARE * (high - low);
             let scale = (half / largest(0)).min(SHARE * speed / largest(1));
-            // The middle may wander over the rest of the range.
+            // The middle may be anywhere in the rest of the range.
             let free = (half - scale * largest(0)).max(0.0);
             waves.rest.push(0.5 * (low + high) + random.even(1.0) * free);
             waves.terms.push(one.terms[0].iter().map(|[a, phase]| [scale * a, *phase]).collect());
@@ -53,10 +53,10 @@ impl Waves {
         waves
     }
 
-    /// The best of `tries` for mass and first moments of the load, where each joint's torque has
-    /// this noise. It has the largest `log det` of their inverse covariance, all other unknowns of
-    /// equation (7) being unknown (D_s-optimal: Atkinson and Donev, *Optimum Experimental Designs*,
-    /// 1992).
+    /// The best of `tries` motions for mass and first moments of the load, with this noise of each
+    /// joint's torque. It has the largest `log det` of their inverse covariance, with all other
+    /// unknowns of equation (7) estimated too (D_s-optimal: Atkinson and Donev, *Optimum
+    /// Experimental Designs*, 1992).
     pub fn exciting(robot: &Robot, arm: &dyn Payload, noise: &[f64], period: f64, tries: usize, seed: u64) -> Self {
         let mut random = Random::new(seed);
         let both = [Carrying::new(arm, false), Carrying::new(arm, true)];
@@ -75,8 +75,8 @@ impl Waves {
     fn criterion(&self, arms: &[Carrying<'_>; 2], noise: &[f64]) -> f64 {
         let states = self.states(100);
         let (len, columns) = (states.len, arms[0].base_parameters().len());
-        // Mass and first moments to the end: the last four rows of the factor are then what is left
-        // of them.
+        // Mass and first moments last: the last four rows of the factor then hold their remaining
+        // information.
         let place = |c: usize| match c.checked_sub(columns - 10) {
             None => c,
             Some(k) if k < 4 => columns - 4 + k,
@@ -100,7 +100,7 @@ impl Waves {
         (columns - 4..columns).map(|k| triangle.get(k, k).abs().max(1e-300).ln()).sum()
     }
 
-    /// Evenly over the period.
+    /// States at `len` instants, evenly spaced over the period.
     fn states(&self, len: usize) -> States {
         let all = |derivative| -> Vec<f64> {
             let dof = self.terms.len();
@@ -111,7 +111,7 @@ impl Waves {
         States { len, q: all(0), dq: all(1), ddq: all(2) }
     }
 
-    /// A joint's position, or a derivative of it: the k-th derivative of a sine leads by k quarter
+    /// A joint's position or a derivative of it; the k-th derivative of a sine leads by k quarter
     /// turns.
     fn joint(&self, joint: usize, t: f64, derivative: i32) -> f64 {
         let rest = if derivative == 0 { self.rest[joint] } else { 0.0 };
@@ -123,7 +123,7 @@ impl Waves {
         rest + self.terms[joint].iter().enumerate().map(wave).sum::<f64>()
     }
 
-    /// Positions, velocities and accelerations of all joints.
+    /// Positions, velocities and accelerations of all joints at time `t`, s.
     pub fn at(&self, t: f64) -> [Vec<f64>; 3] {
         [0, 1, 2].map(|derivative| (0..self.terms.len()).map(|joint| self.joint(joint, t, derivative)).collect())
     }

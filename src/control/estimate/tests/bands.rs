@@ -1,4 +1,4 @@
-//! Bands against known wrenches, with a new identification of the model in every run.
+//! Coverage of the bands for known wrenches, with the model identified again in every run.
 
 use crate::apps::paper::force::{Case, Stage, alone, coverage};
 use crate::apps::paper::lwr::Unmodelled;
@@ -14,7 +14,7 @@ fn of_200_runs_95_in_100_bands_hold_the_force() {
     assert!(c.found_right > 0.98, "{c:?}");
     let all = coverage(&stage, &[Method::Momentum, Method::Kalman], Case::Right, 30, 1500, &|_, _| {}).unwrap();
     assert!(all.iter().all(|c| (0.91..0.98).contains(&c.whole)), "{all:?}");
-    // The momentum observer's are exact; the Kalman filter's are as good as the pace that it finds.
+    // The momentum observer's are exact; the Kalman filter's depend on the rate that it finds.
     assert!(all[0].components.iter().all(|share| (0.92..0.98).contains(share)), "{all:?}");
     assert!(all[1].components.iter().all(|share| (0.87..0.99).contains(share)), "{all:?}");
 }
@@ -35,15 +35,15 @@ fn all_six_components_moving_and_standing() {
             stage.estimate(&found, 4, 4, &EstimationSettings { method, ..EstimationSettings::default() }).unwrap();
         let all = series.against_measured().unwrap();
         assert!(series.stale <= 1); // an observer has no first step
-        // Against amplitudes of 30 N and 4 N m; a workspace has its singularities.
+        // Against amplitudes of 30 N and 4 N m; there are singularities in the workspace.
         for (i, c) in all.iter().enumerate() {
             assert!(c.inside > 0.8, "{name} {i}: {c:?}");
         }
     }
 }
 
-/// Without an identification, on arms with heavy links and light ones: neither too narrow nor too
-/// wide, on a log whose contacts begin and end in steps too.
+/// Bands without an identification are neither too narrow nor too wide, on arms with heavy and with
+/// light links. The log's contacts also begin and end in steps.
 #[test]
 fn bands_of_a_right_file_alone_hold_95_in_100() {
     for stage in alone(21).unwrap() {

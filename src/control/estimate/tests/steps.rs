@@ -1,4 +1,4 @@
-//! The estimators alone, against the numeric recursion.
+//! Tests of single estimators against the numeric recursion.
 
 use std::f64::consts::TAU;
 
@@ -28,7 +28,7 @@ impl Oracle {
         Self { numeric: Numeric::new(&robot), phi, random: Random::new(seed) }
     }
 
-    /// Of the tool's origin, in its axes.
+    /// Jacobian of the tool's origin in the tool's axes, `6 x 7`.
     fn jacobian(&self, q: &[f64]) -> [[f64; 7]; 6] {
         let (last, tool) = (self.numeric.frames(q).pop().unwrap(), self.numeric.tool(q));
         let jacobian = self.numeric.jacobian(q);
@@ -44,7 +44,7 @@ impl Oracle {
         out
     }
 
-    /// A sample without noise while this wrench is on the tool.
+    /// A noise-free sample with this wrench on the tool.
     fn sample(&self, dt: f64, [q, dq, ddq]: [&[f64]; 3], wrench: &[f64; 6]) -> EstimatorInput<7> {
         let model = array(&self.numeric.inverse_dynamics(q, dq, ddq, &self.phi));
         let bias = array(&self.numeric.inverse_dynamics(q, dq, &[0.0; 7], &self.phi));
@@ -66,7 +66,8 @@ impl Oracle {
         (0..12).map(|_| self.random.uniform(-0.5, 0.5)).sum()
     }
 
-    /// Positions, velocities, accelerations of a slow wave at a time, away from singularities.
+    /// Positions, velocities and accelerations of a slow wave at time `t`, s, away from
+    /// singularities.
     fn wave(t: f64) -> [[f64; 7]; 3] {
         let middle = [0.3, 0.6, -0.2, 1.3, 0.4, 0.9, 0.1];
         let mut all = [[0.0; 7]; 3];
@@ -99,12 +100,12 @@ fn equation_14_finds_a_wrench_of_all_six_components() {
         let mut residual = Residual::new(NOISE, Scale::default());
         let found = residual.step(&sample);
         assert!(found.fresh && found.misfit < 0.2, "{found:?}");
-        // The damping's share of the wrench is at most that of the variance.
+        // The damping changes the wrench by at most its share of the prior variance.
         for i in 0..6 {
             let share = (found.std(i) / Scale::default().each()[i]).powi(2);
             assert!((found.wrench[i] - f[i]).abs() < 1e-9 + 20.0 * share.max(1e-5) * 60.0, "{found:?} {f:?}");
         }
-        // Plain formula: nalgebra's pseudo-inverse, by singular values.
+        // Plain formula: nalgebra's pseudo-inverse from singular values.
         residual.weights = Weights::Equal { damping: 1e-7 };
         let transposed = DMatrix::from_fn(7, 6, |j, i| sample.jacobian[i][j]);
         let external = DVector::from_fn(7, |j, _| sample.model[j] - sample.tau[j]);
@@ -119,7 +120,7 @@ fn the_covariance_is_that_of_many_draws() {
     let mut oracle = Oracle::new(2);
     let [q, dq, ddq] = Oracle::wave(0.7);
     let clean = oracle.sample(1e-3, [&q, &dq, &ddq], &WRENCH);
-    // A model that errs by the same in two joints.
+    // A model with one common error in several joints.
     let mut covariance = [[0.0; 7]; 7];
     let direction = [0.0, 0.2, 0.1, -0.1, 0.0, 0.05, 0.0];
     (0..7).for_each(|i| (0..7).for_each(|j| covariance[i][j] = direction[i] * direction[j]));
@@ -141,7 +142,7 @@ fn the_covariance_is_that_of_many_draws() {
                 squares[i] += (error / found.std(i)).powi(2) / f64::from(draws);
             }
             misfit += found.misfit / f64::from(draws);
-            // The same noise while nothing touches.
+            // The same noise without contact.
             for j in 0..7 {
                 sample.tau[j] += (0..6).map(|i| clean.jacobian[i][j] * WRENCH[i]).sum::<f64>();
             }
@@ -153,7 +154,7 @@ fn the_covariance_is_that_of_many_draws() {
     }
 }
 
-/// Without noise: heavy damping, which loses a part of the wrench, loses no more than the band says.
+/// Heavy damping without noise: the lost part of the wrench stays within the band.
 #[test]
 fn a_band_holds_what_damping_loses() {
     let oracle = Oracle::new(5);
@@ -166,7 +167,7 @@ fn a_band_holds_what_damping_loses() {
     assert!((0..6).all(|i| (found.wrench[i] - WRENCH[i]).abs() <= found.half_width(i)), "{found:?}");
 }
 
-/// White noise of the velocities is itself, whatever the gain; what is spread evenly over two
+/// White velocity noise keeps its standard deviation at any gain; noise spread evenly over two
 /// samples has smaller differences.
 #[test]
 fn white_speed_of_white_noise_is_one() {
@@ -186,8 +187,8 @@ fn static_friction_exceeds_coulombs() {
     assert!(breakaway(0.0, None, 100.0) > 0.0 && breakaway(0.0, None, f64::INFINITY) == 0.0);
 }
 
-/// Errors as large as they are said to be, and half as large again: chi-squared of 1,400 numbers,
-/// whose mean is known to 4 %.
+/// Errors as large as predicted, and half as large again: chi-square of 1,400 numbers, whose mean
+/// is known to 4 %.
 #[test]
 fn errors_that_are_too_large_are_improbable() {
     let mut oracle = Oracle::new(6);
@@ -215,8 +216,8 @@ fn the_observer_is_a_low_pass_of_the_external_torque() {
         let f: [f64; 6] = std::array::from_fn(|i| WRENCH[i] * (TAU * 0.7 * t + i as f64).sin());
         let sample = oracle.sample(dt, [&q, &dq, &ddq], &f);
         let estimate = observer.step(&sample);
-        // Independently: the exact external torque through a first-order low-pass by the midpoint
-        // rule.
+        // Independent reference: the exact external torque through a first-order low-pass by the
+        // midpoint rule.
         let middle = t - 0.5 * dt;
         let jacobian = oracle.jacobian(&Oracle::wave(middle)[0]);
         for j in 0..7 {
@@ -233,8 +234,8 @@ fn the_observer_is_a_low_pass_of_the_external_torque() {
 
 #[test]
 fn the_observer_is_as_unsure_as_its_noise_makes_it() {
-    // One joint, nothing touches, white noise on torque and velocity: standard deviation of the
-    // estimate against its reported value.
+    // One joint without contact, white noise on torque and velocity: standard deviation of the
+    // estimate against the reported one.
     let mut oracle = Oracle::new(14);
     for (dt, gain) in [(1e-3, 30.0), (1e-2, 62.8)] {
         for (torque, speed) in [(0.3, 0.0), (0.0, 1e-3), (0.2, 1e-3)] {
@@ -275,8 +276,8 @@ fn the_filter_is_as_sure_as_it_may_be() {
     for k in 0..6000 {
         let t = f64::from(k) * dt;
         let [q, dq, ddq] = Oracle::wave(t);
-        // The wrench is constant for the observer, whose band allows no change, and a random walk
-        // for the filter.
+        // The wrench is constant for the observer, whose band does not cover changes, and a random
+        // walk for the filter.
         let paces = WANDER.each();
         (0..6).for_each(|i| walk[i] += paces[i] * dt.sqrt() * oracle.normal());
         let mut sample = oracle.sample(dt, [&q, &dq, &ddq], &WRENCH);
@@ -305,7 +306,7 @@ fn the_filter_is_as_sure_as_it_may_be() {
 #[test]
 fn at_a_singularity_a_direction_is_not_told() {
     let oracle = Oracle::new(5);
-    // Stretched and upright: no joint feels a push along the arm.
+    // Stretched and upright: a force along the arm loads no joint.
     let q = [0.2, 0.0, 0.3, 0.0, 0.1, 0.0, 0.0];
     let sample = oracle.sample(1e-3, [&q, &[0.0; 7], &[0.0; 7]], &[10.0, 0.0, 40.0, 0.0, 0.0, 0.0]);
     let scale = Scale::default();
@@ -393,7 +394,7 @@ fn touch_is_felt_and_noise_is_not() {
             assert_eq!(contact.touching, push > 0.0, "{k}: {contact:?}");
         }
     }
-    // Wilson and Hilferty against tables: the 99 % quantile of chi-square.
+    // Wilson-Hilferty approximation against tables: the 99 % quantile of chi-square.
     for (freedom, quantile) in [(1, 6.635), (6, 16.812), (7, 18.475)] {
         assert!((deviate(quantile, freedom) - 2.326).abs() < 0.06, "{}", deviate(quantile, freedom));
     }

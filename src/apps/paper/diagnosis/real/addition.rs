@@ -1,4 +1,4 @@
-//! Additions to measured torques: one law of the vocabulary each, from the measured motion.
+//! Additions to measured torques: one law of the vocabulary each, evaluated on the measured motion.
 
 use super::session::{Excerpt, Session, torques};
 use crate::data::log::{Log, Quantity, Role};
@@ -45,7 +45,7 @@ impl Form {
         Self::Contact,
     ];
 
-    /// Name of the cause.
+    /// Name of the cause in the vocabulary.
     pub(super) fn cause(self) -> &'static str {
         match self {
             Self::Viscous => effects::ViscousFriction::NAME,
@@ -65,13 +65,13 @@ impl Form {
         }
     }
 
-    /// Whether a refit of all base parameters explains the same, so that only a fit with the file's
-    /// bodies can find its size.
+    /// Whether a refit of all base parameters explains the addition as well, so that only a fit
+    /// with the file's bodies can find its size.
     pub(super) fn within_bodies(self) -> bool {
         matches!(self, Self::Payload | Self::Link | Self::Gain)
     }
 
-    /// The arm's own parameter that it changes.
+    /// Parameter of the arm that it changes.
     pub(super) fn plain(self) -> Option<DriveTerm> {
         match self {
             Self::Viscous => Some(DriveTerm::FV),
@@ -81,7 +81,7 @@ impl Form {
         }
     }
 
-    /// Whether it acts on the robot and not on a joint.
+    /// Whether it acts on the robot rather than on a joint.
     fn whole(self) -> bool {
         matches!(self, Self::Payload | Self::Delay | Self::Contact)
     }
@@ -92,41 +92,42 @@ impl Form {
     }
 }
 
-/// The addition, with its exact label.
+/// An addition with its exact label.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Added {
     /// Name of the cause.
     pub cause: &'static str,
     /// Joints, from 1; empty for the whole robot.
     pub joints: Vec<usize>,
-    /// Cause and joints that say the same.
+    /// Equivalent causes with their joints.
     pub same: Vec<(&'static str, Vec<usize>)>,
     /// Parameters: symbol and value.
     pub truth: Vec<(String, f64)>,
-    /// Root mean square on each joint of the fitted logs, N m.
+    /// Root mean square on each joint over the fitted logs, N m.
     pub rms: Vec<f64>,
 }
 
-/// A drawn addition, its size left open.
+/// A drawn addition with an undetermined size.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Addition {
     pub(super) form: Form,
     /// Joints, from 1; empty for the whole robot.
     pub(super) joints: Vec<usize>,
-    /// Joint, from 0, that the law is of.
+    /// Joint of the law, from 0.
     joint: usize,
-    /// Fastest speed of that joint, rad/s.
+    /// Largest speed of that joint, rad/s.
     fastest: f64,
-    /// Numbers of the law: characteristic speed; order and phase; rest position; direction.
+    /// Shape parameters of the law: characteristic speed; order and phase; rest position;
+    /// direction.
     shape: [f64; 3],
-    /// When a contact begins and ends, s of the first fitted log.
+    /// Begin and end of a contact, s, in the first fitted log.
     window: [f64; 2],
 }
 
-/// Tally of the fastest speed below which the sign of a velocity fades.
+/// Share of the largest speed below which the sign of a velocity is smoothed.
 const REST: f64 = 0.01;
 
-/// Least travel, rad, and speed, rad/s, of a joint that moves.
+/// Smallest travel, rad, and root mean square speed, rad/s, of a joint that moves.
 const MOVES: [f64; 2] = [0.2, 0.05];
 
 fn root_mean_square(x: impl Iterator<Item = f64>) -> f64 {
@@ -135,12 +136,12 @@ fn root_mean_square(x: impl Iterator<Item = f64>) -> f64 {
 }
 
 impl Addition {
-    /// Joint, from 0, that its law is of.
+    /// Joint of the law, from 0.
     pub(super) fn joint(&self) -> usize {
         self.joint
     }
 
-    /// Draws joint and shape; `None` where no joint can show it.
+    /// Draws joint and shape; `None` if no joint can show it.
     pub(super) fn draw(form: Form, session: &Session, random: &mut Random) -> Option<Self> {
         let dof = session.numeric.dof();
         let usable = |j: usize| {
@@ -173,7 +174,7 @@ impl Addition {
         let angle = random.uniform(0.0, std::f64::consts::TAU);
         let shape = match form {
             Form::Stribeck => [random.uniform(0.05, 0.15) * fastest, 0.0, 0.0],
-            // Half of the time it turns slower than four times a second.
+            // At half of the samples the ripple is slower than four periods per second.
             Form::Ripple => {
                 let mut all: Vec<f64> = speeds().collect();
                 all.sort_by(f64::total_cmp);
@@ -243,7 +244,7 @@ impl Addition {
         out
     }
 
-    /// Root mean squares on the fitted logs (of a contact while it acts), per joint, N m.
+    /// Root mean square on the fitted logs (of a contact while it acts), per joint, N m.
     fn rms(&self, session: &Session, x: f64) -> Vec<f64> {
         let all: Vec<Vec<Vec<f64>>> =
             session.fit.iter().enumerate().map(|(n, e)| self.signal(session, e, x, n == 0)).collect();
@@ -253,8 +254,8 @@ impl Addition {
             .collect()
     }
 
-    /// `x` at which its root mean square on its joint, or on the joint on which it does most, is so
-    /// many residuals; `None` where it would be absurd.
+    /// Value of `x` at which the root mean square on its joint, or on the most affected joint, is
+    /// `size` residuals; `None` if the value would be implausible.
     pub(super) fn sized(&self, session: &Session, size: f64) -> Option<f64> {
         let mut x = if self.form == Form::Delay { 1e-3 } else { 1.0 };
         for _ in 0..6 {
@@ -281,7 +282,7 @@ impl Addition {
         (x < most).then_some(x)
     }
 
-    /// A log with the addition in it.
+    /// A log with the addition.
     pub(super) fn to(&self, session: &Session, e: &Excerpt, x: f64, first: bool) -> Log {
         let mut log = e.log.clone();
         for (j, row) in self.signal(session, e, x, first).into_iter().enumerate() {
@@ -292,7 +293,7 @@ impl Addition {
         log
     }
 
-    /// Label of size `x`.
+    /// Label of the addition of size `x`.
     pub(super) fn added(&self, session: &Session, x: f64) -> Added {
         let dof = session.numeric.dof();
         let drive = &session.robot.joints[session.plant.rows()[self.joint]].drive;
@@ -324,7 +325,7 @@ impl Addition {
         let truth = truth.into_iter().map(|(key, value)| (format!("{key}{number}"), value)).collect();
         let same = match self.form {
             Form::Payload => vec![(effects::LinkInertiaError::NAME, vec![dof])],
-            // Whichever way the joint moves, the level that is added has the same sign.
+            // In either direction of motion the added level has the same sign.
             Form::Asymmetric => vec![(effects::TorqueOffset::NAME, self.joints.clone())],
             _ => Vec::new(),
         };
@@ -332,7 +333,7 @@ impl Addition {
     }
 }
 
-/// `M MS I` of a point mass at `c`, the tensor about the frame's origin.
+/// Parameters `M MS I` of a point mass at `c`, m, the tensor about the frame's origin.
 fn point(m: f64, c: [f64; 3]) -> [f64; 10] {
     let [x, y, z] = c;
     [
@@ -349,7 +350,7 @@ fn point(m: f64, c: [f64; 3]) -> [f64; 10] {
     ]
 }
 
-/// A joint's torque as it would have been recorded `by` seconds later, on lines.
+/// A joint's torque recorded `by` s later, interpolated linearly, N m.
 fn delayed(e: &Excerpt, j: usize, by: f64) -> Vec<f64> {
     let (t, tau) = (e.time(), e.torque(j));
     let mut out = tau.to_vec();

@@ -1,4 +1,4 @@
-//! The recordings that are used, and what must be known to use them.
+//! Recordings used by the tests, with the data needed to use them.
 
 /// An arm with recordings, in a folder of its own.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -11,16 +11,17 @@ pub struct ArmData {
     pub fit: &'static [&'static str],
     /// Validating logs; without one, the last third of the fitted ones.
     pub validate: &'static [&'static str],
-    /// By how much the torque is known to be late, s: it is moved back.
+    /// Known delay of the torque, s; the torque is shifted back by it.
     pub late: f64,
-    /// N m at the joint per A of its motor, where the log has currents; empty where it has torques.
+    /// Torque at the joint per motor current, N m/A, if the log has currents; empty if it has
+    /// torques.
     pub gains: &'static [f64],
 }
 
-/// Without a latency, with torques.
+/// Defaults: no delay, torques.
 const PLAIN: ArmData = ArmData { folder: "", robot: "", fit: &[], validate: &[], late: 0.0, gains: &[] };
 
-/// All of them. Sources and licences stand in each folder's README.
+/// All arms with recordings. Each folder's README has source and licence.
 pub const ARMS: [ArmData; 6] = [
     ArmData {
         folder: "kuka-lwr4plus",
@@ -55,7 +56,7 @@ pub const ARMS: [ArmData; 6] = [
         validate: &["sync7_run.csv"],
         ..PLAIN
     },
-    // Stands and is pushed: offsets, gains and contacts alone can be added to it.
+    // Stands and is pushed: only offsets, gains and contacts can be added to it.
     ArmData {
         folder: "ur10e-pushed",
         robot: include_str!("../../../../../robots/ur10e.yaml"),

@@ -1,29 +1,29 @@
-//! Figures of the cases on real recordings.
+//! Summary figures of the cases on real recordings.
 
 use super::{RealCase, Untouched};
 use crate::apps::paper::diagnosis::{Claim, Tally};
 use crate::diagnose::{Cause, Diagnosis, Quantity};
 use dh_codegen::robot::effects;
 
-/// How far from 1 the size may be that an informed fit finds.
+/// Largest deviation from 1 of the relative size found by an informed fit.
 const RECOVERED: f64 = 0.2;
 
-/// Figures of one size, of the cases that an informed fit recovers.
+/// Figures for one size, over the cases that an informed fit recovers.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Figures {
     /// Size, in residuals.
     pub size: f64,
     /// Cases that an informed fit recovers within 20 %.
     pub recovered: Tally,
-    /// Named, in its place.
+    /// Cases with the cause named at its place.
     pub named: Tally,
-    /// First among the new causes, in its place.
+    /// Cases with the cause first among the new ones, at its place.
     pub first: Tally,
-    /// Named in its place with a probability above one half.
+    /// Cases with the cause named at its place with a probability above one half.
     pub sure: Tally,
-    /// Its place, where the right cause is named at all.
+    /// Share at the right place, of cases with the right cause named anywhere.
     pub place: Tally,
-    /// Parameters within three standard deviations, where named in its place.
+    /// Parameters within three standard deviations, of causes named at their place.
     pub within_three: Tally,
     /// New causes that were not added, per case.
     pub false_new: f64,
@@ -31,21 +31,21 @@ pub struct Figures {
     pub claims: Vec<Claim>,
 }
 
-/// Causes that untouched logs are said to have, and what other excerpts say.
+/// Causes named in unchanged logs, and their agreement with other excerpts.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Stability {
-    /// Causes above 0.8 that both halves have, too.
+    /// Causes with a probability above 0.8 that both halves have, too.
     pub sure: Tally,
-    /// Of each cause: arm, cause, joints, probability, and in how many of how many halves it is.
+    /// For each cause: arm, cause, joints, probability, and the number of halves that have it.
     pub causes: Vec<(String, &'static str, Vec<usize>, f64, Tally)>,
 }
 
-/// Whether the size that an informed fit finds, by the true one, is near enough to 1.
+/// Whether the relative size found by an informed fit is close enough to 1.
 pub(super) fn is_recovered(size: f64) -> bool {
     (size - 1.0).abs() < RECOVERED
 }
 
-/// Causes of `found` that `plain` does not have; `unknown` is none.
+/// Indices of the causes of `found` that `plain` does not have; `unknown` does not count.
 pub(super) fn new_causes(found: &Diagnosis, plain: &Diagnosis) -> Vec<usize> {
     let new = |c: &Cause| c.cause != "unknown" && !plain.causes.iter().any(|p| c.is(p));
     (0..found.causes.len()).filter(|&i| new(&found.causes[i])).collect()
@@ -57,19 +57,19 @@ impl RealCase {
         is_recovered(self.informed)
     }
 
-    /// Whether a cause is what was added, in its place.
+    /// Whether a cause is the added one, at its place.
     pub fn right(&self, cause: &Cause) -> bool {
         let here = |name: &str, joints: &[usize]| cause.cause == name && cause.joints == joints;
         here(self.added.cause, &self.added.joints) || self.added.same.iter().any(|(name, joints)| here(name, joints))
     }
 
-    /// The causes that the untouched logs do not have, in the order of the diagnosis.
+    /// Causes that the unchanged logs do not have, in the order of the diagnosis.
     pub fn fresh(&self) -> impl Iterator<Item = &Cause> {
         self.new.iter().map(|&i| &self.found.causes[i])
     }
 
-    /// Parameters of the rightly named cause: symbol, truth, value, standard deviation. Forces are
-    /// added in the axes of the base; one that was found in the tool's has other components.
+    /// Parameters of the correctly named cause: symbol, truth, value, standard deviation. Forces
+    /// are added in base axes; one found in the tool's axes has other components and is left out.
     pub fn parameters(&self) -> Vec<(String, f64, f64, f64)> {
         let Some(cause) = self.fresh().find(|c| c.cause == self.added.cause && c.joints == self.added.joints) else {
             return Vec::new();
@@ -135,7 +135,7 @@ impl Stability {
     }
 }
 
-/// Claims by probability: from, to, mean probability, how many were right.
+/// Claims binned by probability: lower and upper edge, mean probability, number that were right.
 pub fn reliability(claims: &[Claim]) -> Vec<(f64, f64, f64, Tally)> {
     const EDGES: [f64; 7] = [0.0, 0.2, 0.4, 0.6, 0.8, 0.9, 1.0];
     let bin = |edge: &[f64]| {
@@ -151,8 +151,8 @@ pub fn reliability(claims: &[Claim]) -> Vec<(f64, f64, f64, Tally)> {
     EDGES.windows(2).filter_map(bin).collect()
 }
 
-/// Expected calibration error: mean distance of stated probability and share true, over the bins of
-/// [`reliability`], weighted by their claims.
+/// Expected calibration error: mean difference of stated probability and share true, over the bins
+/// of [`reliability`], weighted by their claims.
 pub fn calibration_error(claims: &[Claim]) -> Option<f64> {
     let bins = reliability(claims);
     let all: usize = bins.iter().map(|b| b.3.all).sum();

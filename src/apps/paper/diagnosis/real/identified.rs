@@ -13,8 +13,8 @@ use crate::identify::{
 use crate::model::interpreted::Interpreted;
 use crate::model::robot_edit;
 
-/// The robot with bodies and drives that these logs say; every joint has a rotor, viscous and
-/// Coulomb friction and an offset.
+/// The robot with bodies and drives identified from these logs; every joint has a rotor, viscous
+/// and Coulomb friction and an offset.
 pub(super) fn identified(file: &Robot, logs: &[Log]) -> Result<Robot, ReproduceError> {
     let mut robot = Robot { tool: None, ..file.clone() };
     for row in robot.moving() {

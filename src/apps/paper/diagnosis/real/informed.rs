@@ -1,4 +1,4 @@
-//! A fit of the true form: the size that the data can determine at best.
+//! Fit of the true form: the best possible estimate of the size from the data.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -6,10 +6,10 @@ use super::addition::Addition;
 use super::session::{Excerpt, Session};
 use crate::model::{Arm, PerturbableArm, StandardParameter, States};
 
-/// Groups of samples per second that are averaged.
+/// Number of averaged samples per second.
 const RATE: f64 = 40.0;
 
-/// An excerpt's averages: states, torques with the addition, the addition.
+/// Averages over an excerpt: states, torques with the addition, and the addition itself.
 struct Averages {
     states: States,
     torque: Vec<Vec<f64>>,
@@ -34,15 +34,15 @@ fn averages(session: &Session, e: &Excerpt, added: &[Vec<f64>]) -> Averages {
 type Equations = (DMatrix<f64>, DVector<f64>, f64, f64);
 
 /// Relative size found by least squares in all base parameters, friction and this form, from the
-/// fitted logs with the addition of size `x`. It is 1 if the size is found exactly. With the file's
-/// bodies where a refit of all of them would say the same.
+/// fitted logs with the addition of size `x`. It is 1 if the size is found exactly. The file's
+/// bodies are kept if a refit of all of them would explain the addition.
 pub(super) fn recovered(session: &Session, addition: &Addition, x: f64) -> f64 {
     let dof = session.numeric.dof();
     let base = session.plant.base_parameters();
     let given = session.plant.given().unwrap_or(&[]);
     let file: Vec<f64> =
         base.iter().map(|b| b.coefficients.iter().map(|(i, k)| k * given.get(*i).unwrap_or(&0.0)).sum()).collect();
-    // Plain friction is a parameter of the arm already, which the size is measured from.
+    // Plain friction is already a parameter of the arm, and the size is relative to it.
     let row = |term| StandardParameter::Drive(session.plant.rows()[addition.joint()], term);
     let own = addition.form.plain().map(row);
     let open = |b: usize| {
@@ -78,7 +78,8 @@ pub(super) fn recovered(session: &Session, addition: &Addition, x: f64) -> f64 {
     weighed(&grams)
 }
 
-/// Last unknown of the joints' equations, each joint weighed by what it leaves.
+/// Last unknown of the joints' equations, each joint weighted by the inverse variance of its
+/// residual.
 fn weighed(grams: &[Equations]) -> f64 {
     let unknowns = grams.first().map_or(0, |g| g.1.len());
     let mut weights: Vec<f64> = grams.iter().map(|g| if g.2 > 0.0 { g.3 / g.2 } else { 0.0 }).collect();

@@ -1,15 +1,15 @@
-//! Velocities and accelerations of recorded positions, by a route of their own: a cubic through the
-//! neighbours of each sample (Savitzky and Golay 1964, at the samples' own times).
+//! Independent differentiation of recorded positions: a cubic through the neighbours of each sample
+//! (Savitzky and Golay 1964, at the samples' own times).
 
 use nalgebra::{Matrix4, Vector4};
 
 use crate::model::States;
 
-/// Half of the width of the neighbourhood, s, and the least number of samples in it.
+/// Half-width of the neighbourhood, s; `LEAST` is the smallest number of samples in it.
 const HALF: f64 = 0.06;
 const LEAST: usize = 5;
 
-/// States of samples at `t` (s) whose positions are `q`, one row per joint; a segment begins at
+/// States of samples at times `t`, s, with positions `q`, one row per joint; a segment begins at
 /// each of `starts`.
 pub(super) fn states(t: &[f64], q: &[Vec<f64>], starts: &[usize]) -> States {
     let (len, dof) = (t.len(), q.len());
@@ -23,7 +23,7 @@ pub(super) fn states(t: &[f64], q: &[Vec<f64>], starts: &[usize]) -> States {
             while high < segment.end && (t[high] - t[k] <= HALF || high <= k + LEAST) {
                 high += 1;
             }
-            // Some fifty neighbours say as much as five hundred.
+            // About fifty neighbours are as accurate as five hundred.
             let step = ((high - low) / 50).max(1);
             let at: Vec<usize> = (low..high).step_by(step).collect();
             let scale = (t[high - 1] - t[k]).max(t[k] - t[low]).max(1e-9);

@@ -1,4 +1,4 @@
-//! An arm with its excerpts: identified once, diagnosed as often as something is added.
+//! An arm with its excerpts: identified once, diagnosed for every addition.
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::{Robot, no_files};
@@ -22,10 +22,10 @@ pub(super) struct Excerpt {
     pub(super) load: Vec<Vec<f64>>,
 }
 
-/// An arm that is put to the test.
+/// An arm under test.
 pub(super) struct Session {
     pub(super) name: String,
-    /// With what was identified in it.
+    /// Robot with the identified parameters.
     pub(super) robot: Robot,
     pub(super) plant: PerturbableRobot,
     pub(super) numeric: Numeric,
@@ -46,13 +46,13 @@ impl Excerpt {
         self.log.joint(Quantity::Tau, j).unwrap_or(&[])
     }
 
-    /// A joint's part of a joint-major series of the states.
+    /// Part of one joint in a joint-major series of the states.
     pub(super) fn of<'a>(&self, series: &'a [f64], j: usize) -> &'a [f64] {
         &series[j * self.states.len..(j + 1) * self.states.len]
     }
 }
 
-/// Reads a log: currents become torques, late torques move back by whole samples.
+/// Reads a log: converts currents to torques and shifts delayed torques back by whole samples.
 fn read(name: &str, bytes: &[u8], recorded: &Recorded) -> Result<Log, ReproduceError> {
     let gains = recorded.arm.gains;
     let quantity = if gains.is_empty() { Quantity::Tau } else { Quantity::Current };
@@ -79,7 +79,7 @@ fn read(name: &str, bytes: &[u8], recorded: &Recorded) -> Result<Log, ReproduceE
                     let part = &mut column[rows.clone()];
                     let by = by.min(part.len());
                     part.rotate_left(by);
-                    // The last ones have no torque of their own; the filter's ends are cut off.
+                    // The last samples have no torque of their own; the filter's ends are cut off.
                     let (last, from) = (part.len() - by, part.len().saturating_sub(by + 1));
                     let value = part[from];
                     part[last..].fill(value);
@@ -101,13 +101,13 @@ fn rows(log: &Log, range: std::ops::Range<usize>) -> Log {
     }
 }
 
-/// Seconds of motion in a log, without gaps between its segments.
+/// Duration of motion in a log without gaps between its segments, s.
 fn seconds(log: &Log) -> f64 {
     let t = &log.columns[0];
     motion::segments(&log.starts, log.len()).into_iter().map(|r| t[r.end - 1] - t[r.start]).sum()
 }
 
-/// The first part of each log, so that there is not more than so many seconds.
+/// Takes the first part of each log, so that the total is at most `most` s.
 fn shortened(logs: Vec<Log>, most: f64) -> Vec<Log> {
     let all: f64 = logs.iter().map(seconds).sum();
     let share = (most / all.max(1e-9)).min(1.0);
@@ -141,7 +141,7 @@ impl Session {
         Ok(Self { name, robot, plant, numeric, fit, validate, residual })
     }
 
-    /// Diagnosis of the logs, with an addition or unchanged.
+    /// Diagnoses the logs, with an addition or unchanged.
     pub(super) fn diagnose(&self, added: Option<(&Addition, f64)>) -> Result<Diagnosis, ReproduceError> {
         let logs = |excerpts: &[Excerpt], fitted: bool| -> Result<Vec<Recording>, ReproduceError> {
             let log = |(number, e): (usize, &Excerpt)| {
@@ -154,7 +154,7 @@ impl Session {
         Ok(diagnose::diagnose(&self.plant, &fit, &validate, &diagnose::Settings::default(), &|_| {})?)
     }
 
-    /// The untouched logs, whole and in halves.
+    /// Diagnoses the unchanged logs, whole and in halves.
     pub(super) fn untouched(&self) -> Result<Untouched, ReproduceError> {
         let half = |which: usize| -> Result<Option<Diagnosis>, ReproduceError> {
             let part = |e: &Excerpt| {
@@ -180,14 +180,14 @@ impl Session {
     }
 }
 
-/// A log as the command reads it.
+/// Reads a log as the command does.
 fn recording(name: &str, log: &Log, dof: usize) -> Result<Recording, ReproduceError> {
     let mut bytes = Vec::new();
     csv::write(log, &mut bytes).map_err(ReproduceError::Write)?;
     record_keeping(name, &bytes, dof, Acceptance::all())
 }
 
-/// Standard parameters of a robot's bodies, drives left out.
+/// Standard parameters of a robot's bodies; those of drives are zero.
 pub(super) fn bodies(robot: &Robot) -> Vec<f64> {
     let values = param::standard_values(robot).unwrap_or_else(|| vec![0.0; param::standard(robot).len()]);
     let drive = |p: &param::Parameter| matches!(p, param::Parameter::Drive(..));

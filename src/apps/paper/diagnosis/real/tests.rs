@@ -1,4 +1,4 @@
-//! The measure itself, on a small recording that a simulator made.
+//! Tests of the test chain itself, on a small simulated recording.
 
 use super::*;
 use crate::data::log::csv;
@@ -33,7 +33,7 @@ fn small() -> Recorded {
 #[test]
 fn every_addition_has_its_size_and_an_informed_fit_finds_it() {
     let session = Session::new(&small(), [40.0, 15.0]).unwrap();
-    // Friction of 0.2 and 0.1 N m, a payload none: little is left but the torque's noise.
+    // Friction of 0.2 and 0.1 N m, no payload: the residual is little more than the torque's noise.
     assert!(session.residual.iter().zip([0.1, 0.05]).all(|(r, noise)| *r < 1.5 * noise), "{:?}", session.residual);
     let mut drawn = 0;
     for form in Form::ALL {
@@ -47,7 +47,7 @@ fn every_addition_has_its_size_and_an_informed_fit_finds_it() {
         let own = added.joints.first().map_or(most, |j| if form == Form::Link { most } else { by(j - 1) });
         assert!((own - 20.0).abs() < 0.05, "{form:?} {own}");
         let found = informed::recovered(&session, &addition, x);
-        // A level that differs with the direction is an offset but for the reversals.
+        // Apart from reversals, a level that differs with the direction is an offset.
         if form == Form::Asymmetric {
             continue;
         }
@@ -63,12 +63,12 @@ fn an_added_body_is_the_difference_of_two_arms() {
     let e = &session.fit[0];
     let added = addition.signal(&session, e, 0.4, true);
     let (mut with, without) = (session::bodies(&session.robot), session::bodies(&session.robot));
-    // The planar arm sees the mass and its two first moments in the plane, and their squares.
+    // The planar arm depends on the mass, its two first moments in the plane, and their squares.
     let once = addition.signal(&session, e, 0.1, true);
     assert!(added[1].iter().zip(&once[1]).all(|(a, b)| (a - 4.0 * b).abs() < 1e-9));
     with[10] += 0.4;
     let [heavy, light] = [&with, &without].map(|s| session::torques(&session.numeric, &e.states, s));
-    // A mass at the frame's origin acts on the first joint alone, as the added one mostly does.
+    // A mass at the frame's origin acts on the first joint only; the addition acts mainly there.
     assert!(heavy[1].iter().zip(&light[1]).all(|(a, b)| (a - b).abs() < 1e-9));
     assert!(added[0].iter().any(|a| a.abs() > 0.1));
 }
