@@ -24,7 +24,8 @@ const ENOUGH: usize = 50_000;
 
 /// [`white_noise`] of torques at `rate`, Hz, between the reversals of their joint. `stretches`:
 /// torque and joint speed. Friction steps at a reversal, so that a joint that reverses every second
-/// appears half as noisy again at 30 Hz. If the joint reverses most of the time, all of it is used.
+/// appears one and a half times as noisy at 30 Hz. If the joint reverses most of the time, the
+/// whole series is used.
 ///
 /// Noise correlated over some samples is smaller in their differences. In series decimated by two,
 /// repeatedly, it grows up to a constant level. Errors of the motion, ripple and friction continue
