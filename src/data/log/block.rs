@@ -6,8 +6,8 @@ use super::LogError;
 /// Consecutive rows: one vector per used column, in the order of [`Layout::roles`].
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Block {
-    /// Line of each row in the file, counted from 1 (the header); for Parquet the row number plus
-    /// 1.
+    /// Line of each row in the file, counted from 1 (the header). For Parquet it is the row number
+    /// plus 1.
     pub lines: Vec<u64>,
     /// Values, one vector per used column; NaN for a cell without a number.
     pub columns: Vec<Vec<f64>>,

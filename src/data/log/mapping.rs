@@ -4,8 +4,8 @@ pub use dh_codegen::robot::{LogChannel as Channel, LogMapping as Mapping};
 
 use super::{Layout, LogError, MappingError, Role, unit};
 
-/// A joint in the coordinates of the file from which the robot file was made: `q = sign * q_source
-/// + offset`.
+/// A joint with the coordinates of the file from which the robot file was made, where `q = sign *
+/// q_source + offset`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SourceJoint {
     /// Name of the joint in that file.

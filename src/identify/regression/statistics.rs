@@ -194,8 +194,8 @@ mod tests {
     use super::*;
     use crate::identify::RFactor;
 
-    /// One parameter, with batches that differ only in these scores. The value is computed by hand:
-    /// each batch adds its squared score divided by the sum of squares, with an expectation of `1/4
+    /// One parameter, with batches that differ only in these scores. The value is computed by hand.
+    /// Each batch adds its squared score divided by the sum of squares, and its expectation is `1/4
     /// - 1/16`.
     fn by_scores(scores: &[f64]) -> f64 {
         let joint = JointSystem {

@@ -1,5 +1,5 @@
 //! Compares the plain fit and possible bodies on stretches of the fitted logs that are left out in
-//! turn, to decide which of the two extrapolates better without a further log.
+//! turn. Decides which of the two extrapolates better, without a further log.
 //!
 //! Fit and errors require only the Gram matrices of the batches, so no log is read again.
 

@@ -175,9 +175,8 @@ mod tests {
     }
 
     /// Errors of the second that are three stretches above and three below those of the first, 24
-    /// in all. Products at lag 1 sum to 9, at lag 2 to -6; those of lags 3 and 4 are negative. So
-    /// the variance is that of 24 independent ones plus twice 3, and each stretch counts as 24 /
-    /// 30.
+    /// in all. Products at lag 1 sum to 9, at lag 2 to -6; those of lags 3 and 4 are negative. The
+    /// variance is that of 24 independent stretches plus twice 3, so each counts as `24 / 30`.
     #[test]
     fn stretches_that_go_with_their_neighbours_count_for_less() {
         let second = (0..24).map(|t| if t / 3 % 2 == 0 { 2.5 } else { 1.5 }).collect();
