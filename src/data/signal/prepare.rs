@@ -103,7 +103,8 @@ pub struct Prepare {
     /// A second, higher cutoff, Hz. Positions between the two cutoffs are passed where they exceed
     /// the noise, as in a breakaway after a reversal. Not used if the log is sampled too slowly for
     /// it. If a joint's noise requires a cutoff below the filter's, its two cutoffs are its own and
-    /// the filter's. A smooth motion may then be rough for a moment. Default `None`: never.
+    /// the filter's. The reason is that an otherwise smooth motion may be rough for a moment.
+    /// Default `None`: never.
     pub bursts: Option<f64>,
     /// Source of velocities and accelerations.
     pub derivatives: Derivatives,

@@ -7,8 +7,8 @@ use super::white_noise;
 /// differences.
 const SLOWEST: f64 = 50.0;
 
-/// Largest relative change of the noise from one stride to the next at which it counts as level,
-/// and the same if the growth is far less than the previous one.
+/// Largest relative change of the noise between strides at which it counts as level, and the same
+/// for a growth far below the previous one.
 const LEVEL: f64 = 0.1;
 const NEAR_LEVEL: f64 = 0.2;
 
