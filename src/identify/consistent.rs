@@ -8,19 +8,19 @@
 //! min  1/(2 lambda) |R K x - z|^2 + w sum_i D(P_i(x), P0_i)    with  P_i(x) >= eps P0_i,  IA, FV, FC >= 0,  bounds
 //! ```
 //!
-//! `R, z`: triangular factor of the equations of all joints, each weighted by its noise; `beta = K
-//! x` are the base parameters.
-//! `lambda`: samples per independent sample, over all joints; the first term is then the negative
-//! logarithm of the likelihood.
+//! - `R, z`: triangular factor of the equations of all joints, each weighted by its noise; `beta =
+//!   K x` are the base parameters.
+//! - `lambda`: samples per independent sample, over all joints; the first term is then the negative
+//!   logarithm of the likelihood.
 //! - `D(P, P0) = tr(P P0^-1) - log det(P P0^-1) - 4`: the entropic (Bregman log-det) distance of P.
 //!   Wensing and J.-J. Slotine / T. Lee, P. Wensing and F. Park, *Geometric robot dynamic
 //!   identification: a convex programming approach*, IEEE Transactions on Robotics 36(2), 2020;
 //!   twice the Kullback-Leibler divergence of the normal distributions with these second moments.
 //!   It does not depend on units or frames. For small differences it is half the sum of squared
-//!   relative differences, so that `w = 1/s^2` says that the prior is good to a relative `s`.
+//!   relative differences, so `w = 1/s^2` gives the prior a relative standard deviation `s`.
 //! - `eps` (`margin`): in every direction a link has at least this share of its prior's body. The
-//!   distance is taken from there (of `P - eps P0`), which makes it the barrier of the constraint,
-//!   and the problem smooth, strictly convex: one solution ([`newton`]).
+//!   distance is measured from there (of `P - eps P0`), so it is the barrier of the constraint. The
+//!   problem is then smooth and strictly convex, with one solution ([`newton`]).
 //!
 //! Undetermined directions go to the prior; well-determined ones stay (`w = 1` against thousands of
 //! samples).

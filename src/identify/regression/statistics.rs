@@ -195,8 +195,8 @@ mod tests {
     use crate::identify::RFactor;
 
     /// One parameter, with batches that differ only in these scores. The value is computed by hand.
-    /// Each batch adds its squared score divided by the sum of squares; `1/4 - 1/16` is its
-    /// expectation.
+    /// Each batch adds its squared score divided by the sum of squares. Its expectation is `1/4 -
+    /// 1/16`.
     fn by_scores(scores: &[f64]) -> f64 {
         let joint = JointSystem {
             columns: vec![0],
