@@ -1,4 +1,4 @@
-//! From measured samples to filtered joint motion: even clock, zero-phase low-pass, central
+//! Converts measured samples to filtered joint motion: even clock, zero-phase low-pass, central
 //! differences.
 //!
 //! Rows of a log -> even clock -> low-pass, forward and backward -> derivatives -> [`Motion`]. Logs

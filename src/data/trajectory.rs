@@ -1,5 +1,5 @@
-//! Joint motions as functions of time: clamped B-splines and Fourier series, evaluated anywhere,
-//! kept as coefficients.
+//! Joint motions as functions of time: clamped B-splines and Fourier series, stored as coefficients
+//! and evaluated at any time.
 //!
 //! ```
 //! use denavit::data::trajectory::{Spline, Trajectory};

@@ -31,7 +31,7 @@ pub struct Estimate {
     pub grouping: String,
     /// Value.
     pub value: f64,
-    /// Standard deviation; infinite where the data do not determine the parameter.
+    /// Standard deviation; infinite if the data do not determine the parameter.
     pub std: f64,
     /// Textbook formula, `sigma^2 (W' W)^-1`, with the residual of each sample independent of its
     /// neighbours: too small after a low-pass. For comparison with published figures.

@@ -37,7 +37,7 @@ pub enum LogError {
     MissingColumn {
         /// File name.
         file: String,
-        /// Missing column.
+        /// Name of the missing column.
         column: String,
         /// Recognised columns of the log.
         known: String,
@@ -78,7 +78,7 @@ pub enum LogError {
     Unit {
         /// File name.
         file: String,
-        /// Column.
+        /// Name of the column.
         column: String,
         /// The unit and the allowed units.
         source: Box<UnitError>,
@@ -114,7 +114,7 @@ pub enum LogError {
     DoubleColumn {
         /// File name.
         file: String,
-        /// Column.
+        /// Name of the column.
         column: String,
     },
     /// The number of joints differs from the robot's.

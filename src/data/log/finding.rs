@@ -5,7 +5,7 @@ use std::fmt;
 /// Severity of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// Information only.
+    /// Information only; no action is needed.
     Note,
     /// A defect that was handled as the user allowed, or a possible error.
     Warning,
@@ -213,7 +213,7 @@ pub enum Kind {
     },
     /// A time that equals that of the previous row.
     DuplicateTime {
-        /// Repeated time.
+        /// Time that is repeated.
         at: f64,
     },
     /// Rows are missing.
@@ -243,12 +243,12 @@ pub enum Kind {
     },
     /// How an uneven clock was handled.
     Evened {
-        /// Treatment.
+        /// Handling of the uneven times.
         clock: Clock,
     },
     /// A value that stayed constant and then jumped.
     Stuck {
-        /// Value.
+        /// Constant value before the jump.
         value: f64,
         /// Longest time at a constant value, s.
         seconds: f64,
@@ -264,7 +264,7 @@ pub enum Kind {
     DeadTorque,
     /// Positions that look like degrees.
     Degrees {
-        /// Largest magnitude.
+        /// Largest magnitude of the positions.
         largest: f64,
     },
     /// The joint's torque fits the model better with the opposite sign.
@@ -308,7 +308,7 @@ pub enum Kind {
     Unexplained {
         /// Unexplained part of the joint's torque (root mean square), percent.
         percent: f64,
-        /// Known reason.
+        /// Reason, as far as it is known.
         reason: Unexplained,
     },
     /// Logs that contradict each other.

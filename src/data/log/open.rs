@@ -20,13 +20,13 @@ use super::utf16::Utf16;
 /// Format of a log file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
-    /// CSV text.
+    /// CSV in UTF-8.
     Csv,
-    /// CSV text in UTF-16.
+    /// CSV in UTF-16.
     CsvUtf16,
     /// Gzipped CSV text.
     CsvGz,
-    /// Parquet.
+    /// Parquet file.
     Parquet,
     /// MCAP recording of ROS 2 messages.
     Mcap,

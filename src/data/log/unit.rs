@@ -29,7 +29,7 @@ pub enum UnitError {
     Unitless {
         /// Column of the log format.
         column: String,
-        /// Given unit.
+        /// Unit that was given.
         unit: String,
     },
     /// The unit is unknown, or belongs to another quantity.
@@ -37,7 +37,7 @@ pub enum UnitError {
     Unknown {
         /// Column of the log format.
         column: String,
-        /// Given unit.
+        /// Unit that was given.
         unit: String,
         /// Units allowed for the column.
         known: Vec<&'static str>,

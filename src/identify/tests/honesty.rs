@@ -147,7 +147,7 @@ fn rows_of_joints_that_stick_are_left_out() {
     }
     let (within, spread) = within_three(&scores);
     println!("{} runs: {within} within three deviations, spread {spread}; squares {squares:?}", runs(6));
-    // 200 runs: 99.4 % within three deviations, spread 1.11; what the low-pass carries stays in.
+    // 200 runs: 99.4 % within three deviations, spread 1.11, since low-passed rows are kept.
     assert!(within >= 0.985 && spread < 1.25, "{within} {spread}");
     assert!(squares[0] < squares[1], "{squares:?}");
 }

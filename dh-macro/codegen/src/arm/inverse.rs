@@ -31,7 +31,7 @@ pub struct Inverse {
     /// Whether the solver is that of the arm itself. Otherwise it is that of a nearby nominal arm,
     /// or there is none ([`Family::Numerical`]).
     pub exact: bool,
-    /// Solver.
+    /// Family of the solver, with its constants.
     pub family: Family,
 }
 

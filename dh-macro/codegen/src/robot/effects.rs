@@ -181,7 +181,7 @@ pub enum EffectError {
     /// The key does not belong to the effect.
     #[error("`{key}` is not a key of {effect}; its keys are {}", effect.description().keys_in_words())]
     Key {
-        /// Effect.
+        /// Effect that was stated.
         effect: EffectKind,
         /// Key as given.
         key: String,
@@ -189,7 +189,7 @@ pub enum EffectError {
     /// A required key is missing.
     #[error("{effect} needs the key `{key}`")]
     Missing {
-        /// Effect.
+        /// Effect that was stated.
         effect: EffectKind,
         /// Name of the missing key.
         key: &'static str,
@@ -197,7 +197,7 @@ pub enum EffectError {
     /// The number of a joint or link is invalid.
     #[error("{key} of {effect} is {value}; joints and links are numbered from 1")]
     Number {
-        /// Effect.
+        /// Effect that was stated.
         effect: EffectKind,
         /// Name of the key.
         key: &'static str,

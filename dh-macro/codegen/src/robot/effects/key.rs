@@ -278,16 +278,16 @@ impl Field for usize {
 /// Defines an effect's type and its table of keys at once.
 ///
 /// Each row is a field and a constant for its key: `field = KEY ["unit"] default, range, "words";`,
-/// with `[]` for a plain number, and `KEY as "key"` for a key in small letters. The default is
+/// with `[]` for a plain number, and `KEY as "key"` for a lower-case key. The default is
 ///
-/// - `always 0.05`: wherever the key is not written,
-/// - `alone 0.05`: where nothing but the effect's name is written; else 0,
-/// - either of them `* torque`: times the joint's torque limit,
-/// - `by_hand 0.05`: as `alone`, by a method that stands beside the table,
-/// - `derived`: from the robot or the motion, by whoever uses it; `derived_alone`: else 0,
-/// - `link`, `joint`: the number of a link, which may be left out, or of a joint, which may not.
+/// - `always 0.05`: whenever the key is not stated,
+/// - `alone 0.05`: if only the effect's name is stated; otherwise 0,
+/// - either of these `* torque`: multiplied by the joint's torque limit,
+/// - `by_hand 0.05`: like `alone`, by a method written beside the table,
+/// - `derived`: computed by the user from the robot or the motion; `derived_alone`: otherwise 0,
+/// - `link`, `joint`: the number of a link, which is optional, or of a joint, which is required.
 ///
-/// A field holds what the file states. A method of its name gives that or the default.
+/// A field holds the value stated in the file. The method of its name returns it or the default.
 macro_rules! effect {
     (
         #[doc = $sentence:literal]
