@@ -2,8 +2,8 @@
 //! accepted rows are passed on.
 //!
 //! [`Table`] (CSV, Parquet, MCAP, npz, mat) -> [`Reading`] (names to roles, units to SI) ->
-//! [`Source`] of [`Block`]s -> [`QualityCheck`] -> rows in segments. This module opens no files: the
-//! caller passes bytes. It depends on the columns of a log and on joint names, not on robots.
+//! [`Source`] of [`Block`]s -> [`QualityCheck`] -> rows in segments. This module opens no files;
+//! the caller passes bytes. It depends on the columns of a log and on joint names, not on robots.
 
 mod acceptance;
 mod arrays;

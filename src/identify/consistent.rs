@@ -22,8 +22,8 @@
 //!   distance is measured from there (of `P - eps P0`), so it is the barrier of the constraint. The
 //!   problem is then smooth and strictly convex, with one solution ([`newton`]).
 //!
-//! Undetermined directions go to the prior; well-determined ones are hardly changed (`w = 1` against
-//! thousands of samples).
+//! Undetermined directions go to the prior; well-determined ones are hardly changed (`w = 1`
+//! against thousands of samples).
 
 mod bounds;
 #[cfg(test)]
