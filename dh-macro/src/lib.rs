@@ -15,14 +15,14 @@
 //! }
 //! ```
 //!
-//! Beside the struct stands a module with its name in snake case: the text that `denavit generate`
-//! writes as a crate. The struct implements the traits of that module's `robot`. The path is
-//! relative to the crate's `Cargo.toml`; the crate is rebuilt when the file changes.
+//! A module with the struct's name in snake case is generated beside it, with the text that
+//! `denavit generate` writes as a crate. The struct implements the traits of that module's `robot`.
+//! The path is relative to the crate's `Cargo.toml`; the crate is rebuilt when the file changes.
 //!
-//! The derive of this crate brings its runtime along. That of `denavit-runtime` (feature `derive`)
-//! takes the runtime from there, so that all robots share their types and traits.
+//! The derive macro of this crate includes its runtime. That of `denavit-runtime` (feature
+//! `derive`) uses the runtime from there, so that all robots share their types and traits.
 
-// The example's struct needs a place outside `main`.
+// The struct of the example must be outside `main`.
 #![allow(clippy::needless_doctest_main)]
 
 use std::cell::RefCell;
@@ -35,14 +35,14 @@ use quote::quote;
 use syn::ext::IdentExt;
 use syn::{DeriveInput, Error, Ident, LitStr, parse_macro_input};
 
-/// Writes the module with the robot's functions, `NAME` and `DOF` of the struct, and its traits.
+/// Generates the module with the robot's functions, `NAME` and `DOF` of the struct, and its traits.
 #[proc_macro_derive(DhRobot, attributes(dh))]
 pub fn dh_robot(input: TokenStream) -> TokenStream {
     let input = parse_macro_input!(input as DeriveInput);
     expand(&input, &Runtime::Shipped).unwrap_or_else(|error| error.to_compile_error()).into()
 }
 
-/// The same on the crate `denavit-runtime`, which passes it on as `DhRobot`.
+/// Variant for the crate `denavit-runtime`, which re-exports it as `DhRobot`.
 #[doc(hidden)]
 #[proc_macro_derive(DhRobotOnRuntime, attributes(dh))]
 pub fn dh_robot_on_runtime(input: TokenStream) -> TokenStream {
@@ -56,7 +56,7 @@ fn expand(input: &DeriveInput, runtime: &Runtime) -> syn::Result<proc_macro2::To
     let at_path = |message: String| Error::new(file.span(), message);
     let root = std::env::var("CARGO_MANIFEST_DIR").map_err(|e| at_path(format!("CARGO_MANIFEST_DIR: {e}")))?;
     let path = Path::new(&root).join(file.value());
-    // Every file that is read is an input of the crate: cargo then notices edits.
+    // Every file that is read is recorded as an input of the crate, so that cargo detects edits.
     let inputs = RefCell::new(Vec::<String>::new());
     let read = |path: PathBuf, shown: &str| {
         inputs.borrow_mut().push(path.display().to_string());
@@ -73,7 +73,7 @@ fn expand(input: &DeriveInput, runtime: &Runtime) -> syn::Result<proc_macro2::To
     let body = tokens(&code.body)?;
     let (name, visibility, inputs) = (&input.ident, &input.vis, inputs.into_inner());
     let module = snake(&name.unraw().to_string());
-    // A struct may be called `Loop`, and its module then needs the raw form.
+    // A struct named `Loop` needs the raw form of its module's name.
     let module = syn::parse_str(&module).unwrap_or_else(|_| Ident::new_raw(&module, name.span()));
     let traits = tokens(&code.implementations(&name.to_string(), "__robot"))?;
     Ok(quote! {
@@ -93,7 +93,7 @@ fn expand(input: &DeriveInput, runtime: &Runtime) -> syn::Result<proc_macro2::To
     })
 }
 
-/// The literal in `#[dh(file = "...")]`.
+/// Literal of `#[dh(file = "...")]`.
 fn file_of(input: &DeriveInput) -> syn::Result<LitStr> {
     let mut file = None;
     for attribute in input.attrs.iter().filter(|a| a.path().is_ident("dh")) {
@@ -105,7 +105,7 @@ fn file_of(input: &DeriveInput) -> syn::Result<LitStr> {
     file.ok_or_else(|| Error::new(input.ident.span(), "which robot? add #[dh(file = \"robots/my-arm.yaml\")]"))
 }
 
-/// `KukaLwr4` to `kuka_lwr4`.
+/// Converts `KukaLwr4` to `kuka_lwr4`.
 fn snake(name: &str) -> String {
     let word = |(i, c): (usize, char)| if i > 0 && c.is_uppercase() { format!("_{c}") } else { c.to_string() };
     name.char_indices().map(word).collect::<String>().to_lowercase()

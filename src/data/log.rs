@@ -1,9 +1,9 @@
-//! Measured data: files become blocks of rows, the quality check examines each row, and accepted
-//! rows go on.
+//! Measured data: files are read as blocks of rows, the quality check examines each row, and
+//! accepted rows are passed on.
 //!
 //! [`Table`] (CSV, Parquet, MCAP, npz, mat) -> [`Reading`] (names to roles, units to SI) ->
-//! [`Source`] of [`Block`]s -> [`QualityCheck`] -> rows in segments. Nothing here opens a file: the
-//! caller hands in bytes. Depends on the columns of a log and on joints by name, not on robots.
+//! [`Source`] of [`Block`]s -> [`QualityCheck`] -> rows in segments. This module opens no files;
+//! the caller passes bytes. It depends on the columns of a log and on joint names, not on robots.
 
 mod acceptance;
 mod arrays;

@@ -1,8 +1,8 @@
-//! From measured samples to filtered joint motion: even clock, zero-phase low-pass, central
+//! Converts measured samples to filtered joint motion: even clock, zero-phase low-pass, central
 //! differences.
 //!
-//! Rows of a log -> even clock -> low-pass, forward and backward -> derivatives -> [`Motion`]. A
-//! log of any length streams through in bounded memory. Independent of robots.
+//! Rows of a log -> even clock -> low-pass, forward and backward -> derivatives -> [`Motion`]. Logs
+//! of any length are processed as a stream in bounded memory. Independent of robots.
 
 mod band;
 mod breakaway_band;

@@ -1,5 +1,5 @@
-//! Joint motions as functions of time: clamped B-splines and Fourier series, evaluated anywhere,
-//! kept as coefficients.
+//! Joint motions as functions of time: clamped B-splines and Fourier series, stored as coefficients
+//! and evaluated at any time.
 //!
 //! ```
 //! use denavit::data::trajectory::{Spline, Trajectory};
@@ -23,12 +23,12 @@ pub use spline::{Spline, basis, clamped_knots};
 
 use crate::model::States;
 
-/// A motion of all joints.
+/// Motion of all joints.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Trajectory {
     /// A clamped B-spline.
     Spline(Spline),
-    /// Periods of a Fourier series.
+    /// A periodic Fourier series.
     Fourier(Fourier),
 }
 
@@ -54,7 +54,7 @@ impl Trajectory {
         }
     }
 
-    /// Length, s.
+    /// Duration, s.
     pub fn duration(&self) -> f64 {
         match self {
             Self::Spline(s) => s.duration(),
@@ -62,7 +62,7 @@ impl Trajectory {
         }
     }
 
-    /// The motion at `t` seconds; before the start and after the end it rests there.
+    /// State at time `t`, s; times outside `[0, duration]` are clamped to the nearer end.
     pub fn at(&self, t: f64) -> Instant {
         let clamped = t.clamp(0.0, self.duration());
         let derivative = |r: usize| match self {
@@ -77,8 +77,8 @@ impl Trajectory {
         Instant { q, dq: derivative(1), ddq: derivative(2), dddq: derivative(3) }
     }
 
-    /// Times from 0 to the end, `rate` per second (the end included, also where it falls between),
-    /// and the states there.
+    /// Samples at `rate`, Hz, from 0 to the end: times, s, and states. The end is always included,
+    /// even where it falls between two sample times.
     pub fn sampled(&self, rate: f64) -> (Vec<f64>, States) {
         let times = times(self.duration(), rate);
         let (n, len) = (self.dof(), times.len());
@@ -95,7 +95,7 @@ impl Trajectory {
     }
 }
 
-/// `0, 1/rate, 2/rate, ..` up to and with `duration`.
+/// Sample times `0, 1/rate, 2/rate, ..`, s, up to and including `duration`.
 pub fn times(duration: f64, rate: f64) -> Vec<f64> {
     let whole = (duration * rate + 1e-9).floor() as usize;
     let mut times: Vec<f64> = (0..=whole).map(|k| (k as f64 / rate).min(duration)).collect();

@@ -1,25 +1,25 @@
-//! Torque errors due to the errors of a recorded motion: a part of a residual that is no model's
-//! fault.
+//! Estimates the torque errors caused by errors of the recorded motion: the part of a residual that
+//! is not due to the model.
 //!
-//! To first order the torque of joint `i` errs by `sum_j (dt_i/dq_j) e_j + (dt_i/ddq_j) f_j + M_ij
-//! g_j`, `e f g` the errors of joint `j`'s position, velocity and acceleration. Encoders err
-//! independently, so the variances add. The derivatives of the torque are difference quotients of
-//! the model along some samples that are spread over the log.
+//! To first order the torque error of joint `i` is `sum_j (dt_i/dq_j) e_j + (dt_i/ddq_j) f_j + M_ij
+//! g_j`, with `e f g` the errors of joint `j`'s position, velocity and acceleration. Encoder errors
+//! are independent, so the variances add. The derivatives of the torque are difference quotients of
+//! the model at samples spread over the log.
 
 use crate::data::signal::{Motion, repeatability};
 use crate::model::{Arm, States};
 use crate::numerics::sums::squared_differences;
 
-/// Samples that are looked at, at most, over all logs.
+/// Most samples per stretch at which the derivatives are evaluated.
 const SAMPLES: usize = 256;
-/// Stretches of motion that are kept at most: with [`SAMPLES`] of each, 3 MB of seven joints.
+/// Most stretches of motion that are kept: with [`SAMPLES`] of each, 3 MB for seven joints.
 const STRETCHES: usize = 64;
 /// Steps of the difference quotients: position, velocity, acceleration.
 const STEPS: [f64; 3] = [1e-4, 1e-3, 1.0];
 
-/// Standard deviation of each joint's torque, N m, that these errors of the motion make: `errors`
-/// are standard deviations of position, velocity and acceleration, per joint. Friction's steps are
-/// left out.
+/// Standard deviation of each joint's torque, N m, due to errors of the motion. `errors`: standard
+/// deviations of position, velocity and acceleration, per joint. The steps of friction are left
+/// out.
 pub fn torque_of_errors(arm: &dyn Arm, beta: &[f64], states: &States, errors: &[[f64; 3]]) -> Vec<f64> {
     let (dof, len) = (arm.dof(), states.len);
     if len == 0 || errors.len() != dof {
@@ -56,7 +56,7 @@ pub fn torque_of_errors(arm: &dyn Arm, beta: &[f64], states: &States, errors: &[
     variance.into_iter().map(f64::sqrt).collect()
 }
 
-/// Samples spread over a series of states, joint-major.
+/// At most `most` samples spread over a series of states, joint-major.
 pub fn thinned(states: &States, dof: usize, most: usize) -> States {
     let step = states.len.div_ceil(most.max(1)).max(1);
     let picks: Vec<usize> = (0..states.len).step_by(step).collect();
@@ -65,36 +65,36 @@ pub fn thinned(states: &States, dof: usize, most: usize) -> States {
     States { len: picks.len(), q: cut(&states.q), dq: cut(&states.dq), ddq: cut(&states.ddq) }
 }
 
-/// Composition of a joint's residual, per joint, N m: standard deviations whose squares add up.
+/// Composition of the residual per joint, N m: standard deviations whose squares add up.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ErrorBudget {
-    /// The torque sensor's white noise.
+    /// White noise of the torque sensor.
     pub sensor: Vec<f64>,
-    /// Encoders and derivatives.
+    /// Errors of encoders and derivatives.
     pub motion: Vec<f64>,
-    /// Remaining error of the times of the rows.
+    /// Error due to the remaining error of the rows' times.
     pub clock: Vec<f64>,
-    /// By how much the torque differs where the log repeats a motion, what sensor, motion and clock
-    /// make of it included; `None` where no motion is repeated. It is no part of the sum.
+    /// Difference of the torque where the log repeats a motion, including the effects of sensor,
+    /// motion and clock; `None` if no motion is repeated. Not part of the sum.
     pub repeatability: Option<Vec<f64>>,
-    /// Remaining error of the model.
+    /// Remaining model error.
     pub left: Vec<f64>,
 }
 
 impl ErrorBudget {
-    /// Sum of sensor, motion and clock, per joint, N m.
+    /// Root sum of squares of sensor, motion and clock, per joint, N m.
     pub fn floor(&self) -> Vec<f64> {
         let parts = self.sensor.iter().zip(&self.motion).zip(&self.clock);
         parts.map(|((s, m), c)| (s * s + m * m + c * c).sqrt()).collect()
     }
 
-    /// Sum of motion and clock, per joint, N m.
+    /// Root sum of squares of motion and clock, per joint, N m.
     pub fn of_motion(&self) -> Vec<f64> {
         self.motion.iter().zip(&self.clock).map(|(m, c)| m.hypot(*c)).collect()
     }
 
-    /// With motion and clock no larger than a model's error (per joint, N m) leaves room for: they
-    /// are reckoned from estimates of the encoders' noise.
+    /// Limits motion and clock such that together with the sensor they do not exceed a model's
+    /// error (per joint, N m), since both are computed from estimates of the encoders' noise.
     pub fn within(mut self, error: &[f64]) -> Self {
         for (j, error) in error.iter().enumerate() {
             let (own, most) =
@@ -107,36 +107,38 @@ impl ErrorBudget {
         self
     }
 
-    /// With what is left of a model's error, per joint, N m.
+    /// Sets the remaining part of a model's error, per joint, N m.
     pub fn of_errors(mut self, errors: &[f64]) -> Self {
         self.left = errors.iter().zip(self.floor()).map(|(e, f)| (e * e - f * f).max(0.0).sqrt()).collect();
         self
     }
 
-    /// Joints, from 0, whose motion makes more of the error than sensor and model together.
+    /// Joints, from 0, whose error is due more to the motion than to sensor and model together.
     pub fn limited_by_motion(&self) -> Vec<usize> {
         let of = |j: &usize| self.motion[*j].hypot(self.clock[*j]) > self.sensor[*j].hypot(self.left[*j]);
         (0..self.left.len()).filter(of).collect()
     }
 }
 
-/// Collects what a budget needs while logs pass.
+/// Collects the data for a budget while logs are streamed.
 #[derive(Debug, Clone, Default)]
 pub struct BudgetCollector {
-    /// Every `step`th stretch.
+    /// Every `step`th stretch: states and errors of the motion.
     parts: Vec<(States, Vec<[f64; 3]>)>,
     step: usize,
     stretches: usize,
-    /// Sums of squares of the torque noise behind the low-pass, and of the rates of the torques.
+    /// Sums of squares of the torque noise behind the low-pass, and of the torque errors due to the
+    /// clock.
     sensor: Vec<f64>,
     clock: Vec<f64>,
     samples: f64,
-    /// Sums of squares of what repetitions differ by, and the seconds that they are from.
+    /// Sums of squares of the differences between repetitions, and the time from which they are
+    /// computed, s.
     repeats: (Vec<f64>, f64),
 }
 
 impl BudgetCollector {
-    /// Takes in a stretch of motion.
+    /// Adds a stretch of motion.
     pub fn absorb(&mut self, motion: &Motion) {
         let (dof, len) = (motion.dof(), motion.states.len);
         if len == 0 || motion.error.len() != dof {
@@ -168,13 +170,13 @@ impl BudgetCollector {
         }
     }
 
-    /// Stretches that are kept.
+    /// Number of stretches kept.
     #[cfg(test)]
     pub(in crate::identify) fn kept(&self) -> usize {
         self.parts.len()
     }
 
-    /// The budget of a model with these base parameters whose residual is `errors`, N m, per joint.
+    /// Budget of a model with base parameters `beta` whose residual is `errors`, N m, per joint.
     pub fn finish(&self, arm: &dyn Arm, beta: &[f64], errors: &[f64]) -> Option<ErrorBudget> {
         let dof = arm.dof();
         if self.parts.is_empty() || self.sensor.len() != dof {
@@ -214,8 +216,8 @@ mod tests {
             left: vec![0.0; 3],
         };
         let found = budget.within(&[1.0, 0.5, 0.2]);
-        // Below the error as it was; else up to it, motion and clock in their ratio; none where the
-        // sensor alone is more.
+        // Unchanged if below the error; otherwise scaled down to it in proportion; zero if the
+        // sensor alone exceeds it.
         let wanted = [[0.4, 0.0], [0.24, 0.32], [0.0, 0.0]];
         for (j, [motion, clock]) in wanted.into_iter().enumerate() {
             assert!((found.motion[j] - motion).abs() < 1e-12 && (found.clock[j] - clock).abs() < 1e-12, "{found:?}");

@@ -1,29 +1,29 @@
-//! Standard parameters of possible bodies that explain the data as well as possible bodies can.
+//! Fits standard parameters of physically possible bodies to the data.
 //!
-//! Least squares gives base parameters; nothing in it asks for links that could exist. Here the
-//! unknowns are the standard parameters `x` themselves, and the data enter as the same weighted
-//! factor as in the plain solution. Every link's pseudo-inertia `P_i(x)` keeps to its cone:
+//! Least squares gives base parameters, which need not belong to any real links. Here the unknowns
+//! are the standard parameters `x` themselves, and the data enter as the same weighted factor as in
+//! the plain solution. The pseudo-inertia `P_i(x)` of every link is kept inside its cone:
 //!
 //! ```text
 //! min  1/(2 lambda) |R K x - z|^2 + w sum_i D(P_i(x), P0_i)    with  P_i(x) >= eps P0_i,  IA, FV, FC >= 0,  bounds
 //! ```
 //!
-//! - `R, z`: triangular factor of all joints' equations, each weighted by its noise; `beta = K x`
-//!   the base parameters.
-//! - `lambda`: samples per independent sample, over all joints; the first term is then minus the
+//! - `R, z`: triangular factor of the equations of all joints, each weighted by its noise; `beta =
+//!   K x` are the base parameters.
+//! - `lambda`: samples per independent sample, over all joints; the first term is then the negative
 //!   logarithm of the likelihood.
 //! - `D(P, P0) = tr(P P0^-1) - log det(P P0^-1) - 4`: the entropic (Bregman log-det) distance of P.
 //!   Wensing and J.-J. Slotine / T. Lee, P. Wensing and F. Park, *Geometric robot dynamic
 //!   identification: a convex programming approach*, IEEE Transactions on Robotics 36(2), 2020;
 //!   twice the Kullback-Leibler divergence of the normal distributions with these second moments.
 //!   It does not depend on units or frames. For small differences it is half the sum of squared
-//!   relative differences, so that `w = 1/s^2` says that the prior is good to a relative `s`.
+//!   relative differences, so `w = 1/s^2` gives the prior a relative standard deviation `s`.
 //! - `eps` (`margin`): in every direction a link has at least this share of its prior's body. The
-//!   distance is taken from there (of `P - eps P0`), which makes it the barrier of the constraint,
-//!   and the problem smooth, strictly convex: one solution ([`newton`]).
+//!   distance is measured from there (of `P - eps P0`), so it is the barrier of the constraint. The
+//!   problem is then smooth and strictly convex, with one solution ([`newton`]).
 //!
-//! Undetermined directions go to the prior; well-determined ones stay (`w = 1` against thousands of
-//! samples).
+//! Undetermined directions go to the prior; well-determined ones are hardly changed (`w = 1`
+//! against thousands of samples).
 
 mod bounds;
 #[cfg(test)]
@@ -59,15 +59,15 @@ use crate::identify::validation::preference::Preference;
 use crate::identify::validation::preference::preference;
 use crate::model::Arm;
 
-/// Weight at which prior and barriers do not show any more: what they cost is at most this per link
-/// eigenvalue, in units of the logarithm of the likelihood.
+/// Weight at which prior and barriers have no visible effect: they cost at most this per link
+/// eigenvalue, in units of the log-likelihood.
 const VANISHING: f64 = 1e-6;
 
-/// How to fit possible bodies.
+/// Settings for fitting possible bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConsistentSettings {
-    /// `w`: 1 gives the prior's bodies a relative standard deviation of about 100 %, 100 of 10 %.
-    /// Default 1.
+    /// `w`: 1 gives the prior's bodies a relative standard deviation of about 100 %, 100 one of 10
+    /// %. Default 1.
     pub prior_weight: f64,
     /// Weight of a guessed body ([`Source::Geometric`]) relative to one from the robot file.
     /// Default 1e-3.
@@ -76,16 +76,16 @@ pub struct ConsistentSettings {
     pub margin: f64,
     /// Prior on masses and centres.
     pub bounds: Bounds,
-    /// Bodies that are fixed to links (from 0) and known: a tool. The standard parameters contain
-    /// them, the bodies that are looked for do not.
+    /// Known bodies that are fixed to links (counted from 0), such as a tool. The standard
+    /// parameters include them; the fitted bodies do not.
     pub carried: Vec<(usize, [f64; 10])>,
-    /// Standard parameters of drives with a least value above zero, as
-    /// [`nonnegative_drives`](super::nonnegative_drives) has them.
+    /// Standard parameters of drives with a least value above zero, as for
+    /// [`nonnegative_drives`](super::nonnegative_drives).
     pub floors: Vec<(usize, f64)>,
-    /// Largest increase of the weighted residual of the fit by possible bodies, percent, before the
-    /// data are said to contradict physics. The increase must also exceed noise (an F test at
-    /// 0.1 % over the independent samples: a short log's plain fit follows the noise, and is better
-    /// than the truth). Default 25.
+    /// Largest increase of the weighted residual of the fit due to possible bodies, percent, above
+    /// which the data are reported to contradict physics. The increase must also exceed noise (an F
+    /// test at 0.1 % over the independent samples: the plain fit of a short log follows the noise
+    /// and has a smaller residual than the truth). Default 25.
     pub most_cost_percent: f64,
 }
 
@@ -103,47 +103,47 @@ impl Default for ConsistentSettings {
     }
 }
 
-/// Why there are no possible bodies.
+/// Reason why there are no possible bodies.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ConsistentError {
-    /// A vector of the wrong length.
+    /// A vector has the wrong length.
     #[error("{what}: {found} where the arm has {expected}")]
     Length {
-        /// The source.
+        /// Name of the vector.
         what: &'static str,
-        /// Given.
+        /// Length given.
         found: usize,
-        /// Needed.
+        /// Length required.
         expected: usize,
     },
-    /// The arm's parameters do not describe whole bodies.
+    /// The arm's parameters do not describe complete bodies.
     #[error("link {link} has no parameter {missing}: ten are needed to decide whether it can be a body")]
     Incomplete {
-        /// From 1.
+        /// Link, counted from 1.
         link: usize,
-        /// Name.
+        /// Name of the missing parameter.
         missing: String,
     },
-    /// Weights or margin out of range.
+    /// The weights or the margin are out of range.
     #[error("the prior's weight must be above 0, and the margin between 0 and 1")]
     Settings,
-    /// A prior that is no body.
+    /// A prior is not a possible body.
     #[error("the prior of link {link} is not the body of any distribution of mass")]
     PriorBody {
-        /// From 1.
+        /// Link, counted from 1.
         link: usize,
     },
-    /// Bounds that leave no room.
+    /// The bounds have no feasible solution.
     #[error("the bounds on the bodies contradict each other: {what}")]
     Bounds {
-        /// The place.
+        /// Description of the contradiction.
         what: String,
     },
-    /// Numbers overflowed.
+    /// The equations have infinite numbers.
     #[error("the equations contain infinite numbers")]
     NotFinite,
-    /// The solver came to a halt. Nothing is put in its place.
+    /// The solver stalled. There is no substitute result.
     #[error("the search for possible bodies came to a halt: {0}")]
     Stalled(#[from] Stalled),
     /// No possible bodies explain the torques.
@@ -153,76 +153,74 @@ pub enum ConsistentError {
          a delay, or parameters that the model lacks (a rotor inertia, an offset)"
     )]
     Contradiction {
-        /// By how much the weighted residual grows, percent.
+        /// Increase of the weighted residual, percent.
         growth_percent: f64,
-        /// How much it may.
+        /// Allowed increase, percent.
         allowed_percent: f64,
-        /// The joint that pays most, from 1.
+        /// Joint with the largest increase, counted from 1.
         joint: usize,
-        /// Its RMS with the plain solution, N m.
+        /// Its RMS error with the plain solution, N m.
         plain: f64,
-        /// Its RMS with possible bodies.
+        /// Its RMS error with possible bodies, N m.
         possible: f64,
     },
 }
 
-/// Cost of a fit against the plain one.
+/// Cost of a fit compared with the plain one.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cost {
-    /// By how much the norm of the weighted residual of the fit grows, percent.
+    /// Increase of the norm of the weighted residual of the fit, percent.
     pub growth_percent: f64,
     /// Errors on the fitted logs.
     pub fit: Accuracy,
-    /// Errors on the validating logs.
+    /// Errors on the validation logs.
     pub validation: Option<Accuracy>,
 }
 
-/// Possible bodies, and what they cost.
+/// Possible bodies and their cost.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Consistent {
-    /// Standard parameters, in the arm's order, what is fixed to links included.
+    /// Standard parameters, in the arm's order, including the bodies fixed to links.
     pub standard: Vec<f64>,
-    /// Their base parameters.
+    /// Base parameters of these standard parameters.
     pub base: Vec<f64>,
     /// Names of the base parameters.
     pub names: Vec<String>,
-    /// Cost of possibility and prior together: the errors of [`Consistent::standard`].
+    /// Cost of possibility and prior together: errors of [`Consistent::standard`].
     pub cost: Cost,
-    /// Cost of possibility alone (the prior's weight vanishing).
+    /// Cost of possibility alone (with vanishing weight of the prior).
     pub possible: Cost,
-    /// How [`Consistent::standard`] does on the validating logs beside the plain solution, with an
-    /// interval.
+    /// Comparison of [`Consistent::standard`] with the plain solution on the validation logs, with
+    /// an interval.
     pub against_plain: Option<Preference>,
-    /// Whether what possibility alone costs is more than noise explains: some of the residual is
-    /// not noise, and the plain solution follows it into the impossible.
+    /// Whether the cost of possibility alone exceeds noise. If so, part of the residual is not
+    /// noise, and the plain solution follows it to impossible bodies.
     pub significant: bool,
     /// Source of each link's prior.
     pub sources: Vec<Source>,
     /// Entropic distance of each link from its prior.
     pub distances: Vec<f64>,
-    /// Smallest eigenvalue of each link's body in units of its prior: at least the margin.
+    /// Smallest eigenvalue of each link's body relative to its prior; not below the margin.
     pub margins: Vec<f64>,
-    /// Links (from 1) that the data push to the edge of possibility (prior's weight vanishing):
-    /// below twice the margin.
+    /// Links (counted from 1) that the data push to the edge of possibility (with vanishing weight
+    /// of the prior): eigenvalue below twice the margin.
     pub at_the_edge: Vec<usize>,
     /// Weight of the prior.
     pub prior_weight: f64,
-    /// By how much possibility may raise the residual, percent.
+    /// Largest allowed increase of the residual due to possibility, percent.
     pub most_cost_percent: f64,
-    /// The margin that was kept.
+    /// Margin that was used.
     pub margin: f64,
-    /// Mass of all links, without what is fixed to them, kg.
+    /// Mass of all links, without the bodies fixed to them, kg.
     pub total_mass: f64,
-    /// Newton steps, for both fits.
+    /// Number of Newton steps of both fits.
     pub steps: usize,
 }
 
-/// Fits possible bodies to the factors that [`solve`](super::solve) was given; `found` is what it
-/// gave.
+/// Fits possible bodies to the factors passed to [`solve`](super::solve), whose result is `found`.
 ///
-/// `prior`: one body per link, without what is fixed to it ([`prior_bodies`]). `drives`: standard
-/// parameters of the robot file, of which those of the drives are used (zeros where nothing is
-/// known).
+/// `prior`: one body per link, without the bodies fixed to it ([`prior_bodies`]). `drives`:
+/// standard parameters of the robot file, of which those of the drives are used (zero if unknown).
 pub fn consistent(
     arm: &dyn Arm,
     fit: &[Factors],
@@ -269,7 +267,7 @@ pub fn consistent(
             possible: cost.fit.rms[joint],
         })
     };
-    // If no bodies fit, a rough answer suffices; all further digits would only measure the misfit.
+    // If no bodies fit, a rough answer suffices: further digits would only refine the misfit.
     let rough = 1e-6 * setup.problem.misfit(&setup.start);
     if rough > vanishing.w {
         let (v, _) = setup.problem.follow(&setup.start, Weights { w: rough, mu: rough })?;
@@ -310,7 +308,7 @@ pub fn consistent(
     })
 }
 
-/// The plain problem in units of its noise, and the square that no parameters remove.
+/// Plain problem in units of its noise, and the squared residual that no parameters remove.
 fn data(arm: &dyn Arm, fit: &[Factors], found: &Identification) -> Result<(Data, f64), ConsistentError> {
     let parameters = arm.base_parameters().len();
     let joints = JointSystem::all(fit, parameters);
@@ -320,10 +318,10 @@ fn data(arm: &dyn Arm, fit: &[Factors], found: &Identification) -> Result<(Data,
     };
     length("joints", found.noise.sigma.len(), joints.len())?;
     length("base parameters", found.parameters.len(), parameters)?;
-    // An exact fit would weigh without bounds: torques are not known to more than five digits.
+    // An exact fit would have an unbounded weight: torques are known to at most five digits.
     let floored = |(joint, sigma): (&JointSystem, &f64)| sigma.max(1e-5 * joint.torque_rms).max(1e-12);
-    // A fit with fewer equations than unknowns shows no noise: what the file leaves is the most
-    // that it can be.
+    // A fit with fewer equations than unknowns shows no noise; the residual of the file is an upper
+    // bound.
     let follows = matches!(found.underdetermined(), Some(Underdetermined::Equations { .. }));
     let noise = found.fit_before.as_ref().filter(|_| follows).map_or(&found.noise.sigma, |before| &before.rms);
     let sigmas: Vec<f64> = joints.iter().zip(noise).map(floored).collect();

@@ -1,14 +1,14 @@
-//! Effects that a robot file has beyond links and plain friction are known: their torque is taken
-//! out of the measured one, and the fit is of what is left.
+//! Removes the torque of known effects of the robot file (beyond links and plain friction) from the
+//! measured torque, so that the rest can be fitted.
 //!
-//! With the file's prediction `p` (sensor readings, late by `d`, gain `g`, offset `o`) and its
-//! rigid part `r` (links, rotors, plain friction), the fit sees `tau' = r + (tau - p)(t + d) / g`.
-//! A file that predicts a log exactly therefore leaves exactly its own rigid torque.
+//! With the file's prediction `p` (sensor readings, delay `d`, gain `g`, offset `o`) and its rigid
+//! part `r` (links, rotors, plain friction), the fit uses `tau' = r + (tau - p)(t + d) / g`. If the
+//! file predicts a log exactly, exactly its own rigid torque remains.
 
 use crate::data::signal::{Filter, Motion, low_pass};
 use crate::model::{Arm, States, TorqueModel};
 
-/// The effects of a robot file, and the arm without them.
+/// Effects of a robot file, and the arm without them.
 pub struct KnownEffects<'a> {
     file: &'a dyn TorqueModel,
     arm: &'a dyn Arm,
@@ -20,9 +20,8 @@ pub struct KnownEffects<'a> {
 }
 
 impl<'a> KnownEffects<'a> {
-    /// `standard`: parameters of the file, one per standard parameter of `arm`. `filter`: the
-    /// low-pass that the recorded torque went through. `None` where the numbers do not go with the
-    /// arm.
+    /// `standard`: parameters of the file, one per standard parameter of `arm`. `filter`: low-pass
+    /// of the recorded torque. `None` if the numbers do not match the arm.
     pub fn new(file: &'a dyn TorqueModel, arm: &'a dyn Arm, standard: &[f64], filter: Option<Filter>) -> Option<Self> {
         let parameters = arm.standard_parameters();
         if parameters.len() != standard.len() || file.dof() != arm.dof() {
@@ -32,8 +31,8 @@ impl<'a> KnownEffects<'a> {
         Some(Self { file, arm, standard: standard.to_vec(), smooth, filter })
     }
 
-    /// The motion with the torques that the arm would have without the effects. Filters over the
-    /// whole motion, so that margins are needed around its core.
+    /// Motion with the torques that the arm would have without the effects. Filters the whole
+    /// motion, so margins around its core are required.
     pub fn taken_out(&self, motion: &Motion) -> Motion {
         let (n, len) = (self.arm.dof(), motion.states.len);
         let time: Vec<f64> = (0..len).map(|s| motion.time(s)).collect();
@@ -66,7 +65,7 @@ impl<'a> KnownEffects<'a> {
         self.arm.inverse_dynamics(states, standard, out);
     }
 
-    /// Through the low-pass of the recorded torque: it rounds steps of friction.
+    /// Applies the low-pass of the recorded torque, which rounds steps of friction.
     fn low_passed(&self, x: &[f64], period: f64) -> Vec<f64> {
         let mut y = x.to_vec();
         let steady = x.windows(2).all(|w| w[0] == w[1]);
@@ -84,7 +83,7 @@ fn less(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
-/// The signal at each sample plus `by` samples, on the line between neighbours; the ends are held.
+/// Shifts a signal by `by` samples with linear interpolation; the end values are held.
 fn moved(x: &[f64], by: f64) -> Vec<f64> {
     if by == 0.0 || x.is_empty() {
         return x.to_vec();
@@ -104,8 +103,8 @@ mod tests {
     use crate::identify::planar::{Planar, STANDARD, motion};
     use crate::identify::{AccumulatorSettings, IdentifySettings, QrAccumulator, solve};
 
-    /// A planar arm with springs in its joints, friction that differs with direction, and a torque
-    /// sensor of joint 2 that is late, scaled and shifted.
+    /// A planar arm with springs in its joints, direction-dependent friction, and a torque sensor
+    /// on joint 2 with delay, gain and offset.
     struct Sprung {
         arm: Planar,
         standard: Vec<f64>,
@@ -153,9 +152,9 @@ mod tests {
         let mut m = motion(&arm, 10.0, 500.0, 0.2);
         let time: Vec<f64> = (0..m.states.len).map(|s| m.time(s)).collect();
         truth.torques_along(&time, &m.states, &[], &mut m.tau);
-        // The ends, which are held, are not used.
+        // Excludes the ends, where values are held.
         m.core = 50..m.states.len - 50;
-        // A file with the right effects whose links and friction are a fifth too heavy.
+        // A file with correct effects whose links and friction are a fifth too heavy.
         let standard: Vec<f64> = STANDARD.iter().map(|v| 1.2 * v).collect();
         let file = Sprung { arm: Planar::new(), standard: standard.clone() };
         let known = KnownEffects::new(&file, &arm, &standard, None).unwrap();
@@ -165,7 +164,7 @@ mod tests {
         }
         let without = fitted(&arm, &m);
         assert!(without.fit.rms[1] > 20.0 * found.fit.rms[1], "{:?} {:?}", without.fit.rms, found.fit.rms);
-        // A right file leaves nothing, and without effects nothing changes.
+        // A correct file leaves no residual, and without effects nothing changes.
         let right = KnownEffects::new(&truth, &arm, &STANDARD, None).unwrap().taken_out(&m);
         let rigid = motion(&arm, 10.0, 500.0, 0.2);
         for s in m.core.clone() {

@@ -1,5 +1,4 @@
-//! A planar arm of two links for the tests of identification, written out by hand; and motions and
-//! noise for it.
+//! A hand-written planar arm of two links for the tests of identification, with motions and noise.
 
 use crate::data::log::{Layout, Log};
 use crate::data::signal::Motion;
@@ -119,7 +118,7 @@ impl Arm for Planar {
     }
 }
 
-/// `W beta`.
+/// Torque `W beta`, joint-major, N m.
 pub(crate) fn torque(arm: &Planar, states: &States, beta: &[f64], out: &mut [f64]) {
     let n = states.len;
     let mut w = vec![0.0; arm.base_pattern().len() * n];
@@ -132,8 +131,8 @@ pub(crate) fn torque(arm: &Planar, states: &States, beta: &[f64], out: &mut [f64
     }
 }
 
-/// A motion of some sines, `seconds` long at `rate` Hz, exact derivatives, with its exact torque.
-/// `phase` makes another of it.
+/// A motion of some sines, `seconds` long at `rate` Hz, with exact derivatives and torque.
+/// Different values of `phase` give different motions.
 pub(crate) fn motion(arm: &Planar, seconds: f64, rate: f64, phase: f64) -> Motion {
     let len = (seconds * rate).round() as usize;
     let mut states = States { len, ..States::default() };
@@ -175,8 +174,8 @@ pub(crate) fn log(motion: &Motion) -> Log {
     Log { layout, columns, starts: vec![0], findings: Vec::new() }
 }
 
-/// Normal numbers by Box and Muller from a linear congruential generator: the same on every
-/// machine.
+/// Normally distributed numbers by the Box-Muller method from a linear congruential generator,
+/// identical on every machine.
 pub(crate) struct Normal(u64);
 
 impl Normal {

@@ -1,4 +1,4 @@
-//! Factors of one recording as bytes: written by one machine, merged by another.
+//! Serialises the factors of one recording, so that they can be merged on another machine.
 //!
 //! All numbers are little-endian.
 //!
@@ -19,9 +19,9 @@
 //! | 16, 16 | least and largest torque, least and largest position |
 //! | 4 (n + 1)(n + 2) | upper triangle of `R`, column by column; the torque is the last column |
 //!
-//! The batches, of which [`solve`](super::solve) finds how correlated the residual is, are left
-//! out: they would be sixty times as large. Standard deviations then count the independent samples
-//! that the band of the torque has room for.
+//! The batches, from which [`solve`](super::solve) estimates the correlation of the residual, are
+//! omitted: they would be sixty times as large. Standard deviations are then based on the number of
+//! independent samples that the torque's bandwidth allows.
 
 use std::collections::btree_map::Entry;
 use std::collections::{BTreeMap, BTreeSet};
@@ -32,63 +32,63 @@ use super::regression::r_factor::RFactor;
 
 const MAGIC: [u8; 8] = *b"DNVFACTR";
 const VERSION: u16 = 1;
-/// Sums of so many samples over any number of recordings stay in range.
+/// Largest number of samples, so that sums over any number of recordings stay in range.
 const MOST_SAMPLES: u64 = 1 << 40;
 
-/// Why factors can't be read or merged.
+/// Reason why factors can't be read or merged.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum FactorError {
-    /// No factor at all.
+    /// The bytes are not a factor.
     #[error("no factor: the first bytes are not DNVFACTR")]
     Magic,
-    /// A later program wrote it.
+    /// The factor was written by a later version.
     #[error("a factor of version {0}, where version 1 is known; use a newer denavit")]
     Version(u16),
-    /// Bytes are missing.
+    /// The factor is truncated.
     #[error("the factor ends after {found} bytes, within {what}")]
     Short {
-        /// Length.
+        /// Length found, bytes.
         found: usize,
-        /// What is cut.
+        /// Name of the truncated part.
         what: &'static str,
     },
-    /// Bytes are left over.
+    /// The factor has excess bytes.
     #[error("{0} bytes stand behind the factor's end")]
     Long(usize),
-    /// A number that no recording gives.
+    /// A number is impossible for any recording.
     #[error("joint {joint}: {what}")]
     Impossible {
-        /// From 1; 0 for the whole.
+        /// Joint, counted from 1; 0 for the whole factor.
         joint: usize,
-        /// The number.
+        /// Name of the number.
         what: &'static str,
     },
-    /// Factors whose columns mean different things.
+    /// The factors belong to different robot files, so their columns differ in meaning.
     #[error("{key}: a factor of another robot file; factor its recording again with the same one")]
     OtherRobot {
-        /// Recording.
+        /// Key of the recording.
         key: String,
     },
-    /// One key, two contents.
+    /// Two different factors have the same key.
     #[error("{key}: two different factors have this key")]
     Conflict {
-        /// Recording.
+        /// Key of the recording.
         key: String,
     },
 }
 
-/// Factors of a recording, with the robot file that they are of.
+/// Factors of a recording with the digest of their robot file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RecordingFactor {
     /// SHA-256 of the robot file.
     pub robot: [u8; 32],
-    /// The factors.
+    /// Factors of the recording.
     pub factors: Factors,
 }
 
 impl RecordingFactor {
-    /// As bytes.
+    /// Serialises the factor.
     pub fn to_bytes(&self) -> Vec<u8> {
         let Factors { joints, seconds, parameters, .. } = &self.factors;
         let mut out = Vec::new();
@@ -111,11 +111,11 @@ impl RecordingFactor {
         out
     }
 
-    /// From bytes, whoever wrote them. `name` is that of the recording. Memory is at most some
-    /// times that of `bytes`.
+    /// Parses bytes from an untrusted source. `name` is the name of the recording. Memory is at
+    /// most a few times that of `bytes`.
     ///
     /// # Errors
-    /// Where they are no factor.
+    /// If the bytes are not a valid factor.
     pub fn from_bytes(name: &str, bytes: &[u8]) -> Result<Self, FactorError> {
         let mut bytes = Bytes { all: bytes, at: 0 };
         if bytes.take::<8>("magic").map_err(|_| FactorError::Magic)? != MAGIC {
@@ -139,11 +139,11 @@ impl RecordingFactor {
         }
     }
 
-    /// Takes in another recording of the same robot. As in a fit of several logs, joints without
-    /// torque are left out.
+    /// Merges another recording of the same robot. Joints without torque are left out, as in a fit
+    /// of several logs.
     ///
     /// # Errors
-    /// Where it is of another robot file.
+    /// If it belongs to another robot file.
     pub fn merge(&mut self, other: &Self) -> Result<(), FactorError> {
         let (own, others) = (&mut self.factors, &other.factors);
         let columns = |f: &Factors| f.joints.iter().map(|j| j.columns.clone()).collect::<Vec<_>>();
@@ -161,7 +161,7 @@ impl RecordingFactor {
         Ok(())
     }
 
-    /// Of no recording, for the joints of this one.
+    /// Empty factor with the joints and columns of this one.
     fn nothing(&self, name: &str) -> Self {
         let nothing = |joint: &JointFactor| JointFactor {
             triangle: RFactor::new(joint.triangle.columns()),
@@ -178,16 +178,16 @@ impl RecordingFactor {
     }
 }
 
-/// Factors of many recordings by key, to be merged. Recordings and parts of the set come in any
-/// order: they are folded in the order of their keys, so the bits do not depend on it.
+/// Factors of many recordings by key, to be merged. Recordings and subsets may be added in any
+/// order: they are folded in the order of their keys, so the result is identical to the bit.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct KeyedFactors(BTreeMap<String, RecordingFactor>);
 
 impl KeyedFactors {
-    /// Adds a recording. The same one counts once.
+    /// Adds a recording. An identical one with the same key counts once.
     ///
     /// # Errors
-    /// Where another one has this key.
+    /// If a different factor has this key.
     pub fn insert(&mut self, key: String, factor: RecordingFactor) -> Result<(), FactorError> {
         match self.0.entry(key) {
             Entry::Vacant(free) => {
@@ -199,10 +199,10 @@ impl KeyedFactors {
         }
     }
 
-    /// The factor of all; `None` of none.
+    /// Merged factor of all recordings; `None` if there are none.
     ///
     /// # Errors
-    /// Where they are not of one robot file.
+    /// If the factors do not belong to one robot file.
     pub fn fold(&self, name: &str) -> Result<Option<RecordingFactor>, FactorError> {
         let Some(first) = self.0.values().next() else { return Ok(None) };
         let mut all = first.nothing(name);
@@ -213,7 +213,7 @@ impl KeyedFactors {
     }
 }
 
-/// Bytes that are read from their beginning.
+/// Reader of bytes from their beginning.
 struct Bytes<'a> {
     all: &'a [u8],
     at: usize,
@@ -239,7 +239,7 @@ impl Bytes<'_> {
         Ok([self.number(what)?, self.number(what)?])
     }
 
-    /// Refuses a length before memory is set aside for it.
+    /// Rejects a length that exceeds the remaining bytes, before memory is allocated for it.
     fn has(&self, count: u64, each: u64, what: &'static str) -> Result<(), FactorError> {
         match count.checked_mul(each) {
             Some(length) if length <= self.rest() as u64 => Ok(()),

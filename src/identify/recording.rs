@@ -1,8 +1,7 @@
-//! One recording of a robot as a row of a fleet's table: what the robot file says of reading it,
-//! one pass, and its factors.
+//! Reduces one recording of a robot to a row of a fleet's table: applies the robot file's reading
+//! settings, reads the log once, and returns its factors.
 //!
-//! The caller opens the file; nothing else differs between the command and an engine that calls
-//! this on many machines.
+//! The caller opens the file, so that the command and an engine on many machines use the same code.
 
 use dh_codegen::arm::param;
 use dh_codegen::robot::{EffectKind, Joint, JointKind, Robot};
@@ -18,22 +17,22 @@ use crate::model::file_torque_model::FileTorqueModel;
 use crate::model::interpreted::Interpreted;
 use crate::model::robot_edit;
 
-/// What one pass over a recording leaves.
+/// Result of one pass over a recording.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FactoredRecording {
-    /// Days since 1970, UTC; `None` where the log's time is not that of a calendar.
+    /// Days since 1970, UTC; `None` if the log's time is not calendar time.
     pub day: Option<i32>,
-    /// Samples of the motion.
+    /// Number of samples of the motion.
     pub samples: usize,
-    /// What the quality check and the limits of the robot file say.
+    /// Findings of the quality check and of the comparison with the robot file's limits.
     pub findings: Vec<Finding>,
-    /// Mean over joints and samples, deg C.
+    /// Mean temperature over joints and samples, deg C.
     pub temperature: Option<f64>,
-    /// The factor.
+    /// Factor of the recording.
     pub factor: RecordingFactor,
 }
 
-/// Factors recordings of one robot.
+/// Reads recordings of one robot and computes their factors.
 pub struct RecordingReader<'a> {
     robot: &'a Robot,
     digest: [u8; 32],
@@ -43,8 +42,8 @@ pub struct RecordingReader<'a> {
 }
 
 impl RecordingReader<'_> {
-    /// Calls `then` with a reader of the robot's recordings. `digest` is the SHA-256 of the robot
-    /// file; `prepare` how `identify` prepares its recordings.
+    /// Calls `then` with a reader for the robot's recordings. `digest`: SHA-256 of the robot file;
+    /// `prepare`: preparation settings, as in `identify`.
     pub fn with<T>(
         robot: &Robot,
         digest: [u8; 32],
@@ -65,15 +64,15 @@ impl RecordingReader<'_> {
         then(&RecordingReader { robot, digest, arm: &arm, prepare, known: known.as_ref() })
     }
 
-    /// How the files are read and prepared.
+    /// Preparation settings of the recordings.
     pub fn preparation(&self) -> &Prepare {
         &self.prepare
     }
 
-    /// One recording, on one thread. Memory does not grow with it.
+    /// Factors one recording on one thread, in memory independent of its length.
     ///
     /// # Errors
-    /// Where it can't be used.
+    /// If the recording can't be used.
     pub fn factor(&self, name: &str, source: &mut dyn Source) -> Result<FactoredRecording, PrepareError> {
         let mut stack = QrAccumulator::new(name, self.arm, AccumulatorSettings::default());
         let (mut start, mut heat, mut warm) = (None, 0.0, 0_usize);
@@ -101,8 +100,8 @@ impl RecordingReader<'_> {
     }
 }
 
-/// Preparation of a robot's recordings where nothing else is asked for: the low-pass by the log,
-/// the columns as the robot file names them.
+/// Default preparation of a robot's recordings: low-pass chosen from the log, columns named by the
+/// robot file.
 pub fn plain_preparation(robot: &Robot) -> Prepare {
     Prepare {
         adaptive: true,
@@ -112,17 +111,17 @@ pub fn plain_preparation(robot: &Robot) -> Prepare {
     }
 }
 
-/// The joints that move.
+/// Moving joints.
 pub fn moving(robot: &Robot) -> impl Iterator<Item = &Joint> {
     robot.joints.iter().filter(|joint| joint.kind != JointKind::Fixed)
 }
 
-/// Torque constants of the joints that move.
+/// Torque constants of the moving joints, N m at the joint per A.
 pub fn torque_constants(robot: &Robot) -> Vec<Option<f64>> {
     moving(robot).map(|joint| joint.drive.torque_constant).collect()
 }
 
-/// The moving joints of a robot, as the file that it was imported from has them.
+/// Moving joints of a robot in the coordinates of the file from which it was imported.
 pub fn source_joints(robot: &Robot) -> Vec<SourceJoint> {
     moving(robot)
         .map(|joint| match &joint.source {
@@ -136,10 +135,10 @@ pub fn source_joints(robot: &Robot) -> Vec<SourceJoint> {
         .collect()
 }
 
-/// Adds to a log's findings what the limits of the robot file say of it.
+/// Adds to a log's findings those from the comparison with the robot file's limits.
 ///
 /// # Errors
-/// Where torques are in another unit, and that is not allowed.
+/// If torques are in another unit and this is not accepted.
 pub fn against_limits(log: &mut Prepared, robot: &Robot, keep: Acceptance) -> Result<(), LogError> {
     let limits: Vec<Limits> = moving(robot)
         .map(|joint| Limits {
@@ -157,7 +156,7 @@ pub fn against_limits(log: &mut Prepared, robot: &Robot, keep: Acceptance) -> Re
     Ok(())
 }
 
-/// The model of the effects that are known; `None` where the file has none, or no links.
+/// Model of the known effects; `None` if the file has none, or no links.
 fn known_model(robot: &Robot) -> Option<FileTorqueModel> {
     let own = robot.joints.iter().flat_map(|joint| &joint.drive.effects);
     let fitted = |kind| kind == EffectKind::GearCoupling;
@@ -166,7 +165,7 @@ fn known_model(robot: &Robot) -> Option<FileTorqueModel> {
     known.then(|| Some(FileTorqueModel::new(robot).ok()?.among_walls(robot))).flatten()
 }
 
-/// Days since 1970 of a time since 1970, s; `None` of one that counts from elsewhere: it would be
+/// Days since 1970 of a time since 1970, s; `None` for a time with another origin, which would lie
 /// before 2000 or after 2100.
 fn day(time: f64) -> Option<i32> {
     const DAY: f64 = 86_400.0;

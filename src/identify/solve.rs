@@ -1,4 +1,4 @@
-//! Factors of logs -> [`Identification`].
+//! Solves the factors of logs for the base parameters, with statistics and checks.
 
 use nalgebra::DMatrix;
 
@@ -16,20 +16,20 @@ use crate::identify::validation::torque_sign;
 use crate::identify::validation::unexplained::unexplained;
 use crate::model::Arm;
 
-/// How to solve.
+/// Settings of the solution.
 #[derive(Debug, Clone, PartialEq)]
 pub struct IdentifySettings {
     /// Whether each joint is weighted by its own noise. Default true.
     pub weighted: bool,
-    /// Whether to leave out parameters that are not essential. Default no.
+    /// Whether to leave out parameters that are not essential. Default: none are left out.
     pub essential: Option<Essential>,
-    /// Standard parameters of the robot file: for comparison, and as values where the data have no
-    /// information.
+    /// Standard parameters of the robot file: for comparison, and as values of parameters that the
+    /// data do not determine.
     pub prior: Option<Vec<f64>>,
     /// Combinations whose singular value (columns of unit norm) is below this times the largest
     /// count as undetermined. Default 1e-10: above rounding, below any noise.
     pub tolerance: f64,
-    /// Most rounds of weighting. Default 20.
+    /// Largest number of weighting rounds. Default 20.
     pub most_iterations: usize,
 }
 
@@ -39,11 +39,11 @@ impl Default for IdentifySettings {
     }
 }
 
-/// Why nothing could be identified.
+/// Reason why nothing could be identified.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum IdentifyError {
-    /// No log.
+    /// There is no log.
     #[error("there is no log to fit")]
     NoLog,
     /// Every torque is zero.
@@ -51,32 +51,32 @@ pub enum IdentifyError {
         "the torques of all joints are zero throughout; take logs, or the torque column (tau, taum), that were measured"
     )]
     NoTorque,
-    /// Fewer equations than unknowns.
+    /// There are fewer equations than unknowns.
     #[error("{samples} samples of {joints} joints are too few for {parameters} parameters; record a longer motion")]
     TooFew {
         /// Samples over all joints.
         samples: usize,
-        /// Joints.
+        /// Number of joints.
         joints: usize,
-        /// Unknowns.
+        /// Number of unknowns.
         parameters: usize,
     },
-    /// Factors of another arm, or a prior of the wrong length.
+    /// The factors belong to another arm, or the prior has the wrong length.
     #[error("{what}: {found} where the arm has {expected}")]
     Mismatch {
-        /// The mismatch.
+        /// Name of the mismatched quantity.
         what: String,
-        /// Given.
+        /// Number given.
         found: usize,
-        /// Needed.
+        /// Number required.
         expected: usize,
     },
-    /// Numbers overflowed: positions or torques beyond all measure.
+    /// The equations overflowed because of absurd positions or torques.
     #[error("the equations contain infinite numbers; look for absurd values in the log")]
     NotFinite,
 }
 
-/// Correlation of the parameters, of which these are active and these open.
+/// Correlation of all parameters; NaN for those that are not `active` or are `open`.
 fn correlations(covariance: &DMatrix<f64>, active: &[usize], std: &[f64], open: &[bool]) -> Vec<f64> {
     let parameters = std.len();
     let mut correlation = vec![f64::NAN; parameters * parameters];
@@ -91,7 +91,7 @@ fn correlations(covariance: &DMatrix<f64>, active: &[usize], std: &[f64], open: 
     correlation
 }
 
-/// Identifies the base parameters from `fit`, and tries them on `validate`.
+/// Identifies the base parameters from `fit`, and validates them on `validate`.
 pub fn solve(
     arm: &dyn Arm,
     fit: &[Factors],
@@ -177,7 +177,7 @@ pub fn solve(
     }
     let total = |logs: &[Factors], beta: &[f64]| accuracy(&logs.iter().collect::<Vec<_>>(), beta);
     let fitted = total(fit, &solution.beta);
-    // A sign says more.
+    // A wrong sign is the more specific explanation.
     if findings.is_empty() {
         findings = unexplained(&fitted, parameters, &joints);
     }

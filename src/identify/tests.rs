@@ -1,5 +1,5 @@
-//! All of identification on the planar arm: exact without noise, honest with it, frank where the
-//! data say nothing.
+//! Tests of the whole identification on the planar arm: exact without noise, correct standard
+//! deviations with noise, and reports of undetermined parameters.
 
 mod fit;
 mod honesty;
@@ -28,8 +28,8 @@ fn identify(arm: &Planar, motions: &[Motion]) -> Identification {
     solve(arm, &[factors(arm, motions)], &[], &IdentifySettings::default()).unwrap()
 }
 
-/// Adds noise to the torques, N m per joint: white, or white through the zero-phase low-pass of the
-/// default filter.
+/// Adds noise to the torques, N m per joint: white, or white noise filtered by the zero-phase
+/// default low-pass.
 fn add_noise(motion: &mut Motion, sigma: [f64; 2], filtered: bool, seed: u64) {
     let len = motion.states.len;
     let mut normal = Normal::new(seed);

@@ -1,5 +1,5 @@
-//! Body in the arm's hand: its ten inertial parameters from logs, and the matching tool of a table
-//! (the paper's section II.E).
+//! Identifies the ten inertial parameters of a body in the arm's hand, and finds the matching tool
+//! of a table (the paper's section II.E).
 //!
 //! Unloaded and loaded logs -> [`Carrying`] arms -> factors -> [`identify_tool`] -> [`Carried`].
 

@@ -1,4 +1,4 @@
-//! How well parameters predict other motions, and whether logs and torques can be right.
+//! Assesses how well parameters predict other motions, and whether logs and torques are plausible.
 
 pub(crate) mod accuracy;
 pub(crate) mod extrapolation;

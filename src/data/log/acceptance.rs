@@ -1,37 +1,38 @@
-//! Findings of a log that the user accepts by name.
+//! Findings of the quality check that the user accepts by name.
 
-/// Accepted findings. By default nothing: each finding of that kind then stops the reading, and
-/// says so.
+/// Accepted findings. Default: none, so that each finding of these kinds is reported and stops the
+/// reading.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Acceptance {
-    /// Rows with an empty cell, NaN, infinity or text, or with too few or too many cells: the row
-    /// is left out, and the log is split into segments there.
+    /// Rows with an empty cell, NaN, infinity or text, or with too few or too many cells: such a
+    /// row is left out, and the log is split into segments there.
     pub bad_rows: bool,
-    /// A step of time longer than 2.5 periods: the log is split there.
+    /// A time step longer than 2.5 periods: the log is split there.
     pub gaps: bool,
-    /// A time that runs back without a change of `seg`: the log is split there.
+    /// A time that decreases without a change of `seg`: the log is split there.
     pub restarts: bool,
-    /// Rows with the time of the row before: left out.
+    /// Rows that repeat the time of the previous row: left out.
     pub duplicates: bool,
-    /// A clock with more than 5 % of its steps off by more than half a period: evened by cubic
-    /// interpolation to the median rate.
+    /// A clock with more than 5 % of its steps off by more than half a period: resampled by cubic
+    /// interpolation at the median rate.
     pub irregular_clock: bool,
-    /// A channel that stands still while it should move: used unchanged.
+    /// A channel that stays constant while it should change: used unchanged.
     pub stuck: bool,
-    /// A torque that is cut off at a level: used unchanged.
+    /// A torque that saturates at a level: used unchanged.
     pub clipped: bool,
-    /// A torque that is zero throughout: the joint then takes no part in the fit.
+    /// A torque that is zero throughout: the joint is excluded from the fit.
     pub dead_torque: bool,
     /// Positions beyond two turns, which look like degrees: used unchanged.
     pub large_angles: bool,
-    /// Torques far beyond the limits of most joints, like those in another unit: used unchanged.
+    /// Torques far beyond the limits of most joints, which suggests another unit: used unchanged.
     pub torque_unit: bool,
-    /// Torque columns in another order, unit or place than their names say: used unchanged.
+    /// Columns whose data fit another order, unit or side of the gear than their names state: used
+    /// unchanged.
     pub misread: bool,
 }
 
 impl Acceptance {
-    /// The names of the settings, for a command line.
+    /// Names of the settings, for the command line.
     pub const NAMES: [&'static str; 11] = [
         "bad-rows",
         "gaps",
@@ -46,7 +47,7 @@ impl Acceptance {
         "misread",
     ];
 
-    /// Everything.
+    /// Accepts every finding.
     pub fn all() -> Self {
         let mut keep = Self::default();
         for name in Self::NAMES {
@@ -55,7 +56,7 @@ impl Acceptance {
         keep
     }
 
-    /// Allows what has this name; whether there is one.
+    /// Accepts the finding with this name; false if there is none.
     pub fn set(&mut self, name: &str) -> bool {
         let flag = match name {
             "bad-rows" => &mut self.bad_rows,

@@ -1,8 +1,8 @@
-//! Named arrays in memory as a table: what NumPy and MATLAB save.
+//! Named arrays in memory, as saved by NumPy and MATLAB, read as a table.
 
 use super::{Block, LogError, Malformed, Table};
 
-/// Numbers that are taken into memory at most: 64 MB.
+/// Most numbers read into memory: 8 million, 64 MB.
 pub(super) const MOST_NUMBERS: usize = 8_000_000;
 
 /// An array of one or two dimensions.
@@ -10,12 +10,12 @@ pub(super) struct Array {
     pub(super) name: String,
     /// Rows and columns; one column for a vector.
     pub(super) shape: [usize; 2],
-    /// Row by row.
+    /// Values in row-major order.
     pub(super) values: Vec<f64>,
 }
 
-/// Columns of equal length. An array of one dimension is a column, one of two is as many columns as
-/// it has: `q[0]`, `q[1]`, ..
+/// Columns of equal length. A one-dimensional array is one column; a two-dimensional array `q`
+/// becomes the columns `q[0]`, `q[1]`, ..
 pub(super) struct ArrayTable {
     names: Vec<String>,
     columns: Vec<Vec<f64>>,
@@ -24,8 +24,8 @@ pub(super) struct ArrayTable {
 }
 
 impl ArrayTable {
-    /// The arrays whose longer side is as long as the time `t` (or, without it, as the longest of
-    /// all).
+    /// Uses the arrays whose longer side is as long as the time array (`t`, `time` or `timestamp`)
+    /// or, without one, as the longest array.
     pub(super) fn new(file: &str, format: &'static str, arrays: Vec<Array>) -> Result<Self, LogError> {
         let time = arrays.iter().find(|a| matches!(a.name.as_str(), "t" | "time" | "timestamp"));
         let longest = |a: &Array| a.shape[0].max(a.shape[1]);

@@ -1,15 +1,15 @@
-//! Rows on their way from a file: a block at a time, so that an hour at 1 kHz needs no more memory
-//! than a minute.
+//! Blocks of rows read from a file, so that an hour at 1 kHz needs no more memory than a minute.
 
 use super::Layout;
 use super::LogError;
 
-/// Some rows, one vector per used column (in the order of [`Layout::roles`]).
+/// Consecutive rows: one vector per used column, in the order of [`Layout::roles`].
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Block {
-    /// Line of each row in the file, from 1 (the header); for Parquet the row number plus 1.
+    /// Line of each row in the file, counted from 1 (the header). For Parquet it is the row number
+    /// plus 1.
     pub lines: Vec<u64>,
-    /// Values, one vector per used column; a cell without a number is NaN.
+    /// Values, one vector per used column; NaN for a cell without a number.
     pub columns: Vec<Vec<f64>>,
     /// Cells that are not numbers.
     pub bad: Vec<BadCell>,
@@ -20,9 +20,10 @@ pub struct Block {
 pub struct BadCell {
     /// Row within the block.
     pub row: usize,
-    /// Index into the block's columns; `None`: the row has not as many cells as the header.
+    /// Index into the block's columns; `None` if the row has another number of cells than the
+    /// header.
     pub column: Option<usize>,
-    /// Text of the cell (cut to 40 characters), or the number of cells.
+    /// Text of the cell (truncated to 40 characters), or the number of cells.
     pub text: String,
 }
 
@@ -32,12 +33,12 @@ impl Block {
         self.lines.len()
     }
 
-    /// Whether there is no row.
+    /// Whether the block has no rows.
     pub fn is_empty(&self) -> bool {
         self.lines.is_empty()
     }
 
-    /// Removes the rows, keeps the memory.
+    /// Removes all rows and keeps the allocated memory.
     pub fn clear(&mut self, columns: usize) {
         self.lines.clear();
         self.bad.clear();
@@ -46,12 +47,12 @@ impl Block {
     }
 }
 
-/// A log that is read from front to back; on a thread of its own where there are several.
+/// A log read from front to back, on its own thread where several threads are used.
 pub trait Source: Send {
-    /// Its columns.
+    /// Columns of the log.
     fn layout(&self) -> &Layout;
 
-    /// Puts the next rows, at most `rows`, into `block` in place of what was there. No row: the log
-    /// is at its end.
+    /// Replaces the content of `block` by the next rows, at most `rows`. An empty block marks the
+    /// end of the log.
     fn next_block(&mut self, rows: usize, block: &mut Block) -> Result<(), LogError>;
 }

@@ -2,7 +2,7 @@
 
 use super::LogError;
 
-/// A quantity that every joint has a column of.
+/// A quantity with one column per joint.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Quantity {
     /// `q1..`: position, rad or m.
@@ -11,13 +11,13 @@ pub enum Quantity {
     Dq,
     /// `ddq1..`: acceleration, rad/s^2 or m/s^2.
     Ddq,
-    /// `qm1..`: motor-side position on the link side of the gear ratio, rad.
+    /// `qm1..`: motor position referred to the joint side of the gear, rad.
     Qm,
-    /// `qd1..`: desired position, rad.
+    /// `qd1..`: desired position, rad or m.
     Qd,
-    /// `tau1..`: torque of the actuator on the link, N m or N.
+    /// `tau1..`: torque or force at the joint, N m or N.
     Tau,
-    /// `taum1..`: motor-side torque on the joint side of the gear, N m.
+    /// `taum1..`: motor torque referred to the joint side of the gear, N m.
     Taum,
     /// `i1..`: motor current, A.
     Current,
@@ -26,7 +26,7 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// All, with the prefix of their columns.
+    /// All quantities with the prefix of their columns.
     pub const ALL: [(Self, &str); 9] = [
         (Self::Q, "q"),
         (Self::Dq, "dq"),
@@ -39,20 +39,20 @@ impl Quantity {
         (Self::Temperature, "temp"),
     ];
 
-    /// The prefix of its columns: `tau` in `tau3`.
+    /// Prefix of the quantity's columns: `tau` in `tau3`.
     pub fn prefix(self) -> &'static str {
         Self::ALL.iter().find(|(q, _)| *q == self).map_or("", |(_, prefix)| prefix)
     }
 }
 
-/// Content of a column. Joints and wrench components count from 0 here, from 1 in names.
+/// Content of a column. Joints and wrench components are counted from 0 here and from 1 in names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Role {
-    /// `t`, s.
+    /// `t`: time, s.
     Time,
-    /// `seg`, recording number.
+    /// `seg`: recording number.
     Segment,
-    /// `q1`, `tau1`, ...
+    /// A joint quantity and the joint's index: `q1`, `tau1`, ...
     Joint(Quantity, usize),
     /// `fx fy fz mx my mz`: external wrench in the tool frame, N and N m.
     Wrench(usize),
@@ -76,7 +76,7 @@ impl Role {
         Some(Self::Joint(quantity, joint - 1))
     }
 
-    /// The column's name.
+    /// Name of the column.
     pub fn name(self) -> String {
         match self {
             Self::Time => "t".into(),
@@ -87,26 +87,26 @@ impl Role {
     }
 }
 
-/// Columns of a file in use, with their roles.
+/// Columns of a file that are used, with their roles.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layout {
-    /// Name of the file, for messages.
+    /// File name, for messages.
     pub file: String,
     /// Number of joints: the largest number of a `q` column.
     pub dof: usize,
-    /// The columns that are read, in the file's order.
+    /// Roles of the columns that are read, in the file's order.
     pub roles: Vec<Role>,
-    /// Position of each of them in a row of the file.
+    /// Position of each of these columns in a row of the file.
     pub positions: Vec<usize>,
-    /// Columns of the file with a name outside the log format.
+    /// Columns of the file whose names are outside the log format.
     pub ignored: Vec<String>,
-    /// Cells in a full row of the file.
+    /// Number of cells in a full row of the file.
     pub width: usize,
 }
 
 impl Layout {
-    /// From the header's names. `t`, and `q` and `tau` of joints `1..dof`, must be there; a
-    /// quantity that is given for some joints but not for all of them is an error too.
+    /// Builds the layout from the header's names. `t`, and `q` of joints `1..dof`, are required. A
+    /// quantity that is present for some joints but not for all is an error.
     pub fn new<S: AsRef<str>>(file: &str, header: &[S]) -> Result<Self, LogError> {
         let names: Vec<&str> = header
             .iter()
@@ -116,7 +116,8 @@ impl Layout {
         Self::of_columns(file, &names, columns)
     }
 
-    /// From columns whose roles are known, each with its position in a row of the file, ascending.
+    /// Builds the layout from columns of known role, each with its position in a row of the file,
+    /// ascending.
     pub(crate) fn of_columns(file: &str, names: &[&str], columns: Vec<(Role, usize)>) -> Result<Self, LogError> {
         let mut layout = Self {
             file: file.into(),
@@ -128,8 +129,8 @@ impl Layout {
         };
         for (position, name) in names.iter().enumerate() {
             match columns.iter().find(|(_, p)| *p == position).map(|(role, _)| *role) {
-                // More joints than any arm has: not a joint's column, and no reason to look for
-                // `q1..q4000000000`.
+                // Above 64 joints the name is no joint column; a name such as `q4000000000` must
+                // not make this search for as many columns.
                 Some(Role::Joint(_, joint)) if joint >= 64 => layout.ignored.push((*name).into()),
                 Some(role) if layout.roles.contains(&role) => {
                     return Err(LogError::DoubleColumn { file: file.into(), column: (*name).into() });
@@ -153,8 +154,8 @@ impl Layout {
         layout.require(Role::Joint(Quantity::Q, 0))?;
         for (quantity, _) in Quantity::ALL {
             let some = layout.roles.iter().any(|r| matches!(r, Role::Joint(q, _) if *q == quantity));
-            // A torque of some kind is asked for when the log is used: a log of currents has none
-            // yet.
+            // Torques are required only when the log is used, since a log of currents has none at
+            // this point.
             if some {
                 for joint in 0..layout.dof {
                     layout.require(Role::Joint(quantity, joint))?;
@@ -164,7 +165,7 @@ impl Layout {
         Ok(layout)
     }
 
-    /// An error unless the file has a column of this role.
+    /// Index of the column with this role; an error if the file has none.
     pub fn require(&self, role: Role) -> Result<usize, LogError> {
         self.find(role).ok_or_else(|| {
             let column = role.name();
@@ -173,7 +174,7 @@ impl Layout {
         })
     }
 
-    /// The error of a log that has neither torques nor currents.
+    /// Error for a log that has neither torques nor currents.
     pub(crate) fn without_torque(&self) -> LogError {
         let lookalike = self.lookalike("tau1");
         LogError::NoTorque { file: self.file.clone(), dof: self.dof, known: self.known(), lookalike }
@@ -183,7 +184,7 @@ impl Layout {
         self.ignored.iter().find(|name| resembles(name, column)).cloned()
     }
 
-    /// The columns that are understood, for messages.
+    /// Recognised columns as text, for messages.
     fn known(&self) -> String {
         match self.roles.as_slice() {
             [] => {
@@ -195,24 +196,24 @@ impl Layout {
         }
     }
 
-    /// Errors unless the file has this quantity for `dof` joints. Returns the indices into a
-    /// block's columns.
+    /// Indices into a block's columns of this quantity for joints `0..dof`; an error if one is
+    /// missing.
     pub fn require_all(&self, quantity: Quantity, dof: usize) -> Result<Vec<usize>, LogError> {
         (0..dof).map(|joint| self.require(Role::Joint(quantity, joint))).collect()
     }
 
-    /// Index into a block's columns.
+    /// Index of the role into a block's columns.
     pub fn find(&self, role: Role) -> Option<usize> {
         self.roles.iter().position(|r| *r == role)
     }
 
-    /// Whether every joint has this quantity.
+    /// Whether every joint has a column of this quantity.
     pub fn has(&self, quantity: Quantity) -> bool {
         (0..self.dof).all(|joint| self.find(Role::Joint(quantity, joint)).is_some())
     }
 }
 
-/// Description of a first line without any column's name, if it can be recognised.
+/// Description of a first line that names no column, if its kind is recognised.
 fn no_header(names: &[&str]) -> Option<String> {
     let odd = |c: char| c == char::REPLACEMENT_CHARACTER || (c.is_control() && c != '\t');
     if names.iter().any(|name| name.chars().any(odd)) {
@@ -224,7 +225,7 @@ fn no_header(names: &[&str]) -> Option<String> {
     (names.len() > 1 && names.iter().all(number)).then(|| "numbers where names belong: the header is missing".into())
 }
 
-/// Whether a column of another name probably is the missing one: `Time`, `tau_1`, `effort1`,
+/// Whether a column of another name is probably the missing one: `Time`, `tau_1`, `effort1`,
 /// `joint_position_1`.
 fn resembles(name: &str, wanted: &str) -> bool {
     let name = super::unit::split(name).0;
@@ -285,7 +286,7 @@ mod tests {
             let error = Layout::new("log.csv", header).unwrap_err().to_string();
             assert!(error.contains(word) && error.contains("log.csv, line 1"), "{error}");
         }
-        // Other names are names.
+        // Text names are listed even if none of them is recognised.
         let error = Layout::new("log.csv", &["stamp", "joint_position_1"]).unwrap_err().to_string();
         assert!(error.contains("`t` is missing") && error.contains("understood: none"), "{error}");
         assert!(error.contains("`stamp`, `joint_position_1`") && error.contains("denavit log inspect"), "{error}");

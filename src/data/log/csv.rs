@@ -1,4 +1,5 @@
-//! CSV with a header, plain or gzipped, in the dialect that its first lines show; and the way back.
+//! Reads CSV with a header, plain or gzipped, in the dialect found from its first lines, and writes
+//! CSV.
 
 use std::io::{Cursor, Read, Write};
 use std::sync::Arc;
@@ -13,32 +14,32 @@ use super::Role;
 use super::Table;
 use super::unit;
 
-/// Bytes in which the dialect shows.
+/// Bytes from the start of the file that are examined for the dialect.
 const PREVIEW: u64 = 1 << 16;
-/// Longest line, with the lines of comment before it, bytes.
+/// Longest line together with the comment lines before it, bytes.
 const LONGEST_LINE: usize = 4 << 20;
-/// Most columns.
+/// Largest number of columns.
 const MOST_COLUMNS: usize = 1 << 14;
-/// Cells of a block.
+/// Number of cells in a block.
 const CELLS: usize = 1 << 17;
-/// Bytes that the reader takes at once.
+/// Size of the read buffer, bytes.
 const BUFFER: usize = 1 << 17;
 
-/// How the cells of a file are separated and written.
+/// Separators and number format of a file.
 #[derive(Debug, Clone, PartialEq)]
 struct Dialect {
-    /// Between cells; a space stands for any run of blanks.
+    /// Separator between cells; a space matches any run of blanks.
     separator: u8,
-    /// Whether numbers have a comma for the point.
+    /// Whether the decimal separator is a comma.
     decimal_comma: bool,
-    /// Starts of comment lines.
+    /// Character that starts comment lines.
     comment: Option<u8>,
-    /// The header, where it stands in a comment: `# t q1 tau1`.
+    /// The header if it is written in a comment: `# t q1 tau1`.
     header: Option<Vec<String>>,
 }
 
 impl Dialect {
-    /// From the first lines.
+    /// Finds the dialect from the first lines.
     fn of(text: &str) -> Self {
         let is_comment = |line: &&str| line.starts_with(['#', '%']);
         let lines: Vec<&str> = text.lines().map(|l| l.trim_start_matches('\u{feff}').trim()).collect();
@@ -46,7 +47,7 @@ impl Dialect {
         let plain: Vec<&str> = lines.iter().filter(|l| !l.is_empty() && !is_comment(l)).copied().collect();
         let remark = lines.iter().take_while(|l| l.is_empty() || is_comment(l)).filter(|l| !l.is_empty()).last();
         let first = plain.first().copied().unwrap_or("");
-        // Without a line of names, the last comment may be one.
+        // If the first line holds numbers only, the last comment may be the header.
         let numbers = !first.is_empty() && first.split([',', ';', '\t', ' ', '|']).all(|c| number(c, true).is_some());
         let in_comment = remark.filter(|_| numbers).map(|line| line.trim_start_matches(['#', '%']).trim());
         let names = in_comment.unwrap_or(first);
@@ -58,7 +59,7 @@ impl Dialect {
     }
 }
 
-/// A number, with a point, or with a comma where `comma`.
+/// Parses a number with a decimal point, or with a decimal comma if `comma` is set.
 fn number(cell: &str, comma: bool) -> Option<f64> {
     let cell = cell.trim().trim_matches('"');
     if comma && cell.contains(',') { cell.replacen(',', ".", 1).parse().ok() } else { cell.parse().ok() }
@@ -70,15 +71,15 @@ fn split(line: &str, separator: u8) -> Vec<String> {
     cells.iter().map(|c| c.trim().trim_matches('"').to_string()).collect()
 }
 
-/// The separator with which most cells of the header are names of columns; with none, the one that
-/// separates most.
+/// The separator that splits the header into most known column names; if it has none, the separator
+/// that gives most cells.
 fn separator(header: &str) -> u8 {
     let known = |s: u8| split(header, s).iter().filter(|c| Role::of(unit::split(c).0).is_some()).count();
     let count = |s: u8| split(header, s).len();
-    // The last of equals wins: the comma.
+    // `max_by_key` returns the last of equal candidates: the comma is preferred.
     let candidates = [b' ', b'|', b'\t', b';', b','];
     let best = candidates.into_iter().max_by_key(|&s| known(s)).filter(|&s| known(s) > 0);
-    // Blanks are part of names like `q1 [deg]` where anything else separates.
+    // Blanks belong to names such as `q1 [deg]` if another separator is present.
     let other = [b'|', b'\t', b';', b','].into_iter().max_by_key(|&s| count(s)).filter(|&s| count(s) > 1);
     match (best, other) {
         (Some(b' '), Some(other)) => other,
@@ -89,7 +90,7 @@ fn separator(header: &str) -> u8 {
     }
 }
 
-/// Runs of blanks as one comma each, so that a CSV reader takes them apart.
+/// Replaces each run of blanks by one comma, so that a CSV reader splits at it.
 struct Blanks<R> {
     inner: R,
     line_start: bool,
@@ -127,8 +128,8 @@ impl<R: Read> Read for Blanks<R> {
     }
 }
 
-/// Bytes of which so many may be read before the limit is set again: a line without an end must
-/// not fill the memory.
+/// Limits the bytes read until the limit is reset, so that a line without an end can't fill the
+/// memory.
 struct Limited<R> {
     inner: R,
     left: Arc<AtomicUsize>,
@@ -147,7 +148,7 @@ impl<R: Read> Read for Limited<R> {
     }
 }
 
-/// A CSV that is read row by row.
+/// A CSV file read row by row.
 pub struct CsvTable<'a> {
     file: String,
     names: Vec<String>,
@@ -155,16 +156,16 @@ pub struct CsvTable<'a> {
     reader: ::csv::Reader<Box<dyn Read + Send + 'a>>,
     record: ::csv::ByteRecord,
     decimal_comma: bool,
-    /// Bytes that may be read for the current line.
+    /// Bytes that may still be read for the current line.
     left: Arc<AtomicUsize>,
 }
 
 impl<'a> CsvTable<'a> {
-    /// Reads the header. Separator (comma, semicolon, tab, bar, blanks), decimal comma and lines of
-    /// comment (`#`, `%`) are found from the first lines.
+    /// Reads the header. Separator (comma, semicolon, tab, bar, blanks), decimal comma and comment
+    /// lines (`#`, `%`) are detected from the first lines.
     ///
     /// # Errors
-    /// Where there is no header, or the bytes can't be read.
+    /// If there is no header, or the bytes can't be read.
     pub fn new<R: Read + Send + 'a>(file: &str, mut input: R) -> Result<Self, LogError> {
         let mut start = Vec::new();
         let failed = |source| LogError::Read { file: file.into(), line: 1, source };
@@ -257,21 +258,21 @@ fn read_error(file: &str, line: u64, error: ::csv::Error) -> LogError {
     LogError::Read { file: file.into(), line, source }
 }
 
-/// Writes a log as CSV, every number with as many digits as it takes to read the same number back.
+/// Writes a log as CSV, each number with the fewest digits that read back as the same number.
 pub fn write<W: Write>(log: &Log, out: W) -> std::io::Result<()> {
     let mut writer = CsvWriter::new(&log.layout, out)?;
     writer.rows(&log.columns)?;
     writer.finish()
 }
 
-/// Writes rows as CSV as they come.
+/// Writes rows as CSV incrementally.
 pub struct CsvWriter<W: Write>(std::io::BufWriter<W>);
 
 impl<W: Write> CsvWriter<W> {
     /// Writes the header.
     ///
     /// # Errors
-    /// What the target says.
+    /// Errors of the writer.
     pub fn new(layout: &Layout, out: W) -> std::io::Result<Self> {
         let mut out = std::io::BufWriter::new(out);
         let names: Vec<String> = layout.roles.iter().map(|r| r.name()).collect();
@@ -282,7 +283,7 @@ impl<W: Write> CsvWriter<W> {
     /// Writes rows: one vector per column.
     ///
     /// # Errors
-    /// What the target says.
+    /// Errors of the writer.
     pub fn rows(&mut self, columns: &[Vec<f64>]) -> std::io::Result<()> {
         for row in 0..columns.first().map_or(0, Vec::len) {
             for (i, column) in columns.iter().enumerate() {
@@ -296,10 +297,10 @@ impl<W: Write> CsvWriter<W> {
         Ok(())
     }
 
-    /// Writes what is still held.
+    /// Writes the buffered rows.
     ///
     /// # Errors
-    /// What the target says.
+    /// Errors of the writer.
     pub fn finish(mut self) -> std::io::Result<()> {
         self.0.flush()
     }
@@ -345,7 +346,7 @@ mod tests {
         let text = || std::io::repeat(b'1').take(1 << 30);
         let error = CsvTable::new("log.csv", text()).err().unwrap().to_string();
         assert!(error.contains("a line is longer than 4 MiB"), "{error}");
-        // Neither an end of the line nor one of the file ends what a quote began.
+        // An opening quote is closed neither by the end of the line nor by the end of the file.
         let quoted = (&b"t,q1,tau1\n0,0,\"0\n"[..]).chain(std::io::repeat(b'\n').take(1 << 30));
         let mut table = CsvTable::new("log.csv", quoted).unwrap();
         table.select(&[0, 1, 2], 0).unwrap();

@@ -1,41 +1,42 @@
-//! SHA-256 of a recording, taken while it is read.
+//! SHA-256 of a recording, computed while the recording is read.
 
 use std::io::Read;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use sha2::{Digest as _, Sha256};
 
-/// Digest of the bytes that went through its readers. Clones share it, since a log may be read on
+/// Digest of the bytes read through its readers. Clones share one state, since a log may be read on
 /// another thread.
 #[derive(Debug, Clone, Default)]
 pub struct Digest(Arc<Mutex<Sha256>>);
 
 impl Digest {
-    /// A reader whose bytes are digested.
+    /// Wraps a reader so that its bytes are digested.
     pub fn reading<R: Read>(&self, inner: R) -> Digested<R> {
         Digested { inner, digest: self.clone() }
     }
 
-    /// Takes in all that a reader has left, for a format that is read by seeking.
+    /// Digests the rest of a reader, for a format that is read by seeking.
     ///
     /// # Errors
-    /// What the reader says.
+    /// Errors of the reader.
     pub fn take_in(&self, mut reader: impl Read) -> std::io::Result<()> {
         std::io::copy(&mut reader, &mut *self.state()).map(|_| ())
     }
 
-    /// What was taken in so far, in hexadecimal digits.
+    /// Digest of the bytes so far, in hexadecimal digits.
     pub fn hexadecimal(&self) -> String {
         hexadecimal(&self.state().clone().finalize())
     }
 
-    /// What a thread left that panicked does not matter, as its panic goes on.
+    /// Locks the state; a poisoned lock is accepted, since the panic that caused it propagates
+    /// anyway.
     fn state(&self) -> MutexGuard<'_, Sha256> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }
 
-/// Bytes that are digested while they are read.
+/// A reader whose bytes are digested while they are read.
 #[derive(Debug)]
 pub struct Digested<R> {
     inner: R,
@@ -59,7 +60,7 @@ pub fn hexadecimal(bytes: &[u8]) -> String {
 mod tests {
     use super::*;
 
-    /// FIPS 180-4's example, read in two ways.
+    /// Checks the example of FIPS 180-4, read in two ways.
     #[test]
     fn a_digest_is_that_of_the_bytes() {
         let known = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad";

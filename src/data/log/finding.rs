@@ -1,66 +1,66 @@
-//! Finding of the quality check in a log: a value with figures and advice.
+//! Findings of the quality check in a log: values with figures, location and advice.
 
 use std::fmt;
 
-/// How much a finding weighs.
+/// Severity of a finding.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
-    /// Worth knowing.
+    /// Information only; no action is needed.
     Note,
-    /// Something was mended as the user allowed, or may be wrong.
+    /// A defect that was handled as the user allowed, or a possible error.
     Warning,
-    /// The log is not used until the user allows it.
+    /// The log is not used unless the user accepts the finding.
     Fatal,
 }
 
-/// Treatment of times that are not evenly spaced.
+/// Handling of times that are not evenly spaced.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Clock {
-    /// Samples were taken as evenly spaced: the stamps jitter, the sampling does not.
+    /// Samples are taken as evenly spaced: the stamps jitter, the sampling does not.
     Even,
     /// Samples were interpolated (cubic, 4 points) from their stamps to an even clock.
     Resampled,
-    /// Rows were not sampled at their stamps: their times were found from what the positions of all
-    /// joints show of them.
+    /// Rows were not sampled at their stamps: their times were estimated from an error that is
+    /// common to the positions of all joints.
     Found {
-        /// Root mean square of what the stamps are wrong by, s.
+        /// Root mean square error of the stamps, s.
         rms: f64,
     },
 }
 
-/// How a log reads that explains its torques.
+/// Reading of a log's columns that explains its torques.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Explanation {
-    /// Torque columns in another order.
+    /// The torque columns are in another order.
     Order {
-        /// Of each joint, the number of the column that holds its torque, from 1.
+        /// For each joint, the number of the column that holds its torque, counted from 1.
         columns: Vec<usize>,
-        /// Whether it does so with the other sign.
+        /// For each joint, whether that column has the opposite sign.
         negated: Vec<bool>,
     },
-    /// Position columns in another order.
+    /// The position columns are in another order.
     Positions {
-        /// Of each joint, the number of the column that holds its position, from 1.
+        /// For each joint, the number of the column that holds its position, counted from 1.
         columns: Vec<usize>,
     },
-    /// Position columns or torque columns in another order.
+    /// The position columns or the torque columns are in another order.
     PositionsOrTorques {
-        /// Joints whose columns are meant, from 1.
+        /// Affected joints, counted from 1.
         joints: Vec<usize>,
     },
-    /// Positions in degrees.
+    /// The positions are in degrees.
     Degrees,
-    /// Torques of the motors, before the gears.
+    /// The torques are motor torques before the gears.
     MotorSide,
-    /// Torques in another unit.
+    /// The torques are in another unit.
     Unit {
-        /// How many times larger the numbers are than in N m.
+        /// Factor by which the numbers exceed the torque in N m.
         times: f64,
     },
 }
 
 impl Explanation {
-    /// Description, as a sentence without its end.
+    /// Description as a sentence without a full stop.
     fn what(&self) -> String {
         match self {
             Self::Order { columns, negated } => {
@@ -102,7 +102,7 @@ impl Explanation {
         }
     }
 
-    /// With the evidence for it.
+    /// The description followed by the evidence for it.
     fn sentence(&self, log: Option<&str>, [recorded, read]: [f64; 2]) -> String {
         let log = log.map_or(String::new(), |log| format!("{log}: "));
         format!(
@@ -111,7 +111,7 @@ impl Explanation {
         )
     }
 
-    /// How to mend it.
+    /// Advice on how to fix the log.
     fn advice(&self) -> &'static str {
         match self {
             Self::Order { .. } | Self::Positions { .. } | Self::PositionsOrTorques { .. } => "rename the columns",
@@ -126,7 +126,7 @@ impl Explanation {
     }
 }
 
-/// What is to be said where the columns stand as names do that are sorted as text.
+/// Note for columns in the order of names that were sorted as text; otherwise empty.
 fn sorted_as_text(columns: &[usize]) -> &'static str {
     let mut names: Vec<usize> = (1..=columns.len()).collect();
     names.sort_by_key(usize::to_string);
@@ -134,7 +134,7 @@ fn sorted_as_text(columns: &[usize]) -> &'static str {
     if sorted { " (the order of names that are sorted as text: 1, 10, 11, 2)" } else { "" }
 }
 
-/// A number with three digits.
+/// Formats a number with about three digits.
 fn short(x: f64) -> String {
     if (0.01..1e4).contains(&x.abs()) {
         format!("{:.*}", usize::from(x.abs() < 10.0) * 2, x)
@@ -156,12 +156,12 @@ impl Clock {
     }
 }
 
-/// What is known of the reason for which a fitted model leaves a large part of a torque.
+/// Known reason why a fitted model leaves a large part of a torque unexplained.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Unexplained {
-    /// The robot file has no friction of the joint.
+    /// The robot file has no friction for the joint.
     NoFriction,
-    /// The columns were tried in other orders and units, with other signs, and none explains it.
+    /// Other column orders, units and signs were tried, and none explains the torque.
     Columns,
     /// Nothing was tried.
     Open,
@@ -183,186 +183,187 @@ impl Unexplained {
     }
 }
 
-/// The finding. Times in s, levels in the column's unit.
+/// Kind of a finding. Times in s, levels in the column's unit.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Kind {
     /// Columns with names outside the log format.
     UnknownColumns {
-        /// Their names.
+        /// Names of the columns.
         names: Vec<String>,
     },
     /// An empty cell, NaN or infinity.
     NotFinite,
     /// Text where a number should be.
     NotANumber {
-        /// The text.
+        /// Text of the cell.
         text: String,
     },
     /// A row with another number of cells than the header.
     RowLength {
-        /// Number of cells.
+        /// Number of cells, as text.
         text: String,
     },
-    /// Time that is less than the row before.
+    /// A time that is less than that of the previous row.
     TimeRunsBack {
-        /// Time before.
+        /// Time of the previous row.
         from: f64,
-        /// Time after.
+        /// Time of this row.
         to: f64,
     },
-    /// Time that is that of the row before.
+    /// A time that equals that of the previous row.
     DuplicateTime {
-        /// The time.
+        /// Time that is repeated.
         at: f64,
     },
     /// Rows are missing.
     Gap {
         /// Longest step.
         longest: f64,
-        /// The usual step.
+        /// Usual step.
         period: f64,
     },
-    /// Many steps are far from the usual one.
+    /// Many steps differ far from the usual one.
     IrregularClock {
         /// Median step.
         period: f64,
         /// Share of steps off by more than half a period.
         share: f64,
     },
-    /// Steps vary a little, as those of an ordinary recorder do.
+    /// Steps vary slightly, as is normal for a recorder.
     Jitter {
         /// Median step.
         period: f64,
-        /// Rms deviation from it.
+        /// Rms deviation from the median step.
         rms: f64,
         /// Shortest step.
         shortest: f64,
         /// Longest step.
         longest: f64,
     },
-    /// How an uneven clock was dealt with.
+    /// How an uneven clock was handled.
     Evened {
-        /// The treatment.
+        /// Handling of the uneven times.
         clock: Clock,
     },
-    /// A value that stood still and then jumped.
+    /// A value that stayed constant and then jumped.
     Stuck {
-        /// The value.
+        /// Constant value before the jump.
         value: f64,
-        /// Longest stay, s.
+        /// Longest time at a constant value, s.
         seconds: f64,
     },
-    /// A value that is cut off.
+    /// A value that saturates.
     Clipped {
-        /// The level.
+        /// Saturation level.
         level: f64,
-        /// Samples at it.
+        /// Number of samples at that level.
         samples: usize,
     },
     /// A torque that is zero throughout.
     DeadTorque,
     /// Positions that look like degrees.
     Degrees {
-        /// Largest magnitude.
+        /// Largest magnitude of the positions.
         largest: f64,
     },
-    /// The joint's torque fits the model better with the other sign.
+    /// The joint's torque fits the model better with the opposite sign.
     Sign {
-        /// Correlation of measured and predicted torque, or of the fit as recorded.
+        /// Correlation of measured and predicted torque, or that of the fit, with the sign as
+        /// recorded.
         correlation: f64,
     },
-    /// The log explains itself far better when it is read in another way.
+    /// The model explains the log far better if the columns are read in another way.
     Misread {
-        /// How.
+        /// The better reading.
         explanation: Explanation,
-        /// The log, where several were read.
+        /// Name of the log, if several were read.
         log: Option<String>,
-        /// Residual torques (root mean square, joints weighing alike) as recorded and with this
-        /// reading, percent.
+        /// Residual torques (root mean square, all joints weighted equally) as recorded and with
+        /// this reading, percent.
         percent: [f64; 2],
     },
-    /// A segment shorter than what the filter needs; left out.
+    /// A segment shorter than the filter needs; left out.
     ShortSegments {
-        /// Samples that were left out.
+        /// Number of samples that were left out.
         samples: usize,
     },
-    /// A position or torque far beyond what the robot file says the joint can reach or do.
+    /// A position or torque far beyond the limits of the joint in the robot file.
     BeyondLimit {
-        /// Largest of the log.
+        /// Largest value of the log.
         reaches: f64,
-        /// Of the robot file.
+        /// Limit of the robot file.
         limit: f64,
-        /// Unit of both.
+        /// Unit of both values.
         unit: &'static str,
     },
     /// Torques far beyond the limits of most joints.
     TorqueUnit {
-        /// Largest torque, in limits of its joint.
+        /// Largest torque, as a multiple of the joint's limit.
         times: f64,
-        /// Whether all are within the limits once divided by a thousand.
+        /// Whether all torques are within the limits if divided by a thousand.
         thousandth: bool,
     },
-    /// A joint whose torque the fitted model leaves a large part of.
+    /// A joint whose torque is largely unexplained by the fitted model.
     Unexplained {
-        /// Of the joint's torque (root mean square), percent.
+        /// Unexplained part of the joint's torque (root mean square), percent.
         percent: f64,
-        /// What is known of the reason.
+        /// Reason, as far as it is known.
         reason: Unexplained,
     },
     /// Logs that contradict each other.
     Disagree {
-        /// Residual of a common fit, relative to that of separate fits (root mean square).
+        /// Residual of a common fit relative to that of separate fits (root mean square).
         times: f64,
         /// The log that disagrees most with the others, if it can be identified.
         worst: Option<String>,
     },
-    /// Torques that are motor currents times gains.
+    /// Torques computed from motor currents and gains.
     FromCurrents {
-        /// Of each joint, N m per A.
+        /// Gain of each joint, N m per A.
         gains: Vec<f64>,
     },
-    /// A validating log that an earlier command fitted.
+    /// A validation log that an earlier command used for fitting.
     FittedBefore {
-        /// The log's name there.
+        /// Name of the log in that command.
         path: String,
     },
     /// No joint moves beyond the noise of its encoder.
     Standstill,
-    /// Hardly any data.
+    /// Too few samples for a fit.
     TooFew {
-        /// Samples.
+        /// Number of samples.
         samples: usize,
     },
-    /// Very many samples.
+    /// A very long log.
     VeryLong {
-        /// Samples.
+        /// Number of samples.
         samples: usize,
     },
 }
 
-/// Something about a log, with its place.
+/// A finding in a log, with its location.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Finding {
-    /// The finding.
+    /// Kind of the finding.
     pub kind: Kind,
-    /// How much it weighs, given what the user allowed.
+    /// Severity, given the findings that the user accepted.
     pub severity: Severity,
     /// Line of the first occurrence.
     pub line: Option<u64>,
     /// Name of the column.
     pub column: Option<String>,
-    /// How often.
+    /// Number of occurrences.
     pub count: usize,
 }
 
 impl Finding {
-    /// Whether the log is not used because of it.
+    /// Whether the log is rejected because of it.
     pub fn is_fatal(&self) -> bool {
         self.severity == Severity::Fatal
     }
 
-    /// The name in [`super::Acceptance`] that allows it, where there is one.
+    /// Name in [`super::Acceptance`] that accepts the finding, if there is one.
     pub fn allowed_by(&self) -> Option<&'static str> {
         Some(match self.kind {
             Kind::NotFinite | Kind::NotANumber { .. } | Kind::RowLength { .. } => "bad-rows",
@@ -380,7 +381,7 @@ impl Finding {
         })
     }
 
-    /// The finding, without the place.
+    /// Description of the finding without its location.
     pub fn what(&self) -> String {
         let times = if self.count > 1 { format!(", {} times", self.count) } else { String::new() };
         match &self.kind {
@@ -439,7 +440,7 @@ impl Finding {
         }
     }
 
-    /// Advice; empty where nothing is to be done.
+    /// Advice on what to do; empty if nothing needs to be done.
     pub fn advice(&self) -> String {
         let mend = match &self.kind {
             Kind::UnknownColumns { .. } => "rename them if they are meant",
@@ -494,7 +495,7 @@ fn disagree(times: f64, worst: Option<&str>) -> String {
     )
 }
 
-/// A number in as few characters as it takes.
+/// Formats a number with the fewest digits that represent it.
 fn plain(x: f64) -> String {
     if x == 0.0 || (1e-4..1e6).contains(&x.abs()) { format!("{x}") } else { format!("{x:e}") }
 }

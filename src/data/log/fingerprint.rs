@@ -1,10 +1,10 @@
-//! Recognises the samples of a log in another one, whatever the files look like.
+//! Recognises samples of one log in another, independently of the file format.
 //!
 //! A row is hashed by its measurements: positions and torques, not time. Of each log the rows with
-//! the smallest hashes are kept (Broder 1997, min-wise sampling). Two logs thus choose the same
-//! rows wherever they share some, and memory is bounded. Order of columns, format, compression,
-//! shifted time stamps and rows left out between make no difference. A copy with fewer digits is
-//! recognised by [`super::rounded`].
+//! the smallest hashes are kept (Broder 1997, min-wise sampling). Two logs therefore select the
+//! same rows wherever they share some, in bounded memory. Order of columns, format, compression,
+//! shifted time stamps and omitted rows make no difference. A copy with fewer digits is recognised
+//! by [`super::rounded`].
 
 use std::collections::HashMap;
 use std::hash::{BuildHasher, Hash, Hasher};
@@ -19,20 +19,20 @@ use super::Role;
 use super::Source;
 use super::rounded::Rounded;
 
-/// Most rows that are kept of a log: all of two minutes at 1 kHz, every 28th of an hour; 3 MB.
+/// Most rows kept per log: all rows of two minutes at 1 kHz, every 28th row of an hour; 3 MB.
 const MOST_ROWS: usize = 1 << 17;
 
-/// Rows kept one after the other that must all be found again, in the same order. Coarse sensors
-/// and motions that are played twice repeat single rows, never so many.
+/// Consecutive kept rows that must all be found in the other log, in the same order. Coarse sensors
+/// and motions that are played twice repeat single rows, but never this many.
 const SHORTEST_RUN: usize = 20;
 
-/// Rows whose cells are brought side by side at once.
+/// Rows whose cells are transposed at once.
 const TILE: usize = 64;
 
-/// Share of the shorter log below which common samples are no concern.
+/// Share of the shorter log below which common samples are ignored.
 const LEAST_SHARE: f64 = 0.01;
 
-/// A row that was kept.
+/// A kept row.
 #[derive(Debug, Clone, Copy)]
 struct Row {
     hash: u64,
@@ -41,31 +41,31 @@ struct Row {
     time: f64,
 }
 
-/// By what a log is recognised.
+/// Fingerprint by which a log is recognised.
 #[derive(Debug, Clone)]
 pub struct Fingerprint {
-    /// Of all rows, in order.
+    /// Hash of all rows, in order.
     digest: u64,
     rows: u64,
     /// First and last time, s.
     span: [f64; 2],
-    /// Hashes up to this one were kept.
+    /// Largest hash up to which rows were kept.
     limit: u64,
-    /// By hash; of equal rows the first.
+    /// Kept rows sorted by hash; of equal rows the first.
     kept: Vec<Row>,
-    /// The rows with fewer digits.
+    /// Kept rows at reduced precision.
     rounded: Rounded,
 }
 
 /// Common rows of two logs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Common {
-    /// The same samples, all of them, in the same order.
+    /// Both logs have the same samples in the same order.
     All,
-    /// Stretches of one are in the other; their duration, s.
+    /// Stretches of one log are in the other; their duration, s.
     Stretch(f64),
-    /// Stretches of one are in the other once both have as few digits as the coarser one; their
-    /// duration, s.
+    /// Stretches of one log are in the other after both are rounded to the precision of the coarser
+    /// one; their duration, s.
     Rounded(f64),
 }
 
@@ -75,24 +75,22 @@ impl Fingerprint {
         (self.span[1] - self.span[0]).max(0.0)
     }
 
-    /// Keeps so many rows at most, in so much memory; stretches that are shorter are then
-    /// overlooked.
+    /// Keeps at most `rows` rows, to save memory. Common stretches that are short are then missed.
     pub fn shrink(&mut self, rows: usize) {
         self.thin(rows.min(MOST_ROWS));
         self.kept.shrink_to_fit();
         self.rounded.shrink(rows / (MOST_ROWS / super::rounded::MOST_ROWS));
     }
 
-    /// Common rows of this log and another one; `None` if there are none, or too few to mention.
+    /// Common rows of this log and another one; `None` if there are none, or too few to report.
     ///
-    /// A stretch counts where at least 20 kept rows, one after the other, stand in the other log in
-    /// the same order. Rows at rest that are equal count as one: an arm that stands still resembles
-    /// itself on any day.
+    /// A stretch counts if at least 20 consecutive kept rows are in the other log in the same
+    /// order. Equal rows at rest count once, since an arm at rest looks alike in unrelated logs.
     pub fn common(&self, other: &Self) -> Option<Common> {
         if self.rows == other.rows && self.digest == other.digest && self.rows > 0 {
             return Some(Common::All);
         }
-        // A log without every second row is found in the whole one, not the other way round.
+        // A log without every second row is found in the whole one, but not vice versa.
         let seconds = self.found_in(other).max(other.found_in(self));
         let shorter = self.duration().min(other.duration());
         let counts = |seconds: f64| seconds > 0.0 && seconds >= LEAST_SHARE * shorter;
@@ -103,7 +101,7 @@ impl Fingerprint {
         counts(seconds).then_some(Common::Rounded(seconds))
     }
 
-    /// Seconds of this log that stand in the other one.
+    /// Duration of this log that is contained in the other one, s.
     fn found_in(&self, other: &Self) -> f64 {
         let limit = self.limit.min(other.limit);
         let within = |log: &Self| log.kept.partition_point(|row| row.hash <= limit);
@@ -111,7 +109,7 @@ impl Fingerprint {
         let mut rows = self.kept[..within(self)].to_vec();
         rows.sort_unstable_by_key(|row| row.index);
         let mut seconds = 0.0;
-        // Start of the run, its length, and where its last row stands in the other log.
+        // Start time of the run, its length, and the index of its last row in the other log.
         let mut run: Option<(f64, usize, u64)> = None;
         let mut last = 0.0;
         let mut close = |run: Option<(f64, usize, u64)>, end: f64| {
@@ -136,7 +134,7 @@ impl Fingerprint {
     }
 }
 
-/// A log that is read, and its fingerprint on the way.
+/// A log source that computes the fingerprint while it is read.
 pub struct Fingerprinted<'a> {
     source: &'a mut (dyn Source + 'a),
     /// Columns whose values are hashed: positions, then torques, by joint.
@@ -147,7 +145,7 @@ pub struct Fingerprinted<'a> {
 }
 
 impl<'a> Fingerprinted<'a> {
-    /// Reads `source` from its start.
+    /// Reads `source`, which must be at its start.
     pub fn new(source: &'a mut (dyn Source + 'a)) -> Self {
         let layout = source.layout().clone();
         let column = |role: Role| layout.roles.iter().position(|r| *r == role);
@@ -171,7 +169,7 @@ impl<'a> Fingerprinted<'a> {
         Self { source, columns, time, print, all: hasher() }
     }
 
-    /// Of all that was read.
+    /// Fingerprint of all rows that were read.
     pub fn finish(mut self) -> Fingerprint {
         self.print.digest = self.all.finish();
         self.print.shrink(MOST_ROWS);
@@ -180,7 +178,7 @@ impl<'a> Fingerprinted<'a> {
 }
 
 impl Fingerprint {
-    /// Keeps the rows with the smallest hashes, each once.
+    /// Keeps the rows with the smallest hashes, without duplicates.
     fn thin(&mut self, most: usize) {
         self.kept.sort_unstable_by_key(|row| (row.hash, row.index));
         self.kept.dedup_by_key(|row| row.hash);
@@ -232,7 +230,7 @@ impl Source for Fingerprinted<'_> {
     }
 }
 
-/// The same for all logs of a run, with bits that are even enough to choose rows by them.
+/// A hasher with the same seed for all logs of a run, and uniform enough to select rows by it.
 pub(super) fn hasher() -> FoldHasher {
     FixedState::with_seed(0).build_hasher()
 }
@@ -240,7 +238,7 @@ pub(super) fn hasher() -> FoldHasher {
 /// Hash of a row's numbers.
 #[inline]
 pub(super) fn mixed(numbers: impl Iterator<Item = u64>) -> u64 {
-    // An odd number with about as many ones as zeros, so that each bit reaches many.
+    // An odd number with about as many ones as zeros, so that each bit affects many others.
     const SPREAD: u64 = 0x9E37_79B9_7F4A_7C15;
     let all = numbers.fold(SPREAD, |all, number| (all.rotate_left(23) ^ number).wrapping_mul(SPREAD));
     let mut hasher = hasher();
@@ -248,7 +246,8 @@ pub(super) fn mixed(numbers: impl Iterator<Item = u64>) -> u64 {
     hasher.finish()
 }
 
-/// Bits in single precision, as some files store it; both zeros alike, and all that is no number.
+/// Bits in single precision, as some files store it; both zeros map to one value, and so does any
+/// NaN.
 fn single(value: f64) -> u32 {
     let value = value as f32;
     if value.is_nan() {

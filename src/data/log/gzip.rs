@@ -1,16 +1,16 @@
-//! Text that is packed with gzip, unpacked as far as a recording packs.
+//! Unpacks gzipped text, up to the compression ratio of a plausible recording.
 
 use std::io::{Error, ErrorKind, Read, Result};
 
 use flate2::read::MultiGzDecoder;
 
-/// Bytes that a file of any size may unpack to.
+/// Bytes to which a file of any size may unpack.
 const LEAST: u64 = 64 << 20;
-/// Times its own size that a file may unpack to beyond that. Samples of an arm in motion pack to a
-/// third, those of one that stands still to a twentieth; zeros to a thousandth.
+/// Multiple of its own size to which a file may unpack in addition. Samples of a moving arm are
+/// packed to a third, those of an arm at rest to a twentieth, zeros to a thousandth.
 const MOST_TIMES: u64 = 32;
 
-/// A stream that counts its bytes.
+/// A reader that counts its bytes.
 struct Counted<R> {
     source: R,
     bytes: u64,
@@ -24,8 +24,8 @@ impl<R: Read> Read for Counted<R> {
     }
 }
 
-/// What a gzipped stream holds. One that unpacks to far more than its own size is an error, as a
-/// small file could otherwise keep a reader busy for hours.
+/// Content of a gzipped stream. A stream that unpacks to far more than its own size is an error,
+/// since a small file could otherwise keep a reader busy for hours.
 pub(super) struct Unpacked<R> {
     decoder: MultiGzDecoder<Counted<R>>,
     bytes: u64,
@@ -57,7 +57,7 @@ mod tests {
     use super::*;
     use std::io::{Write, copy, sink};
 
-    /// A row, packed by itself, so many times: members of a file may follow on each other.
+    /// A row, packed separately, repeated `rows` times: a file may consist of several gzip members.
     fn packed(row: &[u8], rows: usize) -> Vec<u8> {
         let mut encoder = flate2::write::GzEncoder::new(Vec::new(), flate2::Compression::fast());
         encoder.write_all(row).unwrap();
@@ -73,7 +73,7 @@ mod tests {
         let error = copy(&mut unpacked, &mut sink()).unwrap_err().to_string();
         assert!(error.starts_with("it unpacks to more than 32 times its size"), "{error}");
         assert!(unpacked.bytes < LEAST + MOST_TIMES * whole.len() as u64 + (1 << 20), "{}", unpacked.bytes);
-        // As little as this is read however well it packs.
+        // Content below the lower limit is read at any compression ratio.
         let little = packed(&block, 500);
         assert_eq!(copy(&mut Unpacked::new(&little[..]), &mut sink()).unwrap(), block.len() as u64 * 500);
     }

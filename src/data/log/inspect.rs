@@ -1,25 +1,25 @@
-//! Lists a file channel by channel, and proposes a mapping.
+//! Summarises the channels of a file and proposes a mapping to the columns of the log format.
 
 use super::{Block, Channel, LogError, Mapping, Quantity, Role, SourceJoint, Table, unit};
 
-/// A channel of a file, looked at from front to back.
+/// Summary of a channel over the whole file.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ChannelSummary {
-    /// Name in the file.
+    /// Name of the channel in the file.
     pub name: String,
-    /// Samples that are numbers.
+    /// Number of numeric samples.
     pub samples: u64,
-    /// Samples that are not.
+    /// Number of samples that are not finite numbers.
     pub missing: u64,
-    /// Smallest and largest; infinite, turned about, where there is none.
+    /// Smallest and largest value; `[inf, -inf]` without samples.
     pub range: [f64; 2],
-    /// Largest step between neighbours.
+    /// Largest difference between consecutive samples.
     pub largest_step: f64,
-    /// First and last stamp, and the longest time between two samples, in the unit of the clock.
+    /// First and last stamp, and the longest time between two samples, in the clock's unit.
     pub clock: Option<[f64; 3]>,
 }
 
-/// Sums over a channel.
+/// Accumulates the summary of a channel.
 #[derive(Debug, Clone)]
 pub(super) struct Summing {
     summary: ChannelSummary,
@@ -39,7 +39,7 @@ impl Summing {
         Self { summary, last: None }
     }
 
-    /// A sample, with its stamp where there is a clock.
+    /// Adds a sample, with its stamp if there is a clock.
     pub(super) fn add(&mut self, time: Option<f64>, value: f64) {
         let s = &mut self.summary;
         if !value.is_finite() {
@@ -63,14 +63,14 @@ impl Summing {
 }
 
 impl ChannelSummary {
-    /// Mean rate in samples per unit of the clock.
+    /// Mean rate, samples per unit of the clock.
     pub fn rate(&self) -> Option<f64> {
         let [first, last, _] = self.clock?;
         (last > first && self.samples > 1).then(|| (self.samples - 1) as f64 / (last - first))
     }
 }
 
-/// Looks at all columns of a table whose rows share a clock.
+/// Summarises all numeric columns of a table whose rows share one clock.
 pub(super) fn summarise_rows<T: Table + ?Sized>(table: &mut T) -> Result<Vec<ChannelSummary>, LogError> {
     let names = table.names().to_vec();
     let columns: Vec<usize> = (0..names.len()).filter(|&i| table.is_numeric(i)).collect();
@@ -100,8 +100,8 @@ fn is_time(name: &str) -> bool {
         && !words.iter().any(|w| w == "temp" || w == "delta")
 }
 
-/// Words of a name in small letters: cut where letters and digits meet, at signs, and before a
-/// capital that follows a small letter.
+/// Splits a name into lower-case words: between letters and digits, at punctuation, and before a
+/// capital that follows a lower-case letter.
 fn words(name: &str) -> Vec<String> {
     let mut words = vec![String::new()];
     let mut before = ' ';
@@ -123,7 +123,7 @@ fn words(name: &str) -> Vec<String> {
     words
 }
 
-/// Role suggested by the words of a channel's name.
+/// Quantity suggested by the words of a channel's name.
 fn quantity(words: &[String]) -> Option<Quantity> {
     let has = |list: &[&str]| words.iter().any(|w| list.contains(&w.as_str()));
     if has(&["temp", "temperature"]) {
@@ -156,33 +156,33 @@ fn quantity(words: &[String]) -> Option<Quantity> {
     }
 }
 
-/// Channels that differ in the joint alone, in the order of the joints.
+/// Channels that differ only in the joint, in joint order.
 struct Group {
     pattern: String,
     quantity: Quantity,
-    /// Joint, from 0, and channel.
+    /// Joint index, from 0, and channel index.
     members: Vec<(usize, usize)>,
-    /// Whether another channel says that it is a measurement, or this one does.
+    /// Whether the name itself says that the channel is a measurement (`actual`, `feedback`, ..).
     measured: bool,
 }
 
-/// A mapping that the names and ranges of channels suggest; nothing is certain in it.
+/// Mapping suggested by names and value ranges of channels; none of it is certain.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Proposal {
-    /// The mapping.
+    /// Suggested mapping.
     pub mapping: Mapping,
-    /// For each of its columns, why, and what else it may be.
+    /// Reason for each of its columns, and alternatives.
     pub reasons: Vec<String>,
-    /// Missing channels.
+    /// Required channels that were not found.
     pub missing: Vec<String>,
 }
 
-/// Suggests a mapping. `joints`: names of the robot's moving joints, where they are known.
+/// Suggests a mapping. `joints`: names of the robot's moving joints, if known.
 pub fn propose(channels: &[ChannelSummary], joints: &[SourceJoint]) -> Proposal {
     let mut proposal = Proposal::default();
     match channels.iter().find(|c| is_time(&c.name)) {
         Some(time) => propose_time(time, &mut proposal),
-        // Messages have stamps of their own; their channels begin with the topic.
+        // Messages carry their own stamps; the names of their channels begin with the topic.
         None if channels.iter().all(|c| c.name.starts_with('/')) => {}
         None => proposal.missing.push("t (time)".into()),
     }
@@ -196,7 +196,7 @@ pub fn propose(channels: &[ChannelSummary], joints: &[SourceJoint]) -> Proposal 
     for (quantity, prefix) in Quantity::ALL {
         let mut fitting: Vec<&Group> =
             groups.iter().filter(|g| g.quantity == quantity && g.members.len() == dof).collect();
-        // Names that say that they are measured go first; the sort keeps the file's order.
+        // Channels named as measured come first; the stable sort keeps the file's order otherwise.
         fitting.sort_by_key(|g| !g.measured);
         let Some(group) = fitting.first() else {
             if matches!(quantity, Quantity::Q) {
@@ -224,7 +224,7 @@ pub fn propose(channels: &[ChannelSummary], joints: &[SourceJoint]) -> Proposal 
 fn propose_time(time: &ChannelSummary, proposal: &mut Proposal) {
     let given = unit::split(&time.name).1.filter(|u| unit::scale(u, Role::Time).is_ok());
     let rate = time.rate().unwrap_or(f64::NAN);
-    // Robots are logged at 5 Hz to 20 kHz.
+    // Plausible logging rates of robots: 5 Hz to 20 kHz.
     let fits = |per_second: f64| (5.0..=2e4).contains(&(rate * per_second));
     let (unit, reason) = match given {
         Some(unit) => (Some(unit.to_string()), "the unit stands in its name".to_string()),
@@ -240,7 +240,7 @@ fn propose_time(time: &ChannelSummary, proposal: &mut Proposal) {
     proposal.reasons.push(reason);
 }
 
-/// The unit that a name gives, or the range suggests; `None`: SI.
+/// Unit given in the name or suggested by the range; `None`: SI.
 fn guess_unit(quantity: Quantity, members: &[&ChannelSummary]) -> (Option<String>, String) {
     let role = Role::Joint(quantity, 0);
     if let Some(given) = unit::split(&members[0].name).1.filter(|u| unit::scale(u, role).is_ok()) {
@@ -268,7 +268,7 @@ fn groups(channels: &[ChannelSummary], joints: &[SourceJoint]) -> Vec<Group> {
     let mut groups: Vec<Group> = Vec::new();
     for (i, channel) in channels.iter().enumerate() {
         let plain = unit::split(&channel.name).0;
-        // The format's own names mean what they mean without a mapping.
+        // Names of the log format keep their meaning without a mapping.
         let own = Role::of(plain).and_then(|role| if let Role::Joint(own, _) = role { Some(own) } else { None });
         let Some(found) = own.or_else(|| quantity(&words(plain))) else { continue };
         if is_time(&channel.name) {
@@ -294,15 +294,15 @@ fn groups(channels: &[ChannelSummary], joints: &[SourceJoint]) -> Vec<Group> {
     for group in &mut groups {
         group.members.sort_unstable();
     }
-    // Each joint once, none left out.
+    // A group must contain each joint exactly once, without gaps.
     groups.retain(|g| g.members.iter().enumerate().all(|(place, (joint, _))| place == *joint));
     groups
 }
 
-/// Names with the joint replaced by a placeholder, and the joint's number from 0.
+/// Patterns of the name with the joint replaced by a placeholder, and the joint's index from 0.
 fn patterns(name: &str, joints: &[SourceJoint]) -> Vec<(String, usize)> {
     let named = joints.iter().enumerate().filter(|(_, j)| !j.name.is_empty() && name.contains(&j.name));
-    // The longest name: `joint1` is a part of `joint10`.
+    // Takes the longest matching name, since `joint1` is contained in `joint10`.
     if let Some((joint, source)) = named.max_by_key(|(_, j)| j.name.len()) {
         return vec![(name.replacen(&source.name, "{joint}", 1), joint)];
     }

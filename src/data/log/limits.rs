@@ -1,31 +1,32 @@
-//! Compares a log with the limits of the robot file.
+//! Compares the values of a log with the limits of the robot file.
 
 use super::Finding;
 use super::Kind;
 use super::Reached;
 use super::Severity;
 
-/// Limits of a joint; infinite where the file has none.
+/// Limits of a joint; infinite if the file has none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Limits {
-    /// Least and largest position, rad or m.
+    /// Smallest and largest position, rad or m.
     pub position: [f64; 2],
     /// Largest torque or force, N m or N.
     pub torque: f64,
-    /// Whether it slides.
+    /// Whether the joint is prismatic.
     pub slides: bool,
 }
 
-/// A position is beyond its limits by more than this share of the range: zeros and stops are not
-/// known to the degree.
+/// Tolerance of a position limit as a share of the range, since zeros and end stops are not known
+/// to the degree.
 const POSITION: f64 = 0.1;
-/// A torque is beyond its limit by this factor: short peaks are allowed twice what lasts.
+/// Tolerance factor of a torque limit: short peaks may reach twice the continuous torque.
 const TORQUE: f64 = 2.0;
 
-/// Torques beyond the limits by this factor, of half of the joints or more, are in another unit.
+/// Factor beyond the limits, for half of the joints or more, above which torques are taken to be in
+/// another unit.
 const UNIT: f64 = 20.0;
 
-/// Whether torques are in another unit than that of the limits; fatal unless it is `allowed`.
+/// Reports torques in another unit than the limits; fatal unless `allowed`.
 pub fn torque_unit(reached: &[Reached], joints: &[Limits], allowed: bool) -> Option<Finding> {
     let size = |r: &Reached| r.range[0].abs().max(r.range[1].abs());
     let of = |number: usize| {
@@ -41,11 +42,11 @@ pub fn torque_unit(reached: &[Reached], joints: &[Limits], allowed: bool) -> Opt
     (beyond > 0 && 2 * beyond >= shares.len()).then_some(Finding { kind, severity, line: None, column: None, count: 1 })
 }
 
-/// A joint that stays within this, rad or m, does not move.
+/// Range within which a joint counts as not moving, rad or m.
 const STILL: f64 = 2e-3;
 
-/// Columns far outside what the joints (in their order) can do: of another robot, in other units,
-/// in another order; and a log in which none moves.
+/// Reports columns far outside the limits of the joints (in joint order), which suggests another
+/// robot, unit or column order, and a log in which no joint moves.
 pub fn beyond_limits(reached: &[Reached], joints: &[Limits]) -> Vec<Finding> {
     let mut findings = Vec::new();
     let positions = || reached.iter().filter(|r| r.column.starts_with('q'));

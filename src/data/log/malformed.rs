@@ -1,42 +1,42 @@
-//! Where the bytes of a file are not those of its format.
+//! Reasons why the bytes of a file do not conform to its format.
 
 use super::matlab::MatError;
 use super::npz::NpzError;
 use super::ros::{CdrError, McapError};
 
-/// Where the bytes of a file are not those of its format, or hold no numbers.
+/// Reason why the bytes of a file do not conform to its format, or hold no numbers.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum Malformed {
-    /// No array that is a column.
+    /// The file has no array that is a column.
     #[error("it has no array of numbers")]
     NoArray,
-    /// A variable of MATLAB.
+    /// A variable of a MATLAB file is malformed.
     #[error(transparent)]
     Mat(#[from] MatError),
-    /// The zip around arrays of NumPy.
+    /// The zip archive around NumPy arrays is malformed.
     #[error(transparent)]
     Zip(#[from] zip::result::ZipError),
-    /// An array of NumPy.
+    /// A NumPy array is malformed.
     #[error("array `{array}`: {source}")]
     Npz {
-        /// Its name.
+        /// Name of the array.
         array: String,
-        /// What is wrong with it.
+        /// Error of the array.
         source: NpzError,
     },
-    /// A record of an MCAP file.
+    /// A record of an MCAP file is malformed.
     #[error(transparent)]
     Mcap(#[from] McapError),
-    /// A message of rosbag2's SQLite.
+    /// The SQLite database of a rosbag2 recording can't be read.
     #[cfg(feature = "rosbag2")]
     #[error(transparent)]
     Sqlite(#[from] rusqlite::Error),
-    /// SQLite of another program.
+    /// The SQLite database was not written by rosbag2.
     #[cfg(feature = "rosbag2")]
     #[error("its tables are not those of rosbag2: {0}")]
     OtherTables(#[source] rusqlite::Error),
-    /// A recording of text or images alone.
+    /// The recording has only text or images.
     #[error("it has no message with numbers{}{}", if .passed_over.is_empty() { "" } else { ": " }, .passed_over.join("; "))]
     NoNumbers {
         /// Topics that can't be decoded.
@@ -45,16 +45,16 @@ pub enum Malformed {
     /// Too many messages of a recording are damaged.
     #[error("{count} messages can't be decoded, the last on {topic}: {source}")]
     Damaged {
-        /// Messages.
+        /// Number of damaged messages.
         count: usize,
-        /// Topic of the last one.
+        /// Topic of the last damaged message.
         topic: String,
-        /// What is wrong with it.
+        /// Error of the last damaged message.
         source: CdrError,
     },
 }
 
-/// More numbers than are taken into memory.
+/// The file has more numbers than are read into memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[error("there are more numbers than are taken into memory (8 million in all); write Parquet in place of it")]
 pub struct TooManyNumbers;

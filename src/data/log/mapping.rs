@@ -1,26 +1,28 @@
-//! Maps channels of a file to the columns of the log format, with their units.
+//! Maps the channels of a file to the columns of the log format and converts their units.
 
 pub use dh_codegen::robot::{LogChannel as Channel, LogMapping as Mapping};
 
 use super::{Layout, LogError, MappingError, Role, unit};
 
-/// A joint as the file that a robot came from has it: `q = sign * q_source + offset`.
+/// A joint with the coordinates of the file from which the robot file was made, where `q = sign *
+/// q_source + offset`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct SourceJoint {
-    /// Name of the joint there.
+    /// Name of the joint in that file.
     pub name: String,
-    /// 1 or -1.
+    /// Sign, 1 or -1.
     pub sign: f64,
-    /// Rad or m.
+    /// Offset, rad or m.
     pub offset: f64,
 }
 
-/// How the columns of a log are read.
+/// Settings for reading the columns of a log.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Reading {
-    /// Channels to columns; `None`: columns have the format's names, or the joints'.
+    /// Mapping of channels to columns; `None`: columns have the names of the log format or of the
+    /// joints.
     pub mapping: Option<Mapping>,
-    /// The moving joints of the robot, base to tip; empty: not known.
+    /// Moving joints of the robot from base to tip; empty if unknown.
     pub joints: Vec<SourceJoint>,
 }
 
@@ -33,10 +35,10 @@ struct Used {
 }
 
 impl Reading {
-    /// Roles of the columns, and scale and offset of each.
+    /// Layout of the columns, and scale and offset of each.
     ///
     /// # Errors
-    /// Where a column that must be there is missing, or a mapping names a channel that is not.
+    /// If a required column is missing, or a mapping names a channel that the file lacks.
     pub fn layout<S: AsRef<str>>(&self, file: &str, header: &[S]) -> Result<(Layout, Vec<[f64; 2]>), LogError> {
         let names: Vec<&str> = header
             .iter()
@@ -49,14 +51,14 @@ impl Reading {
         used.sort_by_key(|u| u.position);
         let columns = used.iter().map(|u| (u.role, u.position)).collect();
         let layout = Layout::of_columns(file, &names, columns)?;
-        // Columns that the layout leaves out (more joints than any arm has) have no conversion.
+        // Columns that the layout drops (joint number above any arm's) have no conversion.
         let of = |role: &Role| used.iter().find(|u| u.role == *role).map_or([1.0, 0.0], |u| u.conversion);
         let conversions = layout.roles.iter().map(of).collect();
         Ok((layout, conversions))
     }
 
-    /// Columns by the format's names, with a unit in brackets or without; by the joints' names
-    /// (`q_elbow`), and by the channels of a bag (`/joint_states/position/elbow`).
+    /// Columns named by the log format, optionally with a unit in brackets; by joint name
+    /// (`q_elbow`); or as channels of a bag (`/joint_states/position/elbow`).
     fn named(&self, file: &str, names: &[&str]) -> Result<Vec<Used>, LogError> {
         let mut used = Vec::new();
         for (position, name) in names.iter().enumerate() {
@@ -82,7 +84,7 @@ impl Reading {
         Ok(used)
     }
 
-    /// `q_elbow`, `tau_elbow`: a quantity's prefix and the name of a joint.
+    /// Column named by a quantity's prefix and a joint's name: `q_elbow`, `tau_elbow`.
     fn by_joint(&self, name: &str) -> Option<(Role, [f64; 2])> {
         let (prefix, joint) = name.split_once('_')?;
         let quantity = super::Quantity::ALL.iter().find(|(_, p)| *p == prefix)?.0;
@@ -90,7 +92,7 @@ impl Reading {
         Some((role, self.source_conversion(role)))
     }
 
-    /// From the coordinates of the file that the robot came from to those of the DH table.
+    /// Scale and offset from the coordinates of the source file to those of the DH table.
     fn source_conversion(&self, role: Role) -> [f64; 2] {
         use super::Quantity as Q;
         match role {
@@ -103,7 +105,7 @@ impl Reading {
         }
     }
 
-    /// Columns by a mapping. Channels that are named by joint are in the source's coordinates.
+    /// Columns selected by a mapping. Channels named by joint are in the source file's coordinates.
     fn mapped(&self, mapping: &Mapping, names: &[&str]) -> Result<Vec<Used>, MappingError> {
         let mut used: Vec<Used> = Vec::new();
         for (column, channel) in &mapping.columns {
@@ -125,7 +127,7 @@ impl Reading {
         Ok(used)
     }
 
-    /// The roles of an entry: one, or one for each joint.
+    /// Roles of a mapping entry with their joints: one, or one for each joint.
     fn roles(&self, column: &str, channel: &Channel, names: &[&str]) -> Result<Vec<(Role, usize)>, MappingError> {
         let Some(prefix) = column.strip_suffix('*') else {
             let role = Role::of(column).ok_or_else(|| MappingError::NoColumn(column.into()))?;
@@ -149,7 +151,7 @@ impl Reading {
         Ok((0..joints).map(|joint| (Role::Joint(quantity, joint), joint)).collect())
     }
 
-    /// The channel's name for a joint.
+    /// Name of the channel for a joint.
     fn name_of(&self, channel: &Channel, joint: usize) -> Result<String, MappingError> {
         let mut name = channel.name.clone();
         if name.contains("{joint}") {
@@ -175,14 +177,14 @@ impl Reading {
     }
 }
 
-/// `q[0]`: an element of an array of a joint quantity, from 0.
+/// Element of an array of a joint quantity, counted from 0: `q[0]`.
 fn element(name: &str, index: Option<&str>) -> Option<Role> {
     let joint = index?.parse().ok()?;
     let quantity = super::Quantity::ALL.iter().find(|(_, p)| *p == name)?.0;
     Some(Role::Joint(quantity, joint))
 }
 
-/// A channel that is not there, with the nearest ones that are.
+/// Error for a missing channel, with the most similar names of the log.
 fn absent(column: &str, name: &str, names: &[&str]) -> MappingError {
     let near = |n: &&&str| {
         let (a, b) = (n.to_lowercase(), name.to_lowercase());

@@ -1,4 +1,4 @@
-//! MATLAB's `.mat`, level 5 (versions 5 to 7): numeric arrays and structures of them.
+//! Reads MATLAB `.mat` files of level 5 (versions 5 to 7): numeric arrays and structures of them.
 
 use std::io::Read;
 
@@ -6,38 +6,38 @@ use super::arrays::{Array, ArrayTable, MOST_NUMBERS};
 use super::malformed::TooManyNumbers;
 use super::{Block, LogError, Table};
 
-/// Structures within structures at most.
+/// Deepest nesting of structures that is read.
 const DEEPEST: usize = 8;
 
-/// Where a file is no MATLAB file of level 5.
+/// Reason why a file is not a valid MATLAB file of level 5.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum MatError {
-    /// The file was cut.
+    /// The file is truncated.
     #[error("it ends in the middle of a variable")]
     Short,
     /// A compressed variable is damaged.
     #[error("a variable can't be unpacked: {0}")]
     Unpack(#[source] std::io::Error),
-    /// The flags of a variable are empty.
+    /// A variable has no array flags.
     #[error("a variable has no class")]
     NoClass,
-    /// A variable has fewer numbers than its sides say.
+    /// A variable has fewer numbers than its dimensions state.
     #[error("the variable `{0}` ends before its last number")]
     ShortVariable(String),
-    /// Too large for the memory.
+    /// The file is too large for memory.
     #[error(transparent)]
     TooLarge(#[from] TooManyNumbers),
 }
 
-/// Columns of a `.mat` file.
+/// A `.mat` file as a table.
 pub struct MatTable(ArrayTable);
 
 impl MatTable {
-    /// Reads the numeric variables; fields of structures by `name.field`.
+    /// Reads the numeric variables; fields of structures are named `name.field`.
     ///
     /// # Errors
-    /// Where the file is damaged or too large for the memory.
+    /// If the file is damaged or too large for memory.
     pub fn new(file: &str, bytes: &[u8]) -> Result<Self, LogError> {
         let mut reader = MatReader { big: bytes.get(126..128) == Some(b"MI"), arrays: Vec::new(), left: MOST_NUMBERS };
         reader.elements(bytes.get(128..).unwrap_or(&[])).map_err(|e| LogError::malformed(file, "mat", e))?;
@@ -62,7 +62,7 @@ impl Table for MatTable {
 struct MatReader {
     big: bool,
     arrays: Vec<Array>,
-    /// Numbers that may still be taken into memory.
+    /// Numbers that may still be read into memory.
     left: usize,
 }
 
@@ -77,7 +77,7 @@ impl MatReader {
 
     fn element<'a>(&self, bytes: &'a [u8]) -> Result<Element<'a>, MatError> {
         let kind = self.u32(bytes).ok_or(MatError::Short)?;
-        // Up to four bytes stand in the tag itself.
+        // Up to four bytes of data are stored in the tag itself.
         let (small, small_kind) = ((kind >> 16) as usize, kind & 0xffff);
         if small != 0 {
             let (data, rest) = (bytes.get(4..4 + small), bytes.get(8..));
@@ -85,7 +85,7 @@ impl MatReader {
         }
         let size = self.u32(bytes.get(4..).unwrap_or(&[])).ok_or(MatError::Short)? as usize;
         let data = bytes.get(8..8 + size).ok_or(MatError::Short)?;
-        // Compressed elements are not padded, the others to eight bytes.
+        // Compressed elements are not padded; all others are padded to eight bytes.
         let padded = if kind == 15 { size } else { size.next_multiple_of(8) };
         Ok((kind, data, bytes.get(8 + padded..).unwrap_or(&[])))
     }
@@ -117,7 +117,7 @@ impl MatReader {
         Ok(())
     }
 
-    /// A variable: numbers are kept, structures opened, everything else passed over.
+    /// Reads a variable: numeric arrays are stored, structures opened, other classes skipped.
     fn matrix(&mut self, data: &[u8], prefix: &str, depth: usize) -> Result<(), MatError> {
         if data.is_empty() || depth > DEEPEST {
             return Ok(());
@@ -170,7 +170,7 @@ impl MatReader {
         }
         self.left -= count;
         let plain: Vec<f64> = data.chunks_exact(size).take(count).map(|c| self.number(kind, c)).collect();
-        // MATLAB writes column by column.
+        // MATLAB stores arrays column by column.
         let [rows, columns] = shape;
         let values = (0..count).map(|i| plain[(i % columns) * rows + i / columns]).collect();
         self.arrays.push(Array { name, shape, values });

@@ -1,4 +1,4 @@
-//! `.npz`: arrays of NumPy in a zip. Objects (pickles) are never loaded.
+//! Reads `.npz` files: NumPy arrays in a zip archive. Objects (pickles) are never loaded.
 
 use std::io::{Cursor, Read};
 
@@ -11,44 +11,44 @@ use super::{Block, LogError, Malformed, Table};
 /// Longest header of an array, bytes.
 const LONGEST_HEADER: usize = 1 << 16;
 
-/// Where the bytes are no NumPy array of numbers.
+/// Reason why the bytes are not a NumPy array of numbers.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum NpzError {
-    /// It can't be unpacked, or ends within its header.
+    /// The array can't be unpacked, or ends within its header.
     #[error(transparent)]
     Read(#[from] std::io::Error),
-    /// Other bytes at the start.
+    /// The magic bytes are missing.
     #[error("it is no NumPy array")]
     NoArray,
-    /// A header beyond any that NumPy writes.
+    /// The header is longer than any that NumPy writes.
     #[error("its header is too long")]
     LongHeader,
     /// The header lacks a key.
     #[error("its header has no `{0}`")]
     NoKey(&'static str),
-    /// Objects are programs in disguise.
+    /// The array holds Python objects, which could run code when loaded.
     #[error("it holds Python objects (a pickle), which are not loaded; save plain numbers")]
     Objects,
-    /// The sides are no numbers.
+    /// The shape can't be parsed.
     #[error("its shape `{0}` can't be read")]
     Shape(String),
-    /// The array was cut.
+    /// The array is truncated.
     #[error("it ends before its last number")]
     Short,
-    /// Too large for the memory.
+    /// The file is too large for memory.
     #[error(transparent)]
     TooLarge(#[from] TooManyNumbers),
 }
 
-/// Columns of an `.npz` file.
+/// An `.npz` file as a table.
 pub struct NpzTable(ArrayTable);
 
 impl NpzTable {
-    /// Reads the arrays of numbers.
+    /// Reads the numeric arrays.
     ///
     /// # Errors
-    /// Where the file is damaged, holds objects, or is too large for the memory.
+    /// If the file is damaged, holds objects, or is too large for memory.
     pub fn new(file: &str, bytes: Vec<u8>) -> Result<Self, LogError> {
         let damaged = |e: ZipError| LogError::malformed(file, "npz", e);
         let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(damaged)?;
@@ -83,7 +83,7 @@ impl Table for NpzTable {
     }
 }
 
-/// One array; `None` for text and for more than two dimensions.
+/// Reads one array; `None` for text and for more than two dimensions.
 fn read(mut input: impl Read, name: &str, most: usize) -> Result<Option<Array>, NpzError> {
     let header = header(&mut input)?;
     let descr = value(&header, "descr").ok_or(NpzError::NoKey("descr"))?;
@@ -123,7 +123,7 @@ fn read(mut input: impl Read, name: &str, most: usize) -> Result<Option<Array>, 
     Ok(Some(Array { name: name.into(), shape: [rows, columns], values }))
 }
 
-/// The text of the header: a Python dictionary.
+/// Text of the header, a Python dictionary.
 fn header(input: &mut impl Read) -> Result<String, NpzError> {
     let mut start = [0; 8];
     input.read_exact(&mut start)?;
@@ -142,7 +142,7 @@ fn header(input: &mut impl Read) -> Result<String, NpzError> {
     Ok(String::from_utf8_lossy(&text).into_owned())
 }
 
-/// The text behind a key of the dictionary, up to the comma that ends it.
+/// Text of a value in the dictionary, up to the comma that ends it.
 fn value<'a>(header: &'a str, key: &str) -> Option<&'a str> {
     let quoted = [format!("'{key}':"), format!("\"{key}\":")];
     let at = quoted.iter().find_map(|q| header.find(q.as_str()).map(|i| i + q.len()))?;
@@ -157,7 +157,7 @@ fn value<'a>(header: &'a str, key: &str) -> Option<&'a str> {
     Some(rest[..end].trim())
 }
 
-/// How a number is written.
+/// Encoding of a number.
 struct Number {
     kind: u8,
     size: usize,
@@ -165,7 +165,7 @@ struct Number {
 }
 
 impl Number {
-    /// From NumPy's type string, `<f8`.
+    /// Parses NumPy's type string, such as `<f8`.
     fn of(descr: &str) -> Option<Self> {
         let (order, rest) = descr.split_at_checked(1)?;
         let (kind, size) = rest.split_at_checked(1)?;

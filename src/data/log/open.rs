@@ -1,4 +1,4 @@
-//! Chooses the reader of a log by its first bytes.
+//! Detects the format of a log from its first bytes and opens the matching reader.
 
 use std::io::{Cursor, Read};
 
@@ -17,31 +17,31 @@ use super::ros::{McapMessages, Recording};
 use super::table::MappedTable;
 use super::utf16::Utf16;
 
-/// Format of a log's bytes.
+/// Format of a log file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Format {
-    /// Text.
+    /// CSV in UTF-8.
     Csv,
-    /// Text of two bytes a letter.
+    /// CSV in UTF-16.
     CsvUtf16,
-    /// Gzipped text.
+    /// Gzipped CSV text.
     CsvGz,
-    /// Parquet.
+    /// Parquet file.
     Parquet,
-    /// Recording of ROS 2 messages.
+    /// MCAP recording of ROS 2 messages.
     Mcap,
-    /// Arrays of NumPy, `np.savez`.
+    /// NumPy arrays of `np.savez`.
     Npz,
-    /// Variables of MATLAB, version 5 to 7.
+    /// MATLAB variables, version 5 to 7.
     Mat,
-    /// Recording of ROS 2 in SQLite.
+    /// SQLite recording of ROS 2.
     Sqlite,
-    /// Something that is known and not read, with what to do about it.
+    /// A recognised format that is not read, with advice.
     Foreign(&'static str),
 }
 
 impl Format {
-    /// From the first bytes, sixteen where there are as many.
+    /// Detects the format from the first bytes, sixteen if there are as many.
     pub fn of(magic: &[u8]) -> Self {
         match magic {
             [0x1f, 0x8b, ..] => Self::CsvGz,
@@ -74,14 +74,14 @@ impl Format {
     }
 }
 
-/// Has it the header of a matrix of MATLAB 4? It begins with four numbers of four bytes: type,
-/// rows, columns, and whether there are imaginary parts.
+/// Whether the bytes are the header of a MATLAB 4 matrix, which begins with four 4-byte numbers:
+/// type, rows, columns, and whether there are imaginary parts.
 fn is_matlab_4(magic: &[u8]) -> bool {
     let numbers = |read: fn([u8; 4]) -> u32| -> Option<[u32; 4]> {
         let mut all = magic.chunks_exact(4).filter_map(|b| Some(read(b.try_into().ok()?)));
         Some([all.next()?, all.next()?, all.next()?, all.next()?])
     };
-    // Thousands of the type: byte order; tens: type of number; ones: numbers, text or sparse.
+    // Digits of the type: thousands, byte order; tens, number format; ones, text or sparse.
     let header = |[kind, rows, columns, imaginary]: [u32; 4], order: u32| {
         let size = 1..100_000_000;
         let known = kind / 1000 == order && (kind % 1000) / 10 <= 5 && kind % 10 <= 2;
@@ -91,7 +91,7 @@ fn is_matlab_4(magic: &[u8]) -> bool {
         || numbers(u32::from_be_bytes).is_some_and(|n| header(n, 1))
 }
 
-/// What to do with an SQLite recording.
+/// Advice for an SQLite recording.
 const SQLITE: &str = if cfg!(feature = "rosbag2") {
     "an SQLite recording of ROS 2 is read from its file, not through a pipe; name the file"
 } else {
@@ -99,15 +99,15 @@ const SQLITE: &str = if cfg!(feature = "rosbag2") {
      or turn the recording into MCAP with `ros2 bag convert`"
 };
 
-/// Bytes of a file that is taken into memory at most.
+/// Largest file that is read into memory, bytes.
 const MOST_BYTES: u64 = 64 << 20;
 
-/// A log as a table: its columns by the names that the file gives them. `file` is its name for
-/// messages. CSV and MCAP are read as streams; the others are taken into memory, up to 64 MiB.
+/// Opens a log as a table whose columns keep the names of the file. `file` is the name for
+/// messages. CSV and MCAP are read as streams; other formats are read into memory, up to 64 MiB.
 /// [`open_parquet`] reads Parquet of any length.
 ///
 /// # Errors
-/// Where the bytes can't be read, or are of a format that is not read.
+/// If the bytes can't be read, or their format is not supported.
 pub fn open_table<'a, R: Read + Send + 'a>(
     file: &str,
     mut input: R,
@@ -148,18 +148,18 @@ pub fn open_table<'a, R: Read + Send + 'a>(
     })
 }
 
-/// A Parquet log as a table, read by seeking.
+/// Opens a Parquet log as a table, read by seeking.
 ///
 /// # Errors
-/// Where the bytes can't be read.
+/// If the bytes can't be read.
 pub fn open_parquet<C: ChunkReader + 'static>(file: &str, chunks: C) -> Result<Box<dyn Table>, LogError> {
     Ok(Box::new(ParquetTable::new(file, chunks)?))
 }
 
-/// A recording of ROS 2 in SQLite as a table.
+/// Opens an SQLite recording of ROS 2 as a table.
 ///
 /// # Errors
-/// Where the tables are not those of rosbag2, or have no message with numbers.
+/// If the tables are not those of rosbag2, or have no message with numbers.
 #[cfg(feature = "rosbag2")]
 pub fn open_sqlite(
     file: &str,
@@ -172,15 +172,15 @@ pub fn open_sqlite(
     Ok(Box::new(Recording::new(file, "SQLite", messages, arrival)?))
 }
 
-/// The rows of a table in the roles that joints' names and mapping give them.
+/// Source of a table's rows, with the roles given by joint names and mapping.
 ///
 /// # Errors
-/// Where a column that must be there is not.
+/// If a required column is missing.
 pub fn source<'a>(file: &str, table: Box<dyn Table + 'a>, reading: &Reading) -> Result<Box<dyn Source + 'a>, LogError> {
     Ok(Box::new(MappedTable::new(file, table, reading)?))
 }
 
-/// A reader for a log in any of the formats, whose columns have the log format's names.
+/// Opens a log in any supported format whose columns have the names of the log format.
 ///
 /// # Errors
 /// As [`open_with`].
@@ -188,10 +188,10 @@ pub fn open<'a, R: Read + Send + 'a>(file: &str, input: R) -> Result<Box<dyn Sou
     open_with(file, input, &Reading::default())
 }
 
-/// A reader for a log in any of the formats; joints' names and mapping say what its columns are.
+/// Opens a log in any supported format; `reading` maps its columns to roles.
 ///
 /// # Errors
-/// Where the bytes can't be read, or a column that must be there is not.
+/// If the bytes can't be read, or a required column is missing.
 pub fn open_with<'a, R: Read + Send + 'a>(
     file: &str,
     input: R,

@@ -1,4 +1,4 @@
-//! Parquet files: columns of numbers, and of lists of numbers.
+//! Reads Parquet files with columns of numbers and of lists of numbers, and writes Parquet.
 
 mod directory;
 mod thrift;
@@ -27,28 +27,28 @@ use ::parquet::{
     schema::{parser::parse_message_type, types::ColumnDescriptor},
 };
 
-/// A column of the file: numbers, or lists of numbers that are as long in every row.
+/// A column of the file: numbers, or lists of numbers with the same length in every row.
 struct Leaf {
     name: String,
-    /// Levels of repetition and definition: `(0, 0 or 1)` of a number, `(1, n)` of a list.
+    /// Maximum repetition and definition level: `(0, 0 or 1)` for a number, `(1, n)` for a list.
     levels: (i16, i16),
-    /// Elements of the first list; 1 for a number.
+    /// Number of elements of the first list; 1 for a number.
     width: usize,
-    /// Of a column of stamps: seconds per count, and the first count, from which they are taken.
+    /// For a time stamp column: seconds per count, and the first count, which is subtracted.
     stamp: Option<(f64, Cell<Option<i64>>)>,
 }
 
-/// A Parquet file that is read row group by row group, a block of rows at a time. A column of lists
-/// is as many columns as its first list is long: `state[0]`, `state[1]`, ..
+/// A Parquet file read row group by row group, one block of rows at a time. A list column becomes
+/// as many columns as its first list has elements: `state[0]`, `state[1]`, ..
 pub struct ParquetTable<C: ChunkReader + 'static> {
     file: String,
     reader: SerializedFileReader<Shared<C>>,
     chunks: Shared<C>,
     leaves: Vec<Leaf>,
     names: Vec<String>,
-    /// Leaf and element of each name.
+    /// Leaf and element of each column name.
     owner: Vec<(usize, usize)>,
-    /// Leaves that are read, and for each selected column its place among them and its element.
+    /// Leaves that are read, and for each selected column its index among them and its element.
     wanted: Vec<usize>,
     selected: Vec<(usize, usize)>,
     group: usize,
@@ -61,7 +61,7 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
     /// Reads the schema.
     ///
     /// # Errors
-    /// Where it is no Parquet file, has no columns, or claims more rows than it can hold.
+    /// If the file is not Parquet, has no columns, or claims more rows than it can hold.
     pub fn new(file: &str, chunks: C) -> Result<Self, LogError> {
         let chunks = Shared::new(chunks);
         let refused = |e: DirectoryError| LogError::Parquet { file: file.into(), what: e.to_string() };
@@ -86,7 +86,7 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
         for (index, column) in schema.columns().iter().enumerate() {
             let levels = (column.max_rep_level(), column.max_def_level());
             let parts = column.path().parts();
-            // `state.list.element`, `state.bag.array_element`: the list's own name is before these.
+            // The list's own name precedes `.list.element` or `.bag.array_element`.
             let name = if levels.0 == 1 {
                 parts[..parts.len().saturating_sub(2).max(1)].join(".")
             } else {
@@ -106,7 +106,7 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
         Ok(table)
     }
 
-    /// Number of elements of the first list of a column; 0 where they are no numbers, or too many.
+    /// Number of elements of the first list of a column; 0 if they are not numbers, or too many.
     fn first_length(&self, index: usize, levels: (i16, i16)) -> Result<usize, LogError> {
         for group in 0..self.reader.num_row_groups() {
             let mut list = Lists::new(levels, LONGEST_LIST);
@@ -121,7 +121,7 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
         Ok(0)
     }
 
-    /// Readers of columns of a row group, from 0.
+    /// Readers for columns of a row group, counted from 0.
     fn columns(&self, group: usize, columns: &[usize]) -> Result<Vec<ColumnReader>, LogError> {
         directory::pages(&self.chunks, self.reader.metadata(), group, columns)
             .map_err(|e| LogError::Parquet { file: self.file.clone(), what: e.to_string() })?;
@@ -144,13 +144,13 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
         Ok(true)
     }
 
-    /// Appends `take` rows of the leaf `k` of those that are wanted.
+    /// Appends `take` rows of the `k`-th selected leaf to the block.
     fn pull(&mut self, k: usize, take: usize, block: &mut Block) -> Result<(), LogError> {
         let leaf = &self.leaves[self.wanted[k]];
         let file = self.file.as_str();
         let no_numbers =
             || LogError::Parquet { file: file.into(), what: format!("the column `{}` holds no numbers", leaf.name) };
-        // A directory that promises more rows than there are would be read for ever.
+        // A directory that promises more rows than there are would cause an endless loop.
         let short = |n: usize| {
             let what = format!("the column `{}` ends {} rows before its row group", leaf.name, take - n);
             LogError::Parquet { file: file.into(), what }
@@ -230,10 +230,10 @@ impl<C: ChunkReader + 'static> Table for ParquetTable<C> {
     }
 }
 
-/// Longest list whose elements are columns.
+/// Longest list whose elements become columns.
 const LONGEST_LIST: usize = 128;
 
-/// Appends `take` rows of a column of numbers; how many there were. `None`: no numbers.
+/// Appends `take` rows of a numeric column and returns how many there were; `None` if not numeric.
 fn numbers(
     reader: &mut ColumnReader,
     leaf: &Leaf,
@@ -242,7 +242,7 @@ fn numbers(
 ) -> Result<Option<usize>, ParquetError> {
     let before = out.len();
     match (reader, &leaf.stamp) {
-        // Differences of ns are exact; those of seconds of an epoch are not.
+        // Differences of ns are exact; differences of seconds since an epoch are not.
         (ColumnReader::Int64ColumnReader(r), Some((seconds, first))) => {
             pull::<Int64Type>(r, take, out, |v| {
                 let from = first.get().unwrap_or(v);
@@ -255,7 +255,7 @@ fn numbers(
     }
 }
 
-/// The same of a column whose values are in the unit of its role.
+/// Does the same for a column whose values are in the unit of its role.
 fn plain_numbers(
     reader: &mut ColumnReader,
     nullable: bool,
@@ -264,7 +264,7 @@ fn plain_numbers(
 ) -> Result<Option<usize>, ParquetError> {
     let before = out.len();
     match reader {
-        // Doubles that are never null are read to their place.
+        // Non-nullable doubles are read directly to their destination.
         ColumnReader::DoubleColumnReader(r) if !nullable => {
             let mut left = take;
             while left > 0 {
@@ -284,10 +284,10 @@ fn plain_numbers(
     Ok(Some(out.len() - before))
 }
 
-/// Rows of a column of lists.
+/// Rows of a list column.
 struct Lists {
     levels: (i16, i16),
-    /// Elements that are kept of each list.
+    /// Number of elements kept of each list.
     width: usize,
     rows: Vec<Vec<f64>>,
 }
@@ -297,7 +297,7 @@ impl Lists {
         Self { levels, width, rows: Vec::new() }
     }
 
-    /// Reads `take` lists; how many there were. `None`: no numbers.
+    /// Reads `take` lists and returns how many there were; `None` if the elements are not numbers.
     fn read(&mut self, reader: &mut ColumnReader, take: usize) -> Result<Option<usize>, ParquetError> {
         match reader {
             ColumnReader::DoubleColumnReader(r) => self.pull::<DoubleType>(r, take, |v| v)?,
@@ -333,7 +333,7 @@ impl Lists {
                 let Some(row) = self.rows.last_mut() else { continue };
                 let full = *d == self.levels.1;
                 let value = if full { next.next().map_or(f64::NAN, &convert) } else { f64::NAN };
-                // A level below that of an element is an empty list.
+                // One level below a value is a null element (NaN); lower levels are empty lists.
                 if (full || *d + 1 == self.levels.1) && row.len() <= self.width {
                     row.push(value);
                 }
@@ -343,7 +343,7 @@ impl Lists {
     }
 }
 
-/// Appends `take` rows of a column, NaN where the value is null.
+/// Appends `take` rows of a column, with NaN for nulls.
 fn pull<T: DataType>(
     reader: &mut ColumnReaderImpl<T>,
     take: usize,
@@ -388,7 +388,7 @@ fn failed(file: &str, error: ParquetError) -> LogError {
     LogError::Parquet { file: file.into(), what }
 }
 
-/// Seconds per count of a column of stamps; `None` where it is none.
+/// Seconds per count of a time stamp column; `None` for other columns.
 fn stamp(column: &ColumnDescriptor) -> Option<f64> {
     if let Some(LogicalType::Timestamp(stamp)) = column.logical_type_ref() {
         return Some(match stamp.unit {
@@ -407,29 +407,29 @@ fn stamp(column: &ColumnDescriptor) -> Option<f64> {
 /// Writes a log as a Parquet file of doubles.
 ///
 /// # Errors
-/// What the target says.
+/// Errors of the writer.
 pub fn write<W: std::io::Write + Send>(log: &Log, out: W) -> Result<(), LogError> {
     let mut writer = ParquetWriter::new(&log.layout, out)?;
     writer.rows(&log.columns)?;
     writer.finish()
 }
 
-/// Rows of a row group: some MB.
+/// Rows of a row group: a few MB.
 const GROUP: usize = 1 << 15;
 
-/// Writes rows as a Parquet file of doubles as they come.
+/// Writes rows as a Parquet file of doubles incrementally.
 pub struct ParquetWriter<W: std::io::Write + Send> {
     file: String,
     writer: SerializedFileWriter<W>,
-    /// Rows of the next group.
+    /// Buffered rows of the next row group.
     group: Vec<Vec<f64>>,
 }
 
 impl<W: std::io::Write + Send> ParquetWriter<W> {
-    /// Begins the file.
+    /// Starts the file.
     ///
     /// # Errors
-    /// What the target says.
+    /// Errors of the writer.
     pub fn new(layout: &Layout, out: W) -> Result<Self, LogError> {
         let file = layout.file.clone();
         let fields: String = layout.roles.iter().map(|r| format!("REQUIRED DOUBLE {};", r.name())).collect();
@@ -443,7 +443,7 @@ impl<W: std::io::Write + Send> ParquetWriter<W> {
     /// Writes rows: one vector per column.
     ///
     /// # Errors
-    /// What the target says.
+    /// Errors of the writer.
     pub fn rows(&mut self, columns: &[Vec<f64>]) -> Result<(), LogError> {
         for (to, from) in self.group.iter_mut().zip(columns) {
             to.extend_from_slice(from);
@@ -454,10 +454,10 @@ impl<W: std::io::Write + Send> ParquetWriter<W> {
         Ok(())
     }
 
-    /// Writes what is still held, and the end of the file.
+    /// Writes the buffered rows and the footer of the file.
     ///
     /// # Errors
-    /// What the target says.
+    /// Errors of the writer.
     pub fn finish(mut self) -> Result<(), LogError> {
         let left = self.group.first().map_or(0, Vec::len);
         if left > 0 {

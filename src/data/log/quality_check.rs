@@ -1,5 +1,5 @@
-//! Looks at every row once, in order, and says which may be used. Findings come at the end, all of
-//! them.
+//! Checks every row of a log once, in order, and decides which rows are used. All findings are
+//! returned at the end.
 
 use super::Acceptance;
 use super::Block;
@@ -10,37 +10,37 @@ use super::Quantity;
 use super::Role;
 use super::Severity;
 
-/// Least and largest value of a column.
+/// Range of a column's values.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reached {
-    /// Its name: `q3`, `tau3`.
+    /// Name of the column: `q3`, `tau3`.
     pub column: String,
-    /// Least, largest.
+    /// Smallest and largest value.
     pub range: [f64; 2],
 }
 
-/// Outcome for a row.
+/// Verdict on a row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
-    /// Used; continues the segment.
+    /// The row is used and continues the segment.
     Acceptance,
-    /// Used; the first of a segment.
+    /// The row is used and starts a segment.
     Start,
-    /// Left out.
+    /// The row is left out.
     Drop,
 }
 
-/// A step longer than this many periods is a gap; one or two missing samples are interpolated.
+/// Longest step in periods that is no gap: one or two missing samples are interpolated.
 const GAP: f64 = 2.5;
 
-/// Looks at a log as it streams by.
+/// Quality check of a log, fed block by block.
 #[derive(Debug, Clone)]
 pub struct QualityCheck {
     keep: Acceptance,
-    /// Index of `t` and `seg` among a block's columns.
+    /// Index of `t` and of `seg` among a block's columns.
     time: usize,
     segment: Option<usize>,
-    /// Columns whose cells must be numbers: those that are used.
+    /// Indices of the used columns, whose cells must be numbers.
     needed: Vec<usize>,
     names: Vec<String>,
     channels: Vec<Channel>,
@@ -69,8 +69,8 @@ struct ClockFigures {
 }
 
 impl QualityCheck {
-    /// For a log with these columns, of which `q` and `torques` (and every other quantity that is
-    /// not a torque) are used.
+    /// Creates a check for a log with these columns. `q`, `torques` and every quantity that is not
+    /// a torque are used.
     pub fn new(layout: &Layout, torques: &[Quantity], keep: Acceptance) -> Self {
         let names: Vec<String> = layout.roles.iter().map(|r| r.name()).collect();
         let mut findings = Vec::new();
@@ -110,12 +110,12 @@ impl QualityCheck {
         }
     }
 
-    /// The clock's usual step, s, once a block was seen.
+    /// Usual step of the clock, s; known once a block was checked.
     pub fn period(&self) -> Option<f64> {
         self.period
     }
 
-    /// Judges each row of the block that follows the one before.
+    /// Decides on each row of the next block.
     pub fn admit(&mut self, block: &Block, verdicts: &mut Vec<Verdict>) {
         verdicts.clear();
         if self.period.is_none() {
@@ -154,7 +154,7 @@ impl QualityCheck {
             self.samples += usize::from(verdict != Verdict::Drop);
             verdicts.push(verdict);
         }
-        // Column by column: most stretches are passed without a look at each of their rows.
+        // Column by column: most stretches pass without a check of each single row.
         let time = &block.columns[self.time];
         for channel in &mut self.channels {
             let (mut look, values) = (channel.clone(), &block.columns[channel.column]);
@@ -214,7 +214,7 @@ impl QualityCheck {
         Verdict::Acceptance
     }
 
-    /// Counts a finding of this kind in this column, or begins to.
+    /// Counts a finding of this kind in this column, adding it if it is new.
     fn note(&mut self, kind: Kind, allowed: bool, line: u64, column: Option<usize>) {
         let name = column.map(|c| self.names[c].clone());
         let same =
@@ -230,7 +230,7 @@ impl QualityCheck {
         self.findings.push(Finding { kind, severity, line: Some(line), column: name, count: 1 });
     }
 
-    /// How far the columns of positions and of the used torques went, so far.
+    /// Ranges reached so far by the position columns and the used torque columns.
     pub fn reached(&self) -> Vec<Reached> {
         let of = |channel: &Channel| Reached {
             column: self.names[channel.column].clone(),
@@ -239,7 +239,7 @@ impl QualityCheck {
         self.channels.iter().filter(|c| c.top.samples > 0).map(of).collect()
     }
 
-    /// All findings, the gravest first, in the order of the file.
+    /// All findings, the most severe first, otherwise in the order of the file.
     pub fn finish(mut self) -> Vec<Finding> {
         let period = self.period.unwrap_or(0.0);
         let clock = self.clock.clone();
@@ -289,59 +289,60 @@ impl QualityCheck {
     }
 }
 
-/// Whether there is neither NaN nor an infinity.
+/// Whether all values are finite.
 fn all_finite(column: &[f64]) -> bool {
     column.chunks(64).all(|part| part.iter().fold(true, |all, x| all & x.is_finite()))
 }
 
-/// Median of the positive steps.
+/// Median of the positive time steps, s.
 fn median_step(time: &[f64]) -> Option<f64> {
     let mut steps: Vec<f64> = time.windows(2).map(|w| w[1] - w[0]).filter(|d| d.is_finite() && *d > 0.0).collect();
     let middle = steps.len().checked_sub(1)? / 2;
     Some(*steps.select_nth_unstable_by(middle, f64::total_cmp).1)
 }
 
-/// A joint that stays within this, rad or m, rests: its torque may stand still.
+/// Range within which a joint counts as resting, rad or m: its torque may then be constant.
 const REST: f64 = 1e-3;
 
-/// A stay of fewer samples is none.
+/// Shortest run of equal values that is examined, samples.
 const LONG: usize = 10;
-/// Rows that are passed at once.
+/// Number of rows that are passed at once.
 const STRETCH: usize = 64;
 
-/// Running figures of a `q` or torque column.
+/// Running statistics of a `q` or torque column.
 #[derive(Debug, Clone)]
 struct Channel {
     column: usize,
     torque: bool,
-    /// Of a torque: the column of the joint's position.
+    /// For a torque: the position column of the joint.
     position: Option<usize>,
     largest: f64,
-    /// Sum and number of the changes that are not zero.
+    /// Sum and number of nonzero changes.
     moved: f64,
     moves: usize,
     last: f64,
     before_stay: f64,
     stay: Stay,
-    /// Longest stay that ended with a jump, how many, and where the first one began.
+    /// Longest constant run that ended with a jump, number of such runs, and start of the first
+    /// one.
     stuck: Option<(f64, f64, u64, usize)>,
     top: Plateau,
     bottom: Plateau,
 }
 
-/// A run of one value.
+/// A run of equal values.
 #[derive(Debug, Clone, Copy, Default)]
 struct Stay {
     samples: usize,
     since: f64,
     line: u64,
     until: f64,
-    /// Position of the joint at its begin, and how far it went from there, rad or m.
+    /// Joint position at the start of the run, and largest distance from it, rad or m.
     from: f64,
     travel: f64,
 }
 
-/// How often, and how long at a stretch, a channel stood at its extreme value.
+/// Number and length of the runs at a channel's extreme value.
 #[derive(Debug, Clone, Copy, Default)]
 struct Plateau {
     level: f64,
@@ -368,8 +369,8 @@ impl Plateau {
         }
     }
 
-    /// A sensor with noise does not give its very largest value many times over: two stays of 3,
-    /// one of at least 8 samples.
+    /// Whether the extreme value is a saturation level. A noisy sensor does not repeat its largest
+    /// value often: a level needs 20 samples in all, two runs of at least 3 and one of at least 8.
     fn is_cut_off(&self) -> bool {
         self.longest >= 8 && self.runs >= 2 && self.samples >= 20 && self.level != 0.0
     }
@@ -393,9 +394,9 @@ impl Channel {
         }
     }
 
-    /// Takes in rows that follow one another and leave no trace but in the sums: no value is the
-    /// one before, none the largest or least, and none ends a stay. False where they are to be
-    /// looked at one by one. `end`: position, time and line of the last.
+    /// Accepts consecutive rows that affect only the sums: no value equals the previous one, none
+    /// is a new extreme, and none ends a constant run. Returns false if they must be checked one by
+    /// one. `end`: position, time and line of the last row.
     fn passes(&mut self, values: &[f64], end: (f64, f64, u64)) -> bool {
         let (Some((&first, &last)), false) = (values.first().zip(values.last()), self.stay.samples >= LONG) else {
             return false;
@@ -419,13 +420,13 @@ impl Channel {
         true
     }
 
-    /// The first sample of a stay.
+    /// Starts a run of equal values.
     fn begin(&mut self, value: f64, (position, time, line): (f64, f64, u64)) {
         self.last = value;
         self.stay = Stay { samples: 1, since: time, line, until: time, from: position, travel: 0.0 };
     }
 
-    /// Takes in one row: its value, and its position, time and line.
+    /// Checks one row: value, and its position, time and line. `start`: first row of a segment.
     #[inline]
     fn look(&mut self, value: f64, (position, time, line): (f64, f64, u64), start: bool) {
         self.largest = self.largest.max(value.abs());
@@ -440,9 +441,9 @@ impl Channel {
             return;
         } else {
             let change = value - self.last;
-            // Stuck: it was moving, stood for 10 samples or more, and caught up with one jump in
-            // the same direction. A torque counts as stuck only while its joint moves: that of a
-            // joint at rest may be constant, and changes with the first motion.
+            // Stuck: it was moving, stayed constant for 10 samples or more, then caught up with one
+            // jump in the same direction. A torque counts as stuck only while its joint moves: at
+            // rest it may be constant, and it changes with the first motion.
             let frozen = || {
                 let usual = self.moved / self.moves.max(1) as f64;
                 let jumps = change.abs() > 5.0 * self.before_stay.abs().max(usual);

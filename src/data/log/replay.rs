@@ -1,4 +1,4 @@
-//! A log in memory, read from front to back like a file.
+//! Replays a log in memory from front to back, like a file.
 
 use super::Block;
 use super::Layout;
@@ -6,14 +6,14 @@ use super::Log;
 use super::LogError;
 use super::Source;
 
-/// Reads a [`Log`] again.
+/// Source that replays a [`Log`].
 pub struct Replay<'a> {
     log: &'a Log,
     at: usize,
 }
 
 impl<'a> Replay<'a> {
-    /// From its first row.
+    /// Starts at the first row.
     pub fn new(log: &'a Log) -> Self {
         Self { log, at: 0 }
     }

@@ -1,4 +1,4 @@
-//! Recordings of ROS 2: messages on topics become channels of numbers, channels become columns.
+//! Reads ROS 2 recordings: messages on topics become numeric channels, and channels become columns.
 
 mod align;
 mod cdr;

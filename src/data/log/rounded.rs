@@ -1,31 +1,31 @@
 //! Recognises a copy of a log that was written with fewer digits.
 //!
-//! A copy rounded to so many digits is what the original gives when it is rounded to as many. Rows
-//! are therefore hashed at every precision that files are written with, and two logs are compared
-//! at the coarser of their own precisions. Of each precision the rows with the smallest hashes are
-//! kept, as in [`super::Fingerprint`].
+//! A rounded copy equals the original rounded to the same precision. Rows are therefore hashed at
+//! every precision that is usual in files, and two logs are compared at the coarser of their own
+//! precisions. At each precision the rows with the smallest hashes are kept, as in
+//! [`super::Fingerprint`].
 
 use std::collections::HashMap;
 use std::hash::{Hash, Hasher};
 
 use super::fingerprint::{hasher, mixed};
 
-/// Decimal places that are tried, for positions and for torques each.
+/// Decimal places that are tried, separately for positions and torques.
 const PLACES: [usize; 7] = [1, 2, 3, 4, 5, 6, 7];
-/// Places of positions that choose the rows that are looked at.
+/// Decimal places of the positions by which rows are preselected.
 const CELL: usize = 2;
-/// Significant digits that are tried.
+/// Numbers of significant digits that are tried.
 const DIGITS: [usize; 6] = [3, 4, 5, 6, 7, 8];
-/// Most rows that are kept at each precision: 5 MB in all.
+/// Most rows kept at each precision: 5 MB in all.
 pub(super) const MOST_ROWS: usize = 1 << 12;
-/// Rows of one log that must be found in the other, in order, with at most [`MISSES`] between.
+/// Rows of one log that must be found in the other, in order, with at most [`MISSES`] in between.
 const SHORTEST_RUN: usize = 20;
-/// Ties are rounded this way by one program and that way by another.
+/// Rows that may be missed in a run, since programs round ties differently.
 const MISSES: usize = 5;
-/// Fewer different rows make no comparison: an arm that stands still resembles itself.
+/// Fewest different rows for a comparison, since an arm at rest looks alike in unrelated logs.
 const LEAST_ROWS: usize = 2 * SHORTEST_RUN;
 
-/// A row that was kept.
+/// A kept row.
 #[derive(Debug, Clone, Copy)]
 struct Row {
     hash: u64,
@@ -33,7 +33,7 @@ struct Row {
     time: f64,
 }
 
-/// The rows at one precision.
+/// Kept rows at one precision.
 #[derive(Debug, Clone)]
 struct Rows {
     limit: u64,
@@ -65,7 +65,7 @@ impl Rows {
         }
     }
 
-    /// Seconds of this log that stand in the other one.
+    /// Duration of this log that is contained in the other one, s.
     fn found_in(&self, other: &Self) -> f64 {
         let limit = self.limit.min(other.limit);
         let there: HashMap<u64, u64> =
@@ -96,7 +96,7 @@ impl Rows {
     }
 }
 
-/// Rows found again in order.
+/// A run of rows found in the same order in the other log.
 #[derive(Debug, Clone, Copy, Default)]
 struct Run {
     start: f64,
@@ -117,14 +117,14 @@ impl Run {
     }
 }
 
-/// By what a log is recognised in a copy with fewer digits.
+/// Fingerprint by which a log is recognised in a copy with fewer digits.
 #[derive(Debug, Clone)]
 pub(super) struct Rounded {
-    /// By places of positions, then of torques.
+    /// Rows by decimal places: number of places of positions, then of torques.
     places: Vec<Rows>,
-    /// By significant digits of both.
+    /// Rows by the number of significant digits of positions and torques.
     digits: Vec<Rows>,
-    /// Indices of the least places (positions, torques) and digits that change no value.
+    /// Indices of the fewest places (positions, torques) and digits that preserve every value.
     own: [usize; 3],
 }
 
@@ -134,9 +134,9 @@ impl Rounded {
         Self { places, digits: vec![Rows::default(); DIGITS.len()], own: [0; 3] }
     }
 
-    /// The next row, number `index`, at `time`, s.
+    /// Adds the next row, number `index`, at `time`, s.
     pub(super) fn push(&mut self, index: u64, time: f64, positions: &[f64], torques: &[f64]) {
-        // One cell of the joint space in eight is enough, and as many times as fast.
+        // Hashes one cell of the joint space in eight: sufficient, and eight times as fast.
         if hashed(positions.iter().copied(), |x| to_places(x, CELL)) & 7 != 0 {
             return;
         }
@@ -166,7 +166,7 @@ impl Rounded {
         self.own[2] = (self.own[2]..DIGITS.len()).find(exact).unwrap_or(DIGITS.len());
     }
 
-    /// Keeps so many rows of each precision at most.
+    /// Keeps at most `most` rows of each precision.
     pub(super) fn shrink(&mut self, most: usize) {
         for rows in self.places.iter_mut().chain(&mut self.digits) {
             rows.thin(most.min(MOST_ROWS));
@@ -174,7 +174,7 @@ impl Rounded {
         }
     }
 
-    /// Seconds that both logs share where the one with more digits is rounded as the other is.
+    /// Duration that both logs share after the finer one is rounded like the other, s.
     pub(super) fn shared(&self, other: &Self) -> f64 {
         let own: [usize; 3] = std::array::from_fn(|k| self.own[k].min(other.own[k]));
         let both = |a: &Rows, b: &Rows| a.found_in(b).max(b.found_in(a));
@@ -191,22 +191,22 @@ impl Rounded {
 }
 
 fn hashed(values: impl Iterator<Item = f64>, mut round: impl FnMut(f64) -> f64) -> u64 {
-    // Both zeros alike.
+    // Adding 0 maps both zeros to the same bits.
     mixed(values.map(|x| (round(x) + 0.0).to_bits()))
 }
 
-/// Whether rounding does not change the value, up to single precision.
+/// Whether rounding preserves the value, up to single precision.
 fn is_rounded(x: f64, round: impl Fn(f64) -> f64) -> bool {
     x.is_nan() || (round(x) as f32) == (x as f32)
 }
 
-/// Powers of ten that are doubles.
+/// Powers of ten that are exact in double precision.
 const POWERS: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20,
     1e21, 1e22,
 ];
 
-/// To this many decimal places, at most 22, ties as they are printed.
+/// Rounds to at most 22 decimal places, ties as they are printed.
 #[inline]
 fn to_places(x: f64, places: usize) -> f64 {
     let scale = POWERS[places];
@@ -214,8 +214,8 @@ fn to_places(x: f64, places: usize) -> f64 {
     if scaled.is_nan() || scaled.abs() > 1e15 {
         return x;
     }
-    // Beyond this number doubles are whole, so that adding it rounds: without a call on processors
-    // that have no instruction for it.
+    // Adding this number rounds, since doubles beyond it are integers. It needs no function call on
+    // processors without a rounding instruction.
     const WHOLE: f64 = 3.0 * (1u64 << 51) as f64;
     let rounded = (scaled + WHOLE) - WHOLE;
     if ((scaled - rounded).abs() - 0.5).abs() < 1e-6 {
@@ -224,13 +224,13 @@ fn to_places(x: f64, places: usize) -> f64 {
     rounded / scale
 }
 
-/// The same where rounding may have hidden to which side the number is.
+/// Rounds a value so close to a tie that `x * scale` may be on the wrong side.
 #[cold]
 fn beside_a_tie(x: f64, places: usize) -> f64 {
     let (x, sign, scale) = (x.abs(), x.signum(), POWERS[places]);
     let scaled = x * scale;
     let below = scaled.floor();
-    // Exact, both: how far the product is above the tie, and what its rounding left out.
+    // Both are exact: distance of the product above the tie, and rounding error of the product.
     let (above, left_out) = (scaled - below - 0.5, x.mul_add(scale, -scaled));
     let rounded = match (above + left_out).total_cmp(&0.0) {
         _ if above == -left_out => match format!("{x:.places$}").parse::<f64>() {
@@ -243,12 +243,12 @@ fn beside_a_tie(x: f64, places: usize) -> f64 {
     sign * rounded / scale
 }
 
-/// To this many significant digits.
+/// Rounds to this many significant digits.
 fn to_digits(x: f64, digits: usize) -> f64 {
     with_lead(x, digits, lead(x))
 }
 
-/// Decimal exponent of the first digit.
+/// Decimal exponent of the first significant digit.
 fn lead(x: f64) -> i32 {
     let size = x.abs();
     match POWERS.iter().position(|power| size < *power) {
@@ -261,7 +261,7 @@ fn lead(x: f64) -> i32 {
     }
 }
 
-/// To this many significant digits, the first of which has the decimal exponent `lead`.
+/// Rounds to this many significant digits, given the decimal exponent `lead` of the first.
 fn with_lead(x: f64, digits: usize, lead: i32) -> f64 {
     if x == 0.0 || !x.is_finite() {
         return x;
@@ -281,7 +281,7 @@ mod tests {
     #[test]
     fn ties_are_rounded_as_they_are_printed() {
         let mut random = crate::numerics::prng::Random::new(3);
-        // Decimals that end in a five, and their neighbours.
+        // Decimals that end in a five, and their neighbouring doubles.
         let mut ties = move || ((random.uniform(-3e4, 3e4)).floor() + 0.5) * [1e-2, 1e-3, 1e-5][random.below(3)];
         let beside = |x: f64| [x, x.next_up(), x.next_down()];
         let many: Vec<f64> = (0..300).flat_map(|_| beside(ties())).collect();

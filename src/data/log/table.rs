@@ -1,4 +1,4 @@
-//! A log as its file has it: named columns of numbers, before they have a role.
+//! Table of named numeric columns as in the file, before roles are assigned.
 
 use super::Block;
 use super::ChannelSummary;
@@ -10,36 +10,36 @@ use super::Role;
 use super::Source;
 use super::inspect::summarise_rows;
 
-/// Named columns of numbers that are read from front to back.
+/// Named numeric columns, read from front to back.
 pub trait Table: Send {
-    /// Names of the columns, as the file has them.
+    /// Names of the columns in the file.
     fn names(&self) -> &[String];
 
-    /// Whether a column holds numbers, as far as the file says.
+    /// Whether a column is numeric, as far as the file states it.
     fn is_numeric(&self, position: usize) -> bool {
         let _ = position;
         true
     }
 
-    /// Looks at all columns of numbers, from front to back.
+    /// Summarises all numeric columns, reading the whole table.
     ///
     /// # Errors
-    /// Where the bytes can't be read.
+    /// If the bytes can't be read.
     fn summarise(&mut self) -> Result<Vec<ChannelSummary>, LogError> {
         summarise_rows(self)
     }
 
-    /// Chooses the columns that are read, by their index into [`names`](Self::names), and the one
-    /// whose clock the rows have where columns have clocks of their own.
+    /// Selects the columns to read, by index into [`names`](Self::names), and the column whose
+    /// clock defines the rows if columns have separate clocks.
     ///
     /// # Errors
-    /// Where a column holds no numbers.
+    /// If a column is not numeric.
     fn select(&mut self, positions: &[usize], clock: usize) -> Result<(), LogError>;
 
     /// Appends up to `rows` rows of the selected columns to `block`; none at the end.
     ///
     /// # Errors
-    /// Where the bytes can't be read.
+    /// If the bytes can't be read.
     fn next_rows(&mut self, rows: usize, block: &mut Block) -> Result<(), LogError>;
 }
 
@@ -65,19 +65,19 @@ impl<T: Table + ?Sized> Table for Box<T> {
     }
 }
 
-/// A table whose columns have roles, in SI units.
+/// A table whose columns have roles, converted to SI units.
 pub struct MappedTable<T> {
     layout: Layout,
     table: T,
-    /// Scale and offset of each used column; `None`: none has any.
+    /// Scale and offset of each used column; `None` if no column needs a conversion.
     conversions: Option<Vec<[f64; 2]>>,
 }
 
 impl<T: Table> MappedTable<T> {
-    /// Gives the columns their roles.
+    /// Assigns roles to the columns.
     ///
     /// # Errors
-    /// Where a column that must be there is missing, or one that is there is ambiguous.
+    /// If a required column is missing, or a column is ambiguous.
     pub fn new(file: &str, mut table: T, reading: &Reading) -> Result<Self, LogError> {
         let (layout, conversions) = reading.layout(file, table.names())?;
         let clock = layout.find(Role::Joint(Quantity::Q, 0)).unwrap_or(0);

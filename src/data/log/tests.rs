@@ -1,4 +1,4 @@
-//! A log in order first, then one thing wrong per test.
+//! Tests with a valid log, and with one defect per test.
 
 mod fingerprint;
 mod formats;
@@ -7,7 +7,7 @@ mod quality_check;
 
 use super::*;
 
-/// Two joints, 400 rows at 100 Hz, with a little noise.
+/// Rows of two joints, 400 at 100 Hz, with a little noise.
 fn good() -> Vec<Vec<String>> {
     let mut rows = vec![["t", "q1", "q2", "tau1", "tau2"].map(String::from).to_vec()];
     let mut state = 7_u64;
@@ -39,7 +39,7 @@ fn read(rows: &[Vec<String>], keep: Acceptance) -> Result<Log, LogError> {
     Log::read(open("log.csv", text.as_bytes())?.as_mut(), Quantity::Tau, keep)
 }
 
-/// The findings that stop the log.
+/// Findings that stop the reading.
 fn fatal(rows: &[Vec<String>]) -> Vec<Finding> {
     match read(rows, Acceptance::default()) {
         Err(LogError::Rejected { findings, .. }) => findings.into_iter().filter(Finding::is_fatal).collect(),
@@ -47,7 +47,7 @@ fn fatal(rows: &[Vec<String>]) -> Vec<Finding> {
     }
 }
 
-/// The only finding that stops the log, which reading with its permission then lets through.
+/// The only finding that stops the reading, and the log read with that finding accepted.
 fn only(rows: &[Vec<String>]) -> (Finding, Log) {
     let mut found = fatal(rows);
     assert_eq!(found.len(), 1, "{found:?}");

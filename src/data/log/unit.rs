@@ -1,4 +1,4 @@
-//! Units that a column may be in, and what one of them is in SI.
+//! Units of columns, and their values in SI.
 
 use dh_codegen::robot::Dimension;
 
@@ -20,31 +20,31 @@ fn dimension(role: Role) -> Option<Dimension> {
     })
 }
 
-/// A unit that does not fit what its column holds.
+/// Mismatch between a unit and the quantity of its column.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum UnitError {
-    /// The column's numbers have none.
+    /// The column's quantity has no unit.
     #[error("`{column}` has no unit, `{unit}` was given")]
     Unitless {
-        /// The column in the log format.
+        /// Column of the log format.
         column: String,
-        /// The unit.
+        /// Unit that was given.
         unit: String,
     },
-    /// A unit of something else, or none at all.
+    /// The unit is unknown, or belongs to another quantity.
     #[error("`{unit}` is no unit for `{column}`; choose among {}", .known.join(", "))]
     Unknown {
-        /// The column in the log format.
+        /// Column of the log format.
         column: String,
-        /// The unit.
+        /// Unit that was given.
         unit: String,
-        /// Units that the column may have.
+        /// Units allowed for the column.
         known: Vec<&'static str>,
     },
 }
 
-/// Value of one `unit` in the role's SI unit.
+/// Value of one `unit` in the SI unit of the role.
 pub(crate) fn scale(unit: &str, role: Role) -> Result<f64, UnitError> {
     let (column, given) = (role.name(), unit.to_string());
     let Some(dimension) = dimension(role) else {
@@ -53,8 +53,7 @@ pub(crate) fn scale(unit: &str, role: Role) -> Result<f64, UnitError> {
     dimension.scale(unit).ok_or_else(|| UnitError::Unknown { column, unit: given, known: dimension.units() })
 }
 
-/// A column's name without the unit that stands behind it in brackets, and that unit:
-/// `q1 [deg]`, `t (ms)`.
+/// Splits a column name into the name and the unit in brackets behind it: `q1 [deg]`, `t (ms)`.
 pub(crate) fn split(name: &str) -> (&str, Option<&str>) {
     let name = name.trim();
     for (open, close) in [('[', ']'), ('(', ')')] {

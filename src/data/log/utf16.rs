@@ -1,16 +1,16 @@
-//! Text of two bytes a letter, as Windows programs save it, read as UTF-8.
+//! Decodes UTF-16 text, as saved by some Windows programs, to UTF-8.
 
 use std::io::{Error, ErrorKind, Read, Result};
 
-/// Bytes that are decoded at once.
+/// Bytes decoded at once.
 const CHUNK: usize = 8192;
 
-/// UTF-8 of a stream of UTF-16 that begins with its byte order mark.
+/// UTF-8 reader of a UTF-16 stream that begins with a byte order mark.
 pub(super) struct Utf16<R> {
     source: R,
-    /// Big-endian; `None`: the mark is not read yet.
+    /// Whether the stream is big-endian; `None` until the mark is read.
     big: Option<bool>,
-    /// Bytes that wait for the rest of their letter.
+    /// Bytes of an incomplete code unit or surrogate pair.
     rest: Vec<u8>,
     text: Vec<u8>,
     given: usize,
@@ -33,7 +33,7 @@ impl<R: Read> Utf16<R> {
         let big = *self.big.get_or_insert(self.rest.starts_with(&[0xfe, 0xff]));
         let unit = |b: &[u8]| if big { u16::from_be_bytes([b[0], b[1]]) } else { u16::from_le_bytes([b[0], b[1]]) };
         let mut units: Vec<u16> = self.rest.chunks_exact(2).map(unit).collect();
-        // The second half of a letter may stand in the next part.
+        // The second half of a surrogate pair may be in the next part.
         if units.last().is_some_and(|u| (0xd800..0xdc00).contains(u)) {
             units.pop();
         }

@@ -1,4 +1,4 @@
-//! A log in memory, for those who need all of it at once.
+//! A log in memory, for callers that need all rows at once.
 
 use super::Acceptance;
 use super::Block;
@@ -11,21 +11,21 @@ use super::Role;
 use super::Source;
 use super::Verdict;
 
-/// Rows that passed the quality check, in segments.
+/// Rows accepted by the quality check, in segments.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Log {
-    /// The columns.
+    /// Layout of the columns.
     pub layout: Layout,
     /// Values, one vector per used column, in the order of [`Layout::roles`].
     pub columns: Vec<Vec<f64>>,
-    /// First row of each segment.
+    /// Index of the first row of each segment.
     pub starts: Vec<usize>,
     /// Findings of the quality check.
     pub findings: Vec<Finding>,
 }
 
 impl Log {
-    /// Reads all of it.
+    /// Reads the whole log.
     pub fn read(source: &mut dyn Source, torque: Quantity, keep: Acceptance) -> Result<Self, LogError> {
         let layout = source.layout().clone();
         let (mut columns, mut starts) = (vec![Vec::new(); layout.roles.len()], Vec::new());
@@ -43,40 +43,40 @@ impl Log {
         self.columns.first().map_or(0, Vec::len)
     }
 
-    /// Whether there is no row.
+    /// Whether the log has no rows.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// A column by its role.
+    /// Column with this role.
     pub fn column(&self, role: Role) -> Option<&[f64]> {
         self.layout.find(role).map(|i| self.columns[i].as_slice())
     }
 
-    /// A joint's column.
+    /// Column of a joint quantity.
     pub fn joint(&self, quantity: Quantity, joint: usize) -> Option<&[f64]> {
         self.column(Role::Joint(quantity, joint))
     }
 }
 
-/// A log that went by.
+/// Summary of a log that was streamed.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Passed {
-    /// The columns.
+    /// Layout of the columns.
     pub layout: Layout,
-    /// Rows that passed.
+    /// Number of accepted rows.
     pub rows: usize,
-    /// Segments.
+    /// Number of segments.
     pub segments: usize,
     /// Findings of the quality check.
     pub findings: Vec<Finding>,
 }
 
-/// Hands on the rows that pass the quality check, a block at a time: one vector per column, and the
-/// rows of the block that begin a segment. A log that is refused is so after its last row.
+/// Passes the accepted rows on to `sink`, one block at a time: one vector per column, and the rows
+/// of the block that start a segment. A rejected log returns its error only after the last row.
 ///
 /// # Errors
-/// Where the log can't be used, and those of `sink`.
+/// If the log can't be used, and the errors of `sink`.
 pub fn each_block<E: From<LogError>>(
     source: &mut dyn Source,
     torque: Quantity,

@@ -1,40 +1,40 @@
-//! Effect of a low-pass, and of the bursts that it let through, on recorded positions: for treating
-//! computed series in the same way.
+//! Effect of the low-pass, and of the bursts it let through, on recorded positions, so that
+//! computed series can be filtered in the same way.
 
 use super::Filter;
 use super::low_pass;
 use crate::data::signal::breakaway_band::Derived;
 
-/// How recorded positions became those of a motion.
+/// Filters that turned recorded positions into those of a motion.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Band {
-    /// The low-pass of each joint; empty: there was none.
+    /// Low-pass of each joint; empty if there was none.
     pub narrow: Vec<Filter>,
-    /// The wider one of which bursts have a share, of each joint; empty: there was none.
+    /// Wider low-pass of each joint, blended in during bursts; empty if there was none.
     pub wide: Vec<Filter>,
-    /// The share of each sample, joint-major; empty: none anywhere.
+    /// Weight of the wider low-pass at each sample, joint-major; empty if it is zero everywhere.
     pub share: Vec<f64>,
 }
 
 impl Band {
-    /// Part of it: these of `len` samples.
+    /// Band of the samples `range` out of `len` samples.
     pub fn cut(&self, len: usize, range: std::ops::Range<usize>) -> Self {
         let share = self.share.chunks_exact(len.max(1)).flat_map(|row| row[range.clone()].to_vec()).collect();
         Self { share, ..self.clone() }
     }
 
-    /// That of one joint, with the share of its samples.
+    /// Band of one joint, with the weights `share` of its samples.
     pub fn of(&self, joint: usize, share: Vec<f64>) -> Self {
         let own = |filters: &[Filter]| filters.get(joint).copied().into_iter().collect();
         Self { narrow: own(&self.narrow), wide: own(&self.wide), share }
     }
 
-    /// Effect on a series of joint `joint` at even samples: the series, its derivative (1/s) and
-    /// its second (1/s^2).
+    /// Effect on an evenly sampled series of joint `joint`: the filtered series, its first
+    /// derivative (1/s) and its second (1/s^2).
     pub fn seen(&self, joint: usize, x: &[f64], period: f64) -> [Vec<f64>; 3] {
         let through = |filter: Filter| {
             let mut y = x.to_vec();
-            // A series that is shorter than the filter's memory is left alone.
+            // A series shorter than the filter's transient is not filtered.
             if let Ok(sos) = low_pass(filter.order, filter.cutoff, period.recip()) {
                 let pad = (1.0 / (period * filter.cutoff)).ceil() as usize;
                 sos.forward_backward(&mut y, pad.max(sos.scipy_padding()));
@@ -57,8 +57,8 @@ impl Band {
 mod tests {
     use super::*;
 
-    /// A step is rounded by the low-pass and stays sharper where the wider one has a share; at a
-    /// share of one it is the wider one's.
+    /// A step is rounded by the low-pass and stays sharper where the wider one has a weight; at a
+    /// weight of one it is filtered by the wider one alone.
     #[test]
     fn a_share_of_the_wider_band() {
         let x: Vec<f64> = (0..400).map(|k| f64::from(u8::from(k >= 200))).collect();

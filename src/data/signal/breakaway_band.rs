@@ -1,33 +1,33 @@
-//! Short, fast motion between two cutoffs, let through where it stands out of the noise.
+//! Passes short bursts of fast motion between two cutoffs where they stand out of the noise.
 //!
 //! A joint that stops at a reversal and breaks away moves, for some hundredths of a second, far
-//! above the band of the motion that was asked for. A low-pass takes that out of the acceleration
-//! while the torque keeps it, and the difference looks like an error. All of the higher band all
-//! the time would be mostly noise. So a burst exceeds the level that noise reaches once in twenty
-//! logs. The power of the acceleration in the band between, averaged over its neighbours, is then
-//! like chi-squared in twice as many degrees of freedom as bandwidth times averaging time (R. B.
-//! Blackman and J. W. Tukey 1958), about a median that bursts do not move. Around such a peak, as
-//! far as it rises out of the noise, each sample takes of the band the share `1 - N / P` (J. S.
-//! Lee, *Digital image enhancement and noise filtering by use of local statistics*, IEEE PAMI 2,
-//! 1980).
+//! above the band of the commanded motion. A low-pass removes this from the acceleration while the
+//! torque keeps it, and the difference looks like a model error. Passing the whole higher band all
+//! the time would add mostly noise. A burst must therefore exceed the level that noise reaches once
+//! in twenty logs. Noise power of the acceleration between the cutoffs, averaged over its
+//! neighbours, is distributed like chi-squared about a median that bursts do not move. Its degrees
+//! of freedom are twice the product of bandwidth and averaging time (R. B. Blackman and J. W. Tukey
+//! 1958). Around such a peak, as far as it rises out of the noise, each sample takes the share `1 -
+//! N / P` of the band (J. S. Lee, *Digital image enhancement and noise filtering by use of local
+//! statistics*, IEEE PAMI 2, 1980).
 //!
-//! The noise of an encoder of coarse steps is no even one ([`super::encoder_steps`]): what its steps
+//! The noise of a coarse encoder is not stationary ([`super::encoder_steps`]): power that its steps
 //! alone have in the band is no burst.
 
 use super::central;
 use super::central_second;
 
-/// Half the width of the average, s: as long as a burst lasts.
+/// Half the width of the averaging window, s: as long as a burst lasts.
 const NEAR: f64 = 0.05;
-/// How often noise alone may pass for a burst, per joint and chunk.
+/// Expected number of false bursts from noise alone, per joint and chunk.
 const MISTAKEN: f64 = 0.05;
-/// How many times its median the power of noise is taken to be around a burst.
+/// Factor over its median that the power of noise is assumed to have around a burst.
 const ABOVE: f64 = 3.0;
-/// Share of the largest speed below which a joint stands, and its encoder's noise is not to be
-/// seen.
+/// Share of the largest speed below which a joint counts as standing, where the noise of its
+/// encoder is not visible.
 const STANDS: f64 = 0.01;
 
-/// Positions with their derivatives, rad, rad/s, rad/s^2.
+/// Positions and their derivatives, rad, rad/s, rad/s^2.
 pub(super) struct Derived {
     pub q: Vec<f64>,
     pub dq: Vec<f64>,
@@ -40,9 +40,9 @@ impl Derived {
         Self { q, dq, ddq }
     }
 
-    /// Takes what `wide`, the same signal with a higher cutoff, has beyond the noise. `cutoffs`: of
-    /// both, Hz; `steps`: the errors of the encoder's steps behind both filters, nothing where they
-    /// are not known. Returns the share of it that each sample takes; nothing where none takes any.
+    /// Blends in the part of `wide`, the same signal with a higher cutoff, that exceeds the noise.
+    /// `cutoffs`: of both low-passes, Hz; `steps`: errors of the encoder's steps behind both
+    /// filters, if known. Returns the weight of `wide` at each sample; empty if all are zero.
     pub fn let_through(&mut self, wide: &Self, cutoffs: [f64; 2], steps: Option<[Self; 2]>, period: f64) -> Vec<f64> {
         let half = ((NEAR / period).round() as usize).max(1);
         let power = between(self, wide, half);
@@ -55,7 +55,7 @@ impl Derived {
         let mut shares: Vec<f64> = Vec::new();
         let middle = sorted.len() / 2;
         let median = *sorted.select_nth_unstable_by(middle, f64::total_cmp).1;
-        // Raised cosine: what it averages over counts as 4/3 of its half width.
+        // The effective averaging length of a raised cosine is 4/3 of its half width.
         let time = 4.0 / 3.0 * half as f64 * period;
         let freedom = 2.0 * bandwidth(cutoffs) * time;
         let looks = (power.len() as f64 * period / time).max(1.0);
@@ -80,7 +80,7 @@ impl Derived {
         shares
     }
 
-    /// Takes a share of each sample of `wide`.
+    /// Blends `wide` in with one weight per sample.
     pub fn share_of(&mut self, wide: &Self, shares: &[f64]) {
         for (own, other) in [(&mut self.q, &wide.q), (&mut self.dq, &wide.dq), (&mut self.ddq, &wide.ddq)] {
             for ((own, other), share) in own.iter_mut().zip(other).zip(shares) {
@@ -96,16 +96,16 @@ fn between(narrow: &Derived, wide: &Derived, half: usize) -> Vec<f64> {
     averaged(&band, half)
 }
 
-/// Bandwidth of the acceleration of white noise between two cutoffs, Hz: `(int S)^2 / int S^2` of
-/// `S = f^4`.
+/// Noise bandwidth of the acceleration of white position noise between two cutoffs, Hz: `(int S)^2
+/// / int S^2` with `S = f^4`.
 fn bandwidth([low, high]: [f64; 2]) -> f64 {
     let whole = (high.powi(5) - low.powi(5)) / 5.0;
     whole * whole / ((high.powi(9) - low.powi(9)) / 9.0)
 }
 
-/// Quantile of chi-squared in `freedom` degrees that is exceeded with this probability (at most a
-/// half): by the normal distribution (E. B. Wilson and M. M. Hilferty 1931), whose own quantile is
-/// that of Abramowitz and Stegun, 26.2.23.
+/// Quantile of chi-squared with `freedom` degrees that is exceeded with `probability` (at most a
+/// half). Uses the normal approximation of E. B. Wilson and M. M. Hilferty (1931), with the normal
+/// quantile of Abramowitz and Stegun, 26.2.23.
 fn chi_squared(freedom: f64, probability: f64) -> f64 {
     let t = (-2.0 * probability.clamp(1e-300, 0.5).ln()).sqrt();
     let z =
@@ -114,8 +114,8 @@ fn chi_squared(freedom: f64, probability: f64) -> f64 {
     freedom * (1.0 - a + z * a.sqrt()).max(0.0).powi(3)
 }
 
-/// Averages with weights that fall on a raised cosine to zero beyond `half` samples to each side;
-/// at the ends of those that there are.
+/// Moving average with raised cosine weights that fall to zero beyond `half` samples to each side;
+/// at the ends over the available samples.
 fn averaged(x: &[f64], half: usize) -> Vec<f64> {
     let weights: Vec<f64> =
         (0..=half).map(|i| 0.5 + 0.5 * (std::f64::consts::PI * i as f64 / (half + 1) as f64).cos()).collect();
@@ -140,8 +140,8 @@ mod tests {
     use super::*;
     use crate::numerics::prng::Random;
 
-    /// A joint swings slowly, stands still for 40 ms and catches up. Its acceleration comes back
-    /// where it breaks away, and the noise elsewhere stays at the level of the lower cutoff.
+    /// A joint swings slowly, stands still for 40 ms and catches up. The acceleration is recovered
+    /// where it breaks away, and elsewhere the noise stays at the level of the lower cutoff.
     #[test]
     fn a_break_away_is_seen_and_noise_is_not() {
         let (rate, n) = (500.0, 6000);
@@ -170,7 +170,7 @@ mod tests {
         let error = |d: &Derived, near: bool| {
             let at = (200..n - 200).filter(|k| {
                 let since = (*k as f64 / rate) % 2.0 - 1.0;
-                // Not the jump itself.
+                // Excludes the jump itself.
                 if near { (0.012..0.1).contains(&since) } else { !(-0.15..0.3).contains(&since) }
             });
             let squares: Vec<f64> = at.map(|k| (d.ddq[k] - exact[k]).powi(2)).collect();
@@ -197,13 +197,13 @@ mod tests {
             };
             let (plain, mut both) = (filtered(15.0), filtered(15.0));
             both.let_through(&filtered(40.0), [15.0, 40.0], None, 1.0 / rate);
-            // Ends, where the filter has one side only, are cut off later.
+            // The ends, where the filter is one-sided, are cut off later.
             touched += usize::from(plain.ddq[100..n - 100] != both.ddq[100..n - 100]);
         }
         assert!(touched <= 4, "{touched} of 20");
     }
 
-    /// A joint that turns about slowly, seen by an encoder of coarse steps: they are no bursts.
+    /// Steps of a coarse encoder at slow reversals are no bursts.
     #[test]
     fn steps_of_an_encoder_are_no_bursts() {
         for rate in [500.0, 1000.0] {
@@ -225,7 +225,7 @@ mod tests {
         }
     }
 
-    /// Tables: 5 % and 0.1 % of two and of ten degrees of freedom.
+    /// Tabulated values: 5 % and 0.1 % for two and ten degrees of freedom.
     #[test]
     fn chi_squared_of_the_tables() {
         for (freedom, probability, value) in

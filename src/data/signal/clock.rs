@@ -1,16 +1,18 @@
-//! When rows were really sampled, from what all joints' positions have in common.
+//! Estimates when rows were really sampled from a timing error common to the positions of all
+//! joints.
 //!
-//! A recorder that takes the newest message and stamps it itself is wrong about the time by up to a
-//! message's age. Every joint then shows `q_j(t_k + d_k) = q_j(t_k) + dq_j d_k`: an error along its
-//! own velocity, with one `d_k` for all. Encoders do not err alike, and nothing mechanical moves a
-//! whole arm to and fro along its path at a quarter of the sampling rate and above. So the clock is
-//! tried there: `d_k` by least squares over the joints, each weighted by its residual. It is taken
-//! only where it explains several times the variance of any common unknown. Then the band is opened
-//! downwards as long as nothing is left but noise: where motion begins, joints differ.
+//! A recorder that stamps the newest message itself errs by up to the age of the message. Every
+//! joint then shows `q_j(t_k + d_k) = q_j(t_k) + dq_j d_k`: an error along its own velocity, with
+//! one `d_k` for all. Encoder errors are not common to the joints, and nothing mechanical moves a
+//! whole arm to and fro along its path at a quarter of the sampling rate and above. The clock is
+//! therefore tested in that band: `d_k` by least squares over the joints, each weighted by its
+//! residual. It is corrected only if `d_k` explains several times the variance that any common
+//! unknown would explain. The band is then extended downwards as long as only noise is left; where
+//! motion begins, joints differ.
 //!
-//! Joints that keep step all the way, as in a synchronised move from one pose to another, move
-//! along one line: `q = q_0 + s(t) c`. There an error of the time and a motion along the line are
-//! indistinguishable, and stamps are not changed.
+//! Synchronised joints, as in a coordinated move from one pose to another, move along one line: `q
+//! = q_0 + s(t) c`. A timing error is then indistinguishable from a motion along the line, and
+//! stamps are not changed.
 
 use nalgebra::DMatrix;
 
@@ -18,34 +20,34 @@ use super::central;
 use super::even::Resampler;
 use super::low_pass;
 
-/// Of the mean square that any unknown common to all joints would take: how many times must the
-/// time take.
+/// Required ratio between the mean square explained by the timing error and that explained by any
+/// unknown common to all joints.
 const EVIDENCE: f64 = 5.0;
-/// A clock that errs by less than this share of a period is left alone.
+/// Timing errors below this share of a period are not corrected.
 const LEAST: f64 = 0.01;
-/// Steps of Gauss and Newton for each band.
+/// Gauss-Newton steps for each band.
 const STEPS: usize = 4;
-/// By how much the density of what is left may grow above that of the highest band, until it is
-/// taken for motion.
+/// Largest growth of the residual's spectral density above that of the highest band; beyond it the
+/// residual is taken for motion.
 const NOISE: f64 = 2.0;
-/// Factor by which the mean square of the shifts may grow above that of the highest band. Where all
-/// joints keep step, their motion too looks like a shift in time, and a large one.
+/// Largest growth of the mean square shift above that of the highest band. The motion of
+/// synchronised joints also looks like a shift in time, and a large one.
 const SPREAD: f64 = 6.0;
-/// Share of the velocities' mean square, each joint's in units of its noise, that must lie off
-/// their main direction.
+/// Least share of the velocities' mean square that must lie off their main direction, each joint in
+/// units of its noise.
 const OFF_LINE: f64 = 0.1;
-/// Cutoffs, as shares of the sampling rate, from which on the clock is looked at.
+/// Cutoffs, as shares of the sampling rate, above which the clock is examined.
 const BANDS: [f64; 6] = [0.25, 0.18, 0.13, 0.09, 0.065, 0.045];
-/// Order of the low-pass that takes the motion out.
+/// Order of the low-pass that removes the motion.
 const ORDER: usize = 4;
-/// Fewest rows that say anything of a clock.
+/// Fewest rows from which a clock is judged.
 const FEWEST: usize = 128;
-/// Speeds below this share of a joint's largest do not count as motion.
+/// Speeds below this share of the fastest joint's do not count as motion.
 const MOVES: f64 = 1e-3;
-/// Least step of a corrected clock, in periods: rows do not change their order.
+/// Shortest step of a corrected clock, in periods: rows keep their order.
 const ORDERED: f64 = 0.02;
 
-/// Findings about a clock.
+/// Corrected times of rows.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Times {
     /// Time of each row, s.
@@ -54,29 +56,30 @@ pub(super) struct Times {
     pub rms: f64,
     /// Standard deviation of the remaining error of the times, s.
     pub left: f64,
-    /// Standard deviation of the white noise that is left of each joint's positions, rad.
+    /// Standard deviation of the remaining white noise of each joint's positions, rad.
     pub noise: Vec<f64>,
 }
 
-/// Residuals above a cutoff and what a shift in time makes, joint by joint, at the rows.
+/// Residual positions above a cutoff, and velocities below it (the effect of a shift in time), per
+/// joint and row.
 struct Above {
     residual: Vec<Vec<f64>>,
     velocity: Vec<Vec<f64>>,
 }
 
-/// A shift of each row, and what it explains.
+/// Estimated shift of each row, and its statistics.
 struct Shift {
     by: Vec<f64>,
-    /// Variance of what noise leaves open of a shift, mean over rows, s^2.
+    /// Variance of the shift's error due to noise, mean over rows, s^2.
     open: f64,
-    /// Variance that is left of each joint, what the shift itself takes allowed for, rad^2.
+    /// Remaining variance of each joint, corrected for the estimated shift, rad^2.
     left: Vec<f64>,
-    /// Mean square that the shift takes, in units of what is left for each unknown.
+    /// Mean square explained by the shift, in units of the residual per unknown.
     evidence: f64,
 }
 
-/// The rows' times, given those that stamps or the count of rows say, positions by joint, and the
-/// usual spacing; `None` where these are as good as any.
+/// Corrected times of rows, from stamps or the count of rows, positions by joint, and the usual
+/// spacing, s; `None` if no correction is justified.
 pub(super) fn times(stamps: &[f64], q: &[&[f64]], period: f64) -> Option<Times> {
     if stamps.len() < FEWEST || q.len() < 2 {
         return None;
@@ -116,7 +119,7 @@ pub(super) fn times(stamps: &[f64], q: &[&[f64]], period: f64) -> Option<Times> 
     (rms > LEAST * period).then_some(Times { at: kept, rms, left: open.sqrt(), noise })
 }
 
-/// Part of the positions above a cutoff, `band` of the sampling rate.
+/// Part of the positions above a cutoff of `band` times the sampling rate.
 fn above(at: &[f64], q: &[&[f64]], period: f64, band: f64) -> Option<Above> {
     let (start, end) = (*at.first()?, *at.last()?);
     let count = ((end - start) / period).ceil() as usize + 4;
@@ -135,7 +138,7 @@ fn above(at: &[f64], q: &[&[f64]], period: f64, band: f64) -> Option<Above> {
     Some(above)
 }
 
-/// The shift of each row that explains most of all joints that move.
+/// Shift of each row that best explains the residuals of all moving joints.
 fn shift(above: &Above) -> Option<Shift> {
     let square = |x: &[f64]| x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64;
     let speeds: Vec<f64> = above.velocity.iter().map(|v| square(v)).collect();
@@ -169,7 +172,7 @@ fn shift(above: &Above) -> Option<Shift> {
         }
     }
     let evidence = taken / n as f64;
-    // A row without motion has no information: its shift is as large as shifts are, at most.
+    // Without motion a row has no information: its shift is shrunk towards zero.
     let spread = usual(&by, &above.velocity, &weights, &moves);
     let mut open = 0.0;
     for (k, d) in by.iter_mut().enumerate() {
@@ -180,8 +183,8 @@ fn shift(above: &Above) -> Option<Shift> {
     Some(Shift { by, left, open, evidence })
 }
 
-/// Variance of the shifts, s^2, without the contribution of noise: by moments, each row weighted by
-/// its information.
+/// Variance of the shifts, s^2, without the contribution of noise: by the method of moments, with
+/// rows weighted by their information.
 fn usual(by: &[f64], velocity: &[Vec<f64>], weights: &[f64], moves: &[usize]) -> f64 {
     let (mut squares, mut noise, mut all) = (0.0, 0.0, 0.0);
     for (k, d) in by.iter().enumerate() {
@@ -193,8 +196,8 @@ fn usual(by: &[f64], velocity: &[Vec<f64>], weights: &[f64], moves: &[usize]) ->
     ((squares - noise) / all.max(f64::MIN_POSITIVE)).max(f64::MIN_POSITIVE.sqrt())
 }
 
-/// Share of the velocities' mean square that lies off their main direction; `left`: variance of
-/// each joint's noise.
+/// Share of the velocities' mean square that lies off their main direction; `left`: noise variance
+/// of each joint.
 fn off_line(velocity: &[Vec<f64>], left: &[f64]) -> f64 {
     let weighed: Vec<(&[f64], f64)> =
         velocity.iter().zip(left).filter(|(_, s)| **s > 0.0).map(|(v, s)| (v.as_slice(), s.sqrt())).collect();
@@ -207,7 +210,7 @@ fn off_line(velocity: &[Vec<f64>], left: &[f64]) -> f64 {
     if all > 0.0 { 1.0 - gram.symmetric_eigenvalues().max() / all } else { 0.0 }
 }
 
-/// Moves rows, each behind the one before.
+/// Shifts the rows, keeping their order.
 fn move_rows(at: &mut [f64], by: &[f64], period: f64) {
     let mut before = f64::NEG_INFINITY;
     for (t, by) in at.iter_mut().zip(by) {
@@ -245,7 +248,7 @@ mod tests {
         times(stamps, &q, PERIOD)
     }
 
-    /// A recorder that stamps at even times what was sampled up to half a period before or after.
+    /// A recorder whose even stamps are up to half a period before or after the sampling.
     #[test]
     fn a_clock_that_errs_is_found() {
         let mut random = Random::new(7);
@@ -256,13 +259,13 @@ mod tests {
             let squares: f64 = at.iter().zip(&truth).skip(50).take(1400).map(|(a, b)| (a - b).powi(2)).sum();
             (squares / 1400.0).sqrt()
         };
-        // Jitter as slow as the joints' motion is invisible.
+        // Jitter as slow as the joints' motion is unobservable.
         assert!(error(&times.at) < 0.6 * error(&stamps), "{} of {}", error(&times.at), error(&stamps));
         assert!((times.rms - error(&stamps)).abs() < 0.2 * error(&stamps), "{}", times.rms);
         assert!(times.noise.iter().all(|s| *s < 2e-3), "{:?}", times.noise);
     }
 
-    /// Joints in step: what looks like time may be motion along their line.
+    /// Synchronised joints: a timing error may equally be motion along their line.
     #[test]
     fn joints_in_step_tell_no_time() {
         let mut random = Random::new(7);
@@ -275,7 +278,7 @@ mod tests {
         assert_eq!(times(&stamps, &q, PERIOD), None);
     }
 
-    /// A right clock is not changed, whatever the encoders' noise.
+    /// A correct clock is not changed, whatever the encoders' noise.
     #[test]
     fn a_right_clock_is_left_alone() {
         let stamps: Vec<f64> = (0..1500).map(|k| f64::from(k) * PERIOD).collect();

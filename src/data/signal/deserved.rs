@@ -1,20 +1,21 @@
-//! The band that a joint's positions deserve: the cutoff of the low-pass at which the error that is
-//! expected of its acceleration is least.
+//! Selects the cutoff of the low-pass of a joint's positions that minimises the expected error of
+//! its acceleration.
 //!
-//! A low-pass of gain `H` on a position `x + n` errs by the noise that it passes and by the motion
-//! that it removes. The error is `e^2 = sum_w w^4 [ (1 - H)^2 S + H^2 N ]`, `S` the spectrum of the
-//! motion, `N` that of the encoder's noise. Only `P = S + N` is seen, and `N`, where it is flat, at
-//! frequencies of no motion; where an encoder's steps are seen it is theirs ([`encoder_steps`]). So `e^2 = sum_w w^4 [ (1 - H)^2 P + (2 H - 1) N ]` is estimated without bias
-//! (C. L. Mallows, *Some comments on C_p*, Technometrics 15, 1973; it is Wiener's criterion with
-//! the filter kept to Butterworth's). The cutoff is the best of a grid.
+//! A low-pass of gain `H` on a position `x + n` has two errors: the noise that it passes and the
+//! motion that it removes. The error is `e^2 = sum_w w^4 [ (1 - H)^2 S + H^2 N ]`, `S` the spectrum
+//! of the motion, `N` that of the encoder's noise. Only `P = S + N` is observed, and `N`, where it
+//! is flat, at frequencies without motion; if the encoder's steps are visible, `N` is theirs
+//! ([`encoder_steps`]). So `e^2 = sum_w w^4 [ (1 - H)^2 P + (2 H - 1) N ]` is estimated without
+//! bias (C. L. Mallows, *Some comments on C_p*, Technometrics 15, 1973; it is Wiener's criterion
+//! with the filter restricted to Butterworth's). The cutoff is the best of a grid.
 //!
-//! Why each joint may have its own. To first order the torque of joint `i` errs by `sum_j M_ij
-//! e_j`, `e_j` the error of joint `j`'s acceleration, and the encoders err independently. Its
-//! variance is `sum_j M_ij^2 E[e_j^2]`. Every term is least for itself, so one choice per joint is
-//! the best for every row at once, whatever the mass matrix. Rows stay comparable if the torque's
+//! Why each joint may have its own cutoff: to first order the torque error of joint `i` is `sum_j
+//! M_ij e_j`, with `e_j` the error of joint `j`'s acceleration, and encoder errors are independent.
+//! Its variance is `sum_j M_ij^2 E[e_j^2]`. Every term has its own minimum, so one choice per joint
+//! is the best for all rows at once, whatever the mass matrix. Rows stay comparable if the torque's
 //! band is not below that of any joint. The part of the motion that a joint's own low-pass removes
-//! is then a residual orthogonal to the rest (an error of Berkson's kind). It widens deviations and
-//! biases nothing, while noise in a column would bias its parameter towards zero.
+//! is then a residual orthogonal to the rest (an error of Berkson's kind). It widens standard
+//! deviations without bias, while noise in a column would bias its parameter towards zero.
 
 use std::f64::consts::PI;
 
@@ -25,40 +26,40 @@ use crate::numerics::fft::power_spectrum;
 
 /// Ratio of neighbouring cutoffs of the grid.
 const STEP: f64 = 0.85;
-/// How many there are: down to a twelfth of the highest.
+/// Number of cutoffs: down to a twelfth of the highest.
 const CUTOFFS: usize = 16;
-/// Lowest frequency from which a flat spectrum is looked for, as a share of half the rate.
+/// Lowest frequency at which a flat spectrum is searched, as a share of half the rate.
 const FLAT_FROM: f64 = 0.25;
-/// Most bands among which the flat one is looked for, and the fewest bins of each.
+/// Most bands among which the flat ones are searched, and the fewest bins of each.
 const FLAT_BANDS: usize = 8;
 const FLAT_BINS: usize = 24;
-/// Powers of bands that differ by less than this factor are alike.
+/// Largest ratio between a band's power and the mean of the weaker flat bands.
 const FLAT: f64 = 1.5;
-/// Fewest samples of which a spectrum says something.
+/// Fewest samples for a useful spectrum.
 const FEWEST: usize = 64;
-/// No joint moves above this many times the highest cutoff.
+/// Limit of motion, in multiples of the highest cutoff.
 const BEYOND: f64 = 1.5;
-/// Standard deviations of a spectrum's chance that are no motion, and the share by which noise may
-/// exceed its flat part.
+/// Allowance for chance, in standard deviations of a spectrum, and for noise above its flat part,
+/// as a share. Power within both is no motion.
 const DEVIATIONS: f64 = 3.0;
 const FLATNESS: f64 = 0.25;
 /// Share of the samples at each end over which the spectrum's window rises. A motion is roughest
 /// where it begins and ends.
 const TAPER: f64 = 0.05;
-/// Fewest periods of the cutoff that positions must last: a low-pass errs at their ends.
+/// Fewest periods of the cutoff in the recording, since a low-pass errs at the ends.
 const PERIODS: f64 = 8.0;
-/// Share of the highest cutoff below which motion has no part of an encoder's steps.
+/// Cutoff of the smooth motion, without the encoder's steps, as a share of the highest cutoff.
 const SMOOTH: f64 = 0.25;
-/// Power of an encoder's steps is averaged over this many independent bins to each side.
+/// Half width, in independent bins, of the average over the power of an encoder's steps.
 const STEPS_BINS: f64 = 12.0;
-/// Errors that differ by less than this share of the noise that is let through are alike; the
-/// widest band of these is taken.
+/// Errors that differ by less than this share of the passed noise count as equal; the widest band
+/// of these is taken.
 const ALIKE: f64 = 0.02;
 
 /// Best cutoff for a joint's positions, and their remaining noise.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Deserved {
-    /// The cutoff, Hz.
+    /// Cutoff, Hz.
     pub cutoff: f64,
     /// Standard deviation of the recorded positions' white noise, rad.
     pub noise: f64,
@@ -67,24 +68,24 @@ pub(super) struct Deserved {
     pub error: [f64; 3],
 }
 
-/// Power of positions.
+/// Power spectrum of positions.
 struct Spectrum {
     /// Frequencies, Hz.
     frequency: Vec<f64>,
     /// Power: white noise of standard deviation `s` has `s^2` in each bin.
     power: Vec<f64>,
-    /// Share of the variance that a bin stands for.
+    /// Share of the variance in a bin.
     bin: f64,
     period: f64,
-    /// Bins for each that is independent but for the window.
+    /// Number of bins per independent bin, apart from the window's effect.
     dense: f64,
-    /// Factor by which the window adds to the variance of the power.
+    /// Factor by which the window increases the variance of the power.
     leaks: f64,
 }
 
-/// The best cutoff at most that of `highest` for these positions (even samples, `period` apart),
-/// whose noise is at least `floor`, rad. It is that of `highest` itself if not `free`. `None`: too
-/// few samples.
+/// Best cutoff not above that of `highest` for these positions (even samples, `period` apart),
+/// whose noise is at least `floor`, rad. If not `free`, the cutoff is that of `highest`. `None` if
+/// there are too few samples.
 pub(super) fn deserved(q: &[f64], period: f64, highest: Filter, floor: f64, free: bool) -> Option<Deserved> {
     let spectrum = Spectrum::of(q, period)?;
     let flat = spectrum.flat().max(floor * floor);
@@ -99,30 +100,30 @@ pub(super) fn deserved(q: &[f64], period: f64, highest: Filter, floor: f64, free
     let best = tried.iter().min_by(|a, b| a.1.all[2].total_cmp(&b.1.all[2]))?;
     let most = best.1.all[2] + ALIKE * best.1.noise[2];
     let (cutoff, errors) = tried.iter().find(|t| t.1.all[2] <= most)?;
-    // The part that the widest low-pass removes is missing in torque and model alike.
+    // The part that the widest low-pass removes is missing from torque and model alike.
     let lost = |k: usize| if *cutoff < highest.cutoff { errors.lost[k] } else { 0.0 };
     let error = std::array::from_fn(|k| (errors.noise[k] + lost(k)).sqrt());
     Some(Deserved { cutoff: *cutoff, noise: flat.sqrt(), error })
 }
 
-/// Errors of the encoder's steps, if these are seen, along a motion well below `highest`.
+/// Errors of the encoder's steps, if visible, along a motion well below `highest`.
 pub(super) fn steps(q: &[f64], noise: f64, highest: Filter, period: f64) -> Option<Vec<f64>> {
     encoder_steps(q, noise, SMOOTH * highest.cutoff, period)
 }
 
 /// Mean squares of the errors of position, velocity and acceleration behind a low-pass.
 struct Errors {
-    /// Without bias, so that it may be below zero.
+    /// Unbiased estimate of the whole error, so that it may be negative.
     all: [f64; 3],
-    /// Noise among them that was passed.
+    /// Part of the error due to passed noise.
     noise: [f64; 3],
-    /// Removed motion among them, as far as it exceeds possible noise.
+    /// Part of the error due to removed motion, as far as it exceeds possible noise.
     lost: [f64; 3],
 }
 
 impl Spectrum {
-    /// From second differences, whose spectrum is level enough that none of it leaks where it does
-    /// not belong, behind a window with cosine tapers (J. W. Tukey 1967).
+    /// Computes the spectrum from second differences, which are nearly white and therefore leak
+    /// little, with cosine tapers (J. W. Tukey 1967).
     fn of(q: &[f64], period: f64) -> Option<Self> {
         let n = q.len().saturating_sub(2);
         if n < FEWEST {
@@ -144,7 +145,7 @@ impl Spectrum {
         Some(Self { frequency, power, bin: 2.0 / padded as f64, period, dense: padded as f64 / n as f64, leaks })
     }
 
-    /// Power of the flat part: the mean of the bands whose powers are least and alike.
+    /// Power of the flat part: mean of the weakest bands of similar power.
     fn flat(&self) -> f64 {
         let from = (FLAT_FROM * self.power.len() as f64) as usize;
         let high = &self.power[from..];
@@ -162,7 +163,7 @@ impl Spectrum {
         sum / count
     }
 
-    /// Power of the noise in each bin: `flat`, or that of the encoder's steps where it is more.
+    /// Noise power in each bin: `flat`, or that of the encoder's steps where it is larger.
     fn noise(&self, flat: f64, steps: Option<Self>) -> Vec<f64> {
         let Some(steps) = steps else { return vec![flat; self.power.len()] };
         let half = (STEPS_BINS * self.dense).ceil() as usize;
@@ -178,8 +179,8 @@ impl Spectrum {
         (0..self.power.len()).map(|k| mean(k).max(flat)).collect()
     }
 
-    /// Expected errors behind `filter` where the noise has power `noise`, up to `limit` Hz; `None`
-    /// where it does not go with the rate.
+    /// Expected errors behind `filter` for noise of power `noise`, up to `limit` Hz; `None` if the
+    /// filter does not fit the sampling rate.
     fn errors(&self, filter: Filter, noise: &[f64], limit: f64) -> Option<Errors> {
         let rate = self.period.recip();
         let sos = low_pass(filter.order, filter.cutoff, rate).ok()?;
@@ -218,7 +219,8 @@ mod tests {
 
     const HIGHEST: Filter = Filter { order: 4, cutoff: 15.0 };
 
-    /// A joint on a motion of some frequencies, seen by an encoder with steps of `step`.
+    /// Positions (with encoder steps of `step`) and true acceleration of a joint on a motion of
+    /// some frequencies.
     fn motion(rate: f64, step: f64, seed: u64) -> (Vec<f64>, Vec<f64>) {
         let mut random = Random::new(seed);
         let parts: Vec<[f64; 3]> = (1..=5)
@@ -242,8 +244,8 @@ mod tests {
         central_second(&q, rate.recip())
     }
 
-    /// Whatever the encoder and the rate: the acceleration behind the chosen low-pass is nearly as
-    /// good as behind the best, and the error is what it is said to be.
+    /// For any encoder and rate, the acceleration behind the chosen low-pass is nearly as good as
+    /// behind the best, and its error is as estimated.
     #[test]
     fn the_band_is_nearly_the_best() {
         for (rate, step) in [(30.0, 1e-3), (100.0, 1e-3), (100.0, 1e-5), (250.0, 3e-4), (500.0, 1e-3), (1000.0, 2e-5)] {
@@ -260,7 +262,7 @@ mod tests {
                 let best =
                     (0..CUTOFFS).map(|k| error(highest.cutoff * STEP.powi(k as i32))).fold(f64::INFINITY, f64::min);
                 let own = error(found.cutoff);
-                // Where the error is small, its minimum is hard to find and does not matter.
+                // Where the error is small, its minimum is hard to find and unimportant.
                 let motion = (truth.iter().map(|a| a * a).sum::<f64>() / truth.len() as f64).sqrt();
                 assert!(own < (1.6 * best).max(0.02 * motion), "{rate} {step}: {own} at {}, {best}", found.cutoff);
                 assert!(
@@ -277,7 +279,7 @@ mod tests {
         }
     }
 
-    /// Motion that fills the band keeps it; what the user asks for is kept as well.
+    /// Motion that fills the band keeps it; a cutoff given by the user is kept as well.
     #[test]
     fn the_band_is_not_narrowed_without_need() {
         let (q, _) = motion(500.0, 0.0, 3);

@@ -1,24 +1,24 @@
-//! Errors that the steps of an encoder make.
+//! Simulates the quantisation error of an encoder along a recorded motion.
 //!
-//! An encoder that is read more often than it steps does not err at random. Its error is a sawtooth
-//! of `|dq| / step` teeth a second (W. R. Bennett, *Spectra of quantized signals*, Bell Syst. Tech.
-//! J. 27, 1948): flat noise while the joint is fast, and beside a reversal few, long teeth whose
+//! An encoder that is read more often than it steps has no random error. Its error is a sawtooth of
+//! `|dq| / step` teeth a second (W. R. Bennett, *Spectra of quantized signals*, Bell Syst. Tech. J.
+//! 27, 1948): flat noise while the joint is fast. Near a reversal it has few, long teeth whose
 //! harmonics lie within the band of the motion, many times above the flat noise. Neither the
-//! spectrum of the positions nor its flat part shows which part of them is the encoder's. But the
-//! steps are known: an encoder of these steps, played along a smooth motion like the recorded one,
-//! errs alike. It is another realisation of the same error.
+//! spectrum of the positions nor its flat part shows which part is the encoder's. But the step size
+//! is known: an encoder with these steps, simulated along a smooth motion like the recorded one,
+//! has a similar error. It is another realisation of the same error.
 
 use super::low_pass;
 
-/// Order of the low-pass by which the motion that is played becomes smooth.
+/// Order of the low-pass that smooths the motion.
 const ORDER: usize = 4;
-/// Rounding has `step = sqrt(12) noise`; where the least change of a position is not above this
-/// many times its noise, other noise hides the steps.
+/// Least ratio of the step to the noise. Rounding alone has `step = sqrt(12) noise`; below this
+/// ratio other noise hides the steps.
 const HIDDEN: f64 = 2.0;
 
-/// Errors that an encoder of the steps that positions show (as recorded, at even times `period`
-/// apart, with white noise of standard deviation `noise`, rad) makes along the same motion below
-/// `smooth`, Hz; `None` where there are no steps to be seen.
+/// Simulated errors of an encoder with the step size found in the positions, along the same motion
+/// below `smooth`, Hz. Positions are as recorded, at even times `period` apart, s, with white noise
+/// of standard deviation `noise`, rad. `None` if no steps are visible.
 pub(super) fn encoder_steps(q: &[f64], noise: f64, smooth: f64, period: f64) -> Option<Vec<f64>> {
     let step = step(q, noise)?;
     let sos = low_pass(ORDER, smooth, period.recip()).ok()?;
@@ -29,10 +29,10 @@ pub(super) fn encoder_steps(q: &[f64], noise: f64, smooth: f64, period: f64) -> 
     Some(motion.iter().map(|x| ((x - origin) / step).round().mul_add(step, origin - x)).collect())
 }
 
-/// The step of an encoder: the least change between neighbours.
+/// Step size of an encoder: the smallest change between neighbouring samples, rad.
 fn step(q: &[f64], noise: f64) -> Option<f64> {
     let changes = q.windows(2).map(|w| (w[1] - w[0]).abs());
-    // The last digits of equal positions differ in nothing that an encoder could tell.
+    // Differences in the last digits of equal positions are below any encoder's resolution.
     let digits = q.iter().fold(0.0_f64, |most, x| most.max(x.abs())) * 1e-12;
     let least = changes.filter(|d| *d > digits).fold(f64::INFINITY, f64::min);
     (least.is_finite() && least > HIDDEN * noise).then_some(least)
@@ -43,8 +43,8 @@ mod tests {
     use super::*;
     use crate::numerics::prng::Random;
 
-    /// Slow and fast motion at 1 kHz: another realisation has the power of the error behind a
-    /// low-pass, which the white noise of the same variance has not.
+    /// Slow and fast motion at 1 kHz: behind a low-pass the simulated error has the power of the
+    /// true one, unlike white noise of the same variance.
     #[test]
     fn errors_have_the_power_of_the_true_ones() {
         let (rate, step) = (1000.0, 4e-4);
@@ -68,7 +68,7 @@ mod tests {
         }
     }
 
-    /// Noise hides the steps, and a joint that stands has none.
+    /// Noise hides the steps, and a joint at rest shows none.
     #[test]
     fn steps_are_seen_or_not() {
         let step = 1e-4;

@@ -1,27 +1,27 @@
-//! Samples at uneven times -> values on an even grid, by penalised least squares.
+//! Resamples unevenly timed values to an even grid by penalised least squares.
 //!
 //! Between its grid points a signal is the cubic through four of them (Lagrange). The grid values
-//! are those that miss the samples least, with a small penalty on third differences (E. T.
+//! minimise the squared distance to the samples, with a small penalty on third differences (E. T.
 //! Whittaker, *On a new method of graduation*, Proc. Edinburgh Math. Soc. 41, 1923). Interpolation
-//! through every sample would make large numbers of the noise of two that stand close together. The
+//! through every sample would amplify the noise of two samples that are close in time. The
 //! operation is linear and the same for every channel.
 
-/// Weight of the penalty: a third difference's gain is `(2 sin(w / 2))^6`, so that half is left at
-/// 0.26 of the sampling rate, half of what even samples could show.
+/// Weight of the penalty. The gain of a third difference is `(2 sin(w / 2))^6`, so half the
+/// amplitude is left at 0.26 of the sampling rate, half of what even samples could show.
 const PENALTY: f64 = 0.1;
 
-/// Factor of the normal equations, one for all channels that share the times.
+/// Factorised normal equations, shared by all channels with the same times.
 pub(super) struct Resampler {
     /// First grid point and the four weights of each sample.
     rows: Vec<(usize, [f64; 4])>,
-    /// `L` of `L D L'`, three below the diagonal, and `D`.
+    /// Factor `L` of `L D L'`, three entries below the diagonal, and `D`.
     lower: Vec<[f64; 3]>,
     diagonal: Vec<f64>,
 }
 
 impl Resampler {
-    /// For samples at `times` and a grid of `count` points (at least 4) from `start`, `period`
-    /// apart.
+    /// Prepares samples at `times`, s, for a grid of `count` points (at least 4) from `start`,
+    /// `period` apart.
     pub fn new(times: &[f64], start: f64, period: f64, count: usize) -> Self {
         let last = count.saturating_sub(4);
         let rows: Vec<(usize, [f64; 4])> = times
@@ -32,7 +32,7 @@ impl Resampler {
                 (first, lagrange(at - first as f64))
             })
             .collect();
-        // Bands of the normal matrix: `band[i][k]` stands at `(i, i - k)`.
+        // Bands of the normal matrix: `band[i][k]` is its entry `(i, i - k)`.
         let mut band = vec![[0.0; 4]; count];
         for (first, weights) in &rows {
             for a in 0..4 {
@@ -85,13 +85,13 @@ impl Resampler {
         y
     }
 
-    /// A series on the grid at the samples' times.
+    /// Values of a series on the grid at the times of the samples.
     pub fn at_samples(&self, grid: &[f64]) -> Vec<f64> {
         self.rows.iter().map(|(first, w)| (0..4).map(|a| w[a] * grid[first + a]).sum()).collect()
     }
 }
 
-/// Weights of the points 0, 1, 2, 3 at `x`.
+/// Lagrange weights of the points 0, 1, 2, 3 at `x`.
 fn lagrange(x: f64) -> [f64; 4] {
     let (a, b, c) = (x - 1.0, x - 2.0, x - 3.0);
     [-a * b * c / 6.0, x * b * c / 2.0, -x * a * c / 2.0, x * a * b / 6.0]
@@ -101,7 +101,8 @@ fn lagrange(x: f64) -> [f64; 4] {
 mod tests {
     use super::*;
 
-    /// Whatever the times, a parabola is met; noise of two samples at nearly one time is averaged.
+    /// A parabola is reproduced for any times; noise of two samples at nearly the same time is
+    /// averaged.
     #[test]
     fn uneven_samples_of_a_parabola() {
         let times: Vec<f64> = (0..200).map(|k| 0.1 * f64::from(k) + 0.08 * (1.7 * f64::from(k)).sin()).collect();

@@ -1,17 +1,17 @@
-//! Cutoffs for logs that are sampled too slowly for the usual one.
+//! Lowers the cutoff for logs sampled too slowly for the usual one.
 
 use super::prepare::PrepareError;
 
 /// Lowest cutoff that is tried, Hz.
 const LOWEST: f64 = 1.0;
-/// Factor between two tries.
+/// Factor between successive cutoffs.
 const FACTOR: f64 = 0.6;
 
-/// Calls `attempt` with the cutoff `highest`, Hz, and as long as the log is sampled too slowly for
-/// it with 0.6 of the last one, down to 1 Hz. Returns the result and the cutoff, Hz.
+/// Calls `attempt` with the cutoff `highest`, Hz. As long as the log is sampled too slowly for it,
+/// retries with 0.6 of the last cutoff, down to 1 Hz. Returns the result and the cutoff, Hz.
 ///
 /// # Errors
-/// Those of the last attempt.
+/// Errors of the last attempt.
 pub fn lower_cutoff<T>(
     highest: f64,
     mut attempt: impl FnMut(f64) -> Result<T, PrepareError>,

@@ -1,4 +1,4 @@
-//! A stretch of motion, ready for the model.
+//! Stretch of filtered motion and torque, ready for the model.
 
 use std::ops::Range;
 
@@ -7,79 +7,78 @@ use crate::model::States;
 
 /// Filtered motion and torque of consecutive, evenly spaced samples of one segment.
 ///
-/// `core` is what is to be used; the samples around it are there so that what is computed from the
-/// motion can itself be filtered.
+/// Only the samples in `core` are used; the samples around it allow quantities computed from the
+/// motion to be filtered as well.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Motion {
-    /// Number of the segment within the log, from 0.
+    /// Index of the segment within the log, from 0.
     pub segment: usize,
     /// Time of the first sample, s.
     pub start: f64,
-    /// Time at which the segment begins, s: before `start` where filters have to settle first.
+    /// Time at which the segment begins, s; before `start` if filters must settle first.
     pub segment_start: f64,
-    /// Spacing, s.
+    /// Sampling period, s.
     pub period: f64,
     /// Positions, velocities, accelerations, joint-major.
     pub states: States,
     /// Torques, joint-major, `dof * len`, N m.
     pub tau: Vec<f64>,
-    /// Sign of each velocity (zero at rest), through the same low-pass as the torque, joint-major;
-    /// empty where velocities are set to zero. The low-pass rounds the steps of the Coulomb torque,
-    /// and this is what it makes of them. Where a joint is held at a reversal the friction passes
-    /// evenly from one level to the other. Behind the joints stand the signs of
-    /// [`crate::data::signal::Prepare::sums`].
+    /// Sign of each velocity (zero at rest), filtered by the same low-pass as the torque,
+    /// joint-major; empty if velocities are set to zero. The low-pass rounds the steps of the
+    /// Coulomb torque, and this series shows how. Where a joint is held at a reversal, the sign
+    /// passes linearly from one level to the other. The signs of
+    /// [`crate::data::signal::Prepare::sums`] follow those of the joints.
     pub sign: Vec<f64>,
     /// Samples to be used.
     pub core: Range<usize>,
-    /// Every how many samples one is used.
+    /// Interval between used samples.
     pub stride: usize,
-    /// Standard deviation of the velocity error that the noise of `q` leaves after the filter,
+    /// Standard deviation of the velocity error that the noise of `q` causes behind the filter,
     /// rad/s, per joint.
     pub velocity_noise: Vec<f64>,
     /// Standard deviation of the white noise of the recorded positions, rad, per joint
-    /// ([`white_noise`](crate::data::signal::white_noise)): unlike `velocity_noise` free of motion
-    /// beyond the cutoff. Empty where velocities do not come from positions.
+    /// ([`white_noise`](crate::data::signal::white_noise)). Unlike `velocity_noise` it contains no
+    /// motion beyond the cutoff. Empty if velocities are not derived from positions.
     pub position_noise: Vec<f64>,
     /// Standard deviations of the errors of position, velocity and acceleration behind the
     /// low-pass, rad, rad/s, rad/s^2, per joint. They are due to passed noise and removed motion,
-    /// up to twice its cutoff. Empty where derivatives do not come from positions, or a segment is
-    /// too short.
+    /// up to twice its cutoff. Empty if derivatives are not computed from positions, or a segment
+    /// is too short.
     pub error: Vec<[f64; 3]>,
-    /// Standard deviation of the sensors' white noise that is left in `tau`, N m, per joint.
+    /// Standard deviation of the sensors' white noise that remains in `tau`, N m, per joint.
     pub torque_noise: Vec<f64>,
-    /// Standard deviation of the remaining error of the samples' times where they were found from
-    /// the motion, s; 0 where the clock was not corrected.
+    /// Standard deviation of the remaining error of sample times that were estimated from the
+    /// motion, s; 0 if the clock was not corrected.
     pub clock_error: f64,
     /// Whether each joint is at rest
-    /// ([`Prepare::dead_zone`](crate::data::signal::Prepare::dead_zone)): dry friction is then
-    /// anything within its breakaway level, and `sign` is
-    /// 0. Joint-major, those of the sums behind; empty where velocities are set to zero.
+    /// ([`Prepare::dead_zone`](crate::data::signal::Prepare::dead_zone)). Dry friction is then
+    /// undetermined within its breakaway level, and `sign` is 0. Joint-major, followed by the
+    /// velocity sums; empty if velocities are set to zero.
     pub resting: Vec<bool>,
-    /// Definition of rest that `resting` follows.
+    /// Definition of rest used for `resting`.
     pub dead_zone: DeadZone,
-    /// Whether each joint sticks (it does not move beyond the noise of its encoder), joint-major;
-    /// empty where velocities do not come from filtered positions.
+    /// Whether each joint sticks (does not move beyond the noise of its encoder), joint-major;
+    /// empty if velocities are not derived from filtered positions.
     pub stuck: Vec<bool>,
-    /// Highest frequency that the low-pass left in the torque, Hz; `None` where the torque was not
+    /// Highest frequency that the low-pass left in the torque, Hz; `None` if the torque was not
     /// filtered.
     pub bandwidth: Option<f64>,
     /// Effect of the low-pass on the positions, for all samples.
     pub band: Band,
-    /// Temperatures as recorded, joint-major, deg C; empty where they were not asked for or not
-    /// recorded.
+    /// Temperatures as recorded, joint-major, deg C; empty if not requested or not recorded.
     pub temperature: Vec<f64>,
-    /// Positions of the motors as recorded, on the joints' side of the gears, joint-major, rad;
-    /// empty where they were not asked for or not recorded.
+    /// Motor positions as recorded, referred to the joint side of the gears, joint-major, rad;
+    /// empty if not requested or not recorded.
     pub motor: Vec<f64>,
-    /// Torques of the joints behind the gears, whose own torques `tau` then is, as recorded,
-    /// joint-major, N m; empty where they were not asked for.
+    /// Joint torques measured behind the gears, as recorded, joint-major, N m; `tau` is then the
+    /// torque of the gears alone. Empty if not requested.
     pub load: Vec<f64>,
-    /// External wrench as recorded, `fx .. mz` one after the other, `6 * len`, treated like the
-    /// torque; empty where it was not asked for or not recorded.
+    /// External wrench as recorded, `fx .. mz` one after the other, `6 * len`, N and N m, filtered
+    /// like the torque; empty if not requested or not recorded.
     pub wrench: Vec<f64>,
 }
 
-/// Some used samples of a motion, joint-major.
+/// A block of used samples of a motion, joint-major.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct MotionBlock {
     /// Positions, velocities, accelerations.
@@ -108,7 +107,8 @@ impl Motion {
         self.start + sample as f64 * self.period
     }
 
-    /// Copies samples `picks[from..]`, at most `rows`, into `block`. Returns how many.
+    /// Copies the used samples from number `from` on, at most `rows`, into `block`. Returns their
+    /// number.
     pub fn gather(&self, from: usize, rows: usize, block: &mut MotionBlock) -> usize {
         let MotionBlock { states, tau, sign, resting } = block;
         let stride = self.stride.max(1);

@@ -1,7 +1,7 @@
-//! Reading and preparing a log beside the work on it, each on a thread of its own.
+//! Reads and prepares a log in parallel with its processing, each on its own thread.
 //!
-//! Threads of the standard library and bounded queues: three steps in a row need no more. The order of rows
-//! and motions is that of the log, so results have the same bits as on one thread.
+//! Threads of the standard library and bounded queues suffice for three steps in a row. Rows and
+//! motions keep the order of the log, so results are bit-identical to those of one thread.
 
 use std::panic::resume_unwind;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -12,13 +12,14 @@ use crate::data::log::{Block, Layout, LogError, Source};
 use crate::data::signal::prepare::{ROWS, motions};
 use crate::numerics::parallel::threads;
 
-/// Blocks, or motions, that wait between two steps: enough to even out steps, few enough to bound memory.
+/// Blocks, or motions, queued between two steps: enough to smooth out delays, few enough to bound
+/// memory.
 const WAITING: usize = 2;
 
-/// Reads a log to its end and hands each [`Motion`] to `sink`, in the order of the log.
+/// Reads a log to its end and passes each [`Motion`] to `sink`, in the order of the log.
 ///
 /// # Errors
-/// Where the log can't be read, or can't be prepared so.
+/// If the log can't be read, or can't be prepared with these settings.
 pub fn each_motion(
     source: &mut dyn Source,
     dof: usize,
@@ -32,7 +33,7 @@ pub fn each_motion(
     }
 }
 
-/// The same on the caller's thread alone: where many logs are read at once.
+/// Does the same on the caller's thread alone, for many logs read at once.
 ///
 /// # Errors
 /// Like [`each_motion`].
@@ -59,7 +60,7 @@ fn overlapped(
         scope.spawn(move || read(source, &to_preparer, &emptied));
         let preparer = scope.spawn(move || {
             let mut ahead = ReadAhead { layout, full, to_reader };
-            // Nobody waits for motions any more only where the sink has panicked.
+            // The receiver of motions is gone only if the sink has panicked.
             motions(&mut ahead, dof, prepare, |motion| drop(to_sink.send(motion)))
         });
         ready.iter().for_each(|motion| sink(&motion));
@@ -67,7 +68,7 @@ fn overlapped(
     })
 }
 
-/// Reads blocks until the log is at its end, fails, or is not wanted any more.
+/// Reads blocks until the log ends, an error occurs, or the receiver is gone.
 fn read(source: &mut dyn Source, to_preparer: &SyncSender<Result<Block, LogError>>, emptied: &Receiver<Block>) {
     loop {
         let mut block = emptied.try_recv().unwrap_or_default();
@@ -83,7 +84,7 @@ fn read(source: &mut dyn Source, to_preparer: &SyncSender<Result<Block, LogError
 struct ReadAhead {
     layout: Layout,
     full: Receiver<Result<Block, LogError>>,
-    /// Takes blocks whose memory can be used again.
+    /// Returns blocks to the reader, so that their memory is reused.
     to_reader: SyncSender<Block>,
 }
 
@@ -92,9 +93,9 @@ impl Source for ReadAhead {
         &self.layout
     }
 
-    /// The reader decides how many rows a block has.
+    /// Takes the next block; the reader determines its number of rows.
     fn next_block(&mut self, _rows: usize, block: &mut Block) -> Result<(), LogError> {
-        // A reader that is gone has sent an error or an empty block before.
+        // A reader that has finished sent an error or an empty block before.
         let next = self.full.recv().unwrap_or_else(|_| Ok(Block::default()))?;
         drop(self.to_reader.try_send(std::mem::replace(block, next)));
         Ok(())
@@ -106,7 +107,8 @@ mod tests {
     use super::*;
     use crate::data::log::open;
 
-    /// A sampled motion of one joint, 5000 rows at 500 Hz, with a rest and a cell that is no number.
+    /// A sampled motion of one joint, 5000 rows at 500 Hz, with a rest and, if `bad`, a non-numeric
+    /// cell.
     fn log(bad: bool) -> String {
         let mut text = String::from("t,q1,tau1\n");
         for k in 0..5000 {

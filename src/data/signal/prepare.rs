@@ -1,8 +1,8 @@
-//! Rows of a log -> even clock -> zero-phase low-pass -> derivatives -> [`Motion`]s, in bounded
-//! memory.
+//! Converts rows of a log to motions in bounded memory: even clock, zero-phase low-pass,
+//! derivatives -> [`Motion`]s.
 //!
-//! A segment that is longer than a chunk is filtered in overlapping chunks. The overlap is as long
-//! as the filter's memory (to 1e-12), so the result is that of filtering the segment at once.
+//! A segment longer than a chunk is filtered in overlapping chunks. The overlap covers the filter's
+//! transient (to 1e-12), so the result equals that of filtering the whole segment at once.
 
 use super::Band;
 use super::Motion;
@@ -30,23 +30,23 @@ use crate::numerics::sums::squared_differences;
 /// A zero-phase Butterworth low-pass.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Filter {
-    /// Order of one pass; forward and backward double it.
+    /// Order of one pass; filtering forward and backward doubles it.
     pub order: usize,
-    /// Frequency at which one pass is at -3 dB, Hz.
+    /// Frequency at which one pass has -3 dB, Hz.
     pub cutoff: f64,
 }
 
 impl Default for Filter {
-    /// The paper's: order 5, 10 Hz (section III.E).
+    /// Filter of the paper: order 5, 10 Hz (section III.E).
     fn default() -> Self {
         Self { order: 5, cutoff: 10.0 }
     }
 }
 
 impl Filter {
-    /// Gain, forward and backward, of white noise at `rate`, Hz: the root of the energy of its
-    /// impulse response, as a share. It is 1 if the cutoff is beyond half the rate, and nothing is
-    /// filtered.
+    /// Gain for white noise at `rate`, Hz, forward and backward: the root of the energy of the
+    /// impulse response. It is 1 if the cutoff does not fit the rate, since nothing is filtered
+    /// then.
     pub fn noise_gain(self, rate: f64) -> f64 {
         let Ok(sos) = low_pass(self.order, self.cutoff, rate) else { return 1.0 };
         let half = 2 * sos.settling();
@@ -58,7 +58,7 @@ impl Filter {
 }
 
 impl Filter {
-    /// Response of the velocity, 1/s, to an error of 1 in one recorded position, sample by sample.
+    /// Response of the velocity, 1/s, to a unit error in one recorded position, sample by sample.
     pub fn velocity_response(self, period: f64) -> Vec<f64> {
         let sos = low_pass(self.order, self.cutoff, period.recip()).ok();
         let half = sos.as_ref().map_or(4, |sos| 2 * sos.settling());
@@ -81,77 +81,76 @@ impl Filter {
 /// Source of velocities and accelerations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Derivatives {
-    /// Central differences of the filtered positions. Recorded velocities are often filtered, and
-    /// late.
+    /// Central differences of the filtered positions. Recorded velocities are often filtered and
+    /// delayed.
     #[default]
     FromPosition,
     /// The log's `dq`, filtered, and its `ddq` or the central difference of `dq`.
     Recorded,
-    /// Zero: a log of static poses.
+    /// Zero, for a log of static poses.
     AtRest,
 }
 
-/// How samples become motion.
+/// Settings for converting samples to motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prepare {
-    /// Low-pass for positions and torques alike; `None`: none.
+    /// Low-pass for positions and torques; `None`: unfiltered.
     pub filter: Option<Filter>,
-    /// Whether the positions of each joint get the cutoff, at most that of [`Prepare::filter`], at
-    /// which the expected error of their acceleration is least. The torques get that of the joint
-    /// with the highest. Default false: the filter's own cutoff.
+    /// Whether each joint's positions get the cutoff, at most that of [`Prepare::filter`], that
+    /// minimises the expected error of their acceleration. The torques get the highest of these
+    /// cutoffs. Default false: the filter's own cutoff.
     pub adaptive: bool,
-    /// A second, higher cutoff, Hz: what positions have between the two is let through where it is
-    /// more than noise, as where a joint breaks away after a reversal. Not used where the log is
-    /// too slow for it. On a joint whose noise asks for less than the lower cutoff, that is the
-    /// higher of the two, and its own the lower: its motion may be rough for a moment where it is
-    /// smooth otherwise. Default `None`: never.
+    /// A second, higher cutoff, Hz. Positions between the two cutoffs are passed where they exceed
+    /// the noise, as in a breakaway after a reversal. Not used if the log is sampled too slowly for
+    /// it. If a joint's noise requires a cutoff below the filter's, its two cutoffs are its own and
+    /// the filter's. The reason is that an otherwise smooth motion may be rough for a moment.
+    /// Default `None`: never.
     pub bursts: Option<f64>,
     /// Source of velocities and accelerations.
     pub derivatives: Derivatives,
-    /// Definition of rest. Default: what the noise of the log makes it.
+    /// Definition of rest. Default: derived from the noise of the log.
     pub dead_zone: DeadZone,
-    /// Length cut off at both ends of each segment, s, where filter and differences have only one
-    /// side. Default two periods of the default cutoff.
+    /// Time removed at both ends of each segment, s, where filter and differences are one-sided.
+    /// Default: two periods of the default cutoff.
     pub trim: f64,
-    /// By how much the torque was recorded later than the motion, s: it is moved back by this.
-    /// Default 0.
+    /// Delay of the recorded torque against the motion, s, which is compensated. Default 0.
     pub torque_delay: f64,
-    /// Every how many samples one is used, after the low-pass. Default 1.
+    /// Interval between used samples, after the low-pass. Default 1.
     pub stride: usize,
-    /// Whether of samples that are closer than a low-passed signal needs, a twelfth of the
-    /// cutoff's period, only so many are used: what lies between says nothing more. Default
-    /// false.
+    /// Whether samples that are closer than a low-passed signal needs (a twelfth of the cutoff's
+    /// period) are thinned to that spacing, since they carry no further information. Default false.
     pub thinned: bool,
-    /// The torque columns. Default `tau`.
+    /// Torque columns. Default `tau`.
     pub torque: Quantity,
-    /// Factor of each joint's torque column: N m per A where the columns are currents. Default
-    /// empty: 1 for all.
+    /// Factor of each joint's torque column: N m per A if the columns are currents. Default empty:
+    /// 1 for all.
     pub torque_gains: Vec<f64>,
-    /// Torque constant of each joint, N m at the joint per A of the motor, where it is known.
-    /// Currents are used where `torque` asks for them and [`Prepare::torque_gains`] is empty, or
-    /// where it asks for `tau` and the log has currents alone. Default empty: none is known.
+    /// Torque constant of each joint, N m at the joint per A of the motor, if known. Currents are
+    /// converted if `torque` selects them and [`Prepare::torque_gains`] is empty, or if it selects
+    /// `tau` and the log has currents alone. Default empty: none known.
     pub torque_constants: Vec<Option<f64>>,
-    /// How the columns of the log are read.
+    /// Mapping of the log's columns.
     pub reading: Reading,
     /// Accepted findings.
     pub keep: Acceptance,
-    /// Samples that are filtered at once. Default 65,536; bounds the memory; a chunk also is
-    /// the stretch over which the noise of `q` is found.
+    /// Samples filtered at once. Default 65,536. Bounds the memory; a chunk is also the stretch
+    /// over which the noise of `q` is estimated.
     pub chunk: usize,
-    /// Whether motions carry samples around their core, for filtering what is computed from them.
+    /// Whether motions contain samples around their core, for filtering quantities computed from
+    /// them.
     pub margins: bool,
-    /// Whether the torque is passed on unfiltered; [`Motion::sign`] is then not low-passed either.
+    /// Whether the torque stays unfiltered; [`Motion::sign`] is then not low-passed either.
     pub raw_torque: bool,
-    /// Sums of velocities whose signs motions carry behind those of the joints.
+    /// Sums of velocities whose signs follow those of the joints in a motion.
     pub sums: Vec<VelocitySum>,
-    /// Whether motions carry the temperatures, `temp1..`, where the log has them.
+    /// Whether motions contain the temperatures, `temp1..`, if the log has them.
     pub temperature: bool,
-    /// Whether motions carry the motors' positions, `qm1..`, where the log has them.
+    /// Whether motions contain the motor positions, `qm1..`, if the log has them.
     pub motor_positions: bool,
-    /// Whether the torque of motions is what the gears take: `torque` less the joints' `tau`, which
-    /// they carry as [`Motion::load`]. Both columns have to be there.
+    /// Whether the torque of motions is that of the gears: `torque` minus the joints' `tau`, which
+    /// is stored as [`Motion::load`]. Requires both columns.
     pub transmission: bool,
-    /// Whether motions carry the external wrench, `fx .. mz`, where the log has it.
+    /// Whether motions contain the external wrench, `fx .. mz`, if the log has it.
     pub wrench: bool,
 }
 
@@ -184,20 +183,20 @@ impl Default for Prepare {
     }
 }
 
-/// Highest sampling rate of a recording, Hz: filters need memory in proportion to it.
+/// Highest sampling rate of a recording, Hz: the memory of filters is proportional to it.
 const FASTEST: f64 = 1e6;
 
-/// Samples in a period of the cutoff that say all about a low-passed signal: at half their rate the
-/// default low-pass, forward and backward, leaves `(1 / 6)^10` of an amplitude.
+/// Samples per period of the cutoff that fully represent a low-passed signal: at half their rate
+/// the default low-pass, forward and backward, leaves `(1 / 6)^10` of an amplitude.
 const ENOUGH: f64 = 12.0;
 
-/// Whole samples in a time, s; bounded, so that sums of them stay numbers.
+/// Number of samples in a time, s, rounded up and bounded, so that sums do not overflow.
 fn samples(seconds: f64, period: f64) -> usize {
     (seconds / period).ceil().min(1e15) as usize
 }
 
 impl Prepare {
-    /// With the torque columns that a log of this layout has, and the gains of currents.
+    /// Settings with the torque columns that a log of this layout has, and the gains of currents.
     fn for_layout(&self, layout: &Layout) -> Result<Self, LogError> {
         let currents = match self.torque {
             Quantity::Current => self.torque_gains.is_empty(),
@@ -218,7 +217,7 @@ impl Prepare {
         Ok(Self { torque: Quantity::Current, torque_gains, ..self.clone() })
     }
 
-    /// The torque columns that are used.
+    /// Quantities of the torque columns that are used.
     fn torques(&self) -> &[Quantity] {
         match (self.torque, self.transmission) {
             (Quantity::Current, true) => &[Quantity::Current, Quantity::Tau],
@@ -229,15 +228,15 @@ impl Prepare {
         }
     }
 
-    /// Every how many samples, `period` apart, one is used.
+    /// Interval between used samples, given their `period`, s.
     fn every(&self, period: f64) -> usize {
-        // Static poses are no signal.
+        // Static poses are no signal and are not thinned.
         let thinned = self.thinned && self.derivatives != Derivatives::AtRest;
         let enough = self.filter.filter(|_| thinned).map(|f| (period * ENOUGH * f.cutoff).recip() as usize);
         self.stride.max(1) * enough.unwrap_or(1).max(1)
     }
 
-    /// Ranges of current columns as torques, N m.
+    /// Converts the ranges of current columns to torques, N m.
     fn in_torque(&self, mut reached: Vec<Reached>) -> Vec<Reached> {
         let prefix = self.torque.prefix();
         for (gain, joint) in self.torque_gains.iter().zip(1..) {
@@ -250,29 +249,29 @@ impl Prepare {
     }
 }
 
-/// Why a log can't be prepared.
+/// Reason why a log can't be prepared.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum PrepareError {
-    /// The log itself.
+    /// The log can't be used.
     #[error(transparent)]
     Log(#[from] LogError),
-    /// The filter does not go with the sampling rate.
+    /// The filter does not fit the sampling rate.
     #[error("{file}: {source}")]
     Cutoff {
-        /// File.
+        /// File name.
         file: String,
-        /// The mismatch.
+        /// Mismatch of cutoff and rate.
         source: super::CutoffError,
     },
-    /// Decimation would fold frequencies that the low-pass lets through.
+    /// Decimation would alias frequencies that the low-pass passes.
     #[error(
         "{file}: one of {stride} samples of {rate:.1} Hz is too few for a low-pass of {cutoff} Hz; give a --stride of at most {most}"
     )]
     Stride {
-        /// File.
+        /// File name.
         file: String,
-        /// Asked for.
+        /// Requested stride.
         stride: usize,
         /// Sampling rate, Hz.
         rate: f64,
@@ -281,56 +280,56 @@ pub enum PrepareError {
         /// Largest stride that keeps the rate above 2.5 times the cutoff.
         most: usize,
     },
-    /// Rows follow one another faster than an arm is recorded.
+    /// The sampling rate is higher than that of any recording of an arm.
     #[error(
         "{file}: rows are {period:.3e} s apart, and more than 1 MHz is no recording of an arm; correct the column `t`, or give its \
          unit by --map"
     )]
     Rate {
-        /// File.
+        /// File name.
         file: String,
-        /// Between two rows, s.
+        /// Time between two rows, s.
         period: f64,
     },
-    /// Nothing is left to work with.
+    /// No samples are left.
     #[error(
         "{file}: nothing is left of {samples} samples after filtering and cutting {trim} s off both ends of each segment; record longer stretches or lower the trim"
     )]
     NothingLeft {
-        /// File.
+        /// File name.
         file: String,
-        /// Samples that the log has.
+        /// Number of samples in the log.
         samples: usize,
-        /// Cut at each end, s.
+        /// Time removed at each end, s.
         trim: f64,
     },
 }
 
-/// Findings of preparing a log.
+/// Summary of a prepared log.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Prepared {
-    /// File.
+    /// File name.
     pub file: String,
     /// Findings of the quality check and of the clock.
     pub findings: Vec<Finding>,
-    /// Rows of the log that were usable.
+    /// Number of usable rows of the log.
     pub rows: usize,
-    /// Samples handed on.
+    /// Number of samples passed on.
     pub samples: usize,
-    /// Segments.
+    /// Number of segments.
     pub segments: usize,
     /// Usual sampling rate, Hz.
     pub rate: f64,
-    /// How far positions and torques went.
+    /// Ranges of positions and torques.
     pub reached: Vec<Reached>,
-    /// Whether the log has the torques of motors and of joints.
+    /// Whether the log has both motor and joint torques.
     pub both_torques: bool,
 }
 
-/// Rows that are read at once.
+/// Number of rows read at once.
 pub(super) const ROWS: usize = 8192;
 
-/// Reads a log to its end and hands each [`Motion`] to `sink`.
+/// Reads a log to its end and passes each [`Motion`] to `sink`.
 pub(super) fn motions(
     source: &mut dyn Source,
     dof: usize,
@@ -394,15 +393,15 @@ pub(super) fn motions(
     })
 }
 
-/// Time that runs back or stands still makes a rate that no filter fits: the quality check's finding on
-/// the clock comes before such an error.
+/// Replaces an error by the quality check's findings on the clock, if there are any. Times that
+/// decrease or repeat give a rate that fits no filter.
 fn explained(error: PrepareError, check: &QualityCheck, file: &str) -> PrepareError {
     let clock = |f: &Finding| f.is_fatal() && f.column.as_deref() == Some("t");
     let findings: Vec<Finding> = check.clone().finish().into_iter().filter(clock).collect();
     if findings.is_empty() { error } else { LogError::Rejected { file: file.into(), findings }.into() }
 }
 
-/// Rows that are used, up to the next that is left out or begins a segment.
+/// Runs of used rows, each up to the next row that is left out or starts a segment.
 fn runs(verdicts: &[Verdict]) -> impl Iterator<Item = std::ops::Range<usize>> {
     let mut from = 0;
     std::iter::from_fn(move || {
@@ -414,52 +413,53 @@ fn runs(verdicts: &[Verdict]) -> impl Iterator<Item = std::ops::Range<usize>> {
     })
 }
 
-/// The running state between rows and motions.
+/// State between the rows of a log and its motions.
 pub struct Preparer {
     settings: Prepare,
     file: String,
     dof: usize,
     /// Index of `t` among a block's columns.
     time: usize,
-    /// Indices of the channels among a block's columns: `q`, `tau`, then `dq`, `ddq`, `temp` if
-    /// they are used.
+    /// Indices of the channels among a block's columns: `q`, `tau`, then `dq`, `ddq`, `temp` and
+    /// the others if they are used.
     sources: Vec<usize>,
-    /// Positions of the temperatures among the channels.
+    /// Index of the first temperature among the channels.
     temperature: Option<usize>,
-    /// Positions of the motors among the channels.
+    /// Index of the first motor position among the channels.
     motor: Option<usize>,
-    /// Torques of the joints among the channels, where those of the gears are wanted.
+    /// Index of the first joint torque among the channels, if the torques of the gears are wanted.
     load: Option<usize>,
-    /// Positions of the external wrench among the channels.
+    /// Index of the external wrench among the channels.
     wrench: Option<usize>,
     /// Whether accelerations are among the channels.
     recorded_ddq: bool,
-    /// The log's usual step, s.
+    /// Usual step of the log, s.
     nominal: Option<f64>,
     segment: usize,
     findings: Vec<Finding>,
-    /// Rows that are not evened yet.
+    /// Rows that are not resampled yet.
     raw_time: Vec<f64>,
     raw: Vec<Vec<f64>>,
     clock: Option<SegmentClock>,
-    /// Noise statistics of rows whose times were found.
+    /// Noise statistics of rows whose times were estimated.
     rows_noise: Option<RowsNoise>,
-    /// Evened samples that are still needed, and the number of the first of them in the segment.
+    /// Evenly sampled values that are still needed, and the number of the first of them in the
+    /// segment.
     evened: Vec<Vec<f64>>,
     first: usize,
-    /// Samples of the segment that were handed on.
+    /// Samples of the segment that were passed on.
     done: usize,
-    /// The low-pass at the segment's rate.
+    /// Low-pass at the segment's rate.
     filter: Option<Sos>,
-    /// The low-pass of [`Prepare::bursts`].
+    /// Low-pass of [`Prepare::bursts`].
     wide: Option<(Filter, Sos)>,
-    /// Filter of each joint's positions; empty until the segment is long enough to choose.
+    /// Filter of each joint's positions; empty until the segment is long enough to choose it.
     narrow: Vec<Narrow>,
     /// Filter of torques and signs.
     torque_filter: Option<(Filter, Sos)>,
 }
 
-/// The low-pass of one joint's positions.
+/// Low-pass of one joint's positions.
 struct Narrow {
     filter: Filter,
     sos: Sos,
@@ -469,14 +469,14 @@ struct Narrow {
     noise: f64,
 }
 
-/// Noise of the rows of a segment whose times were found.
+/// Noise of the rows of a segment whose times were estimated.
 #[derive(Debug, Clone)]
 struct RowsNoise {
-    /// Of the positions, rad.
+    /// Standard deviations of the positions, rad.
     position: Vec<f64>,
-    /// Of the torques, in the column's unit.
+    /// Standard deviations of the torques, in the column's unit.
     torque: Vec<f64>,
-    /// Of the times that were found, s.
+    /// Standard deviation of the estimated times, s.
     time: f64,
 }
 
@@ -485,21 +485,22 @@ struct SegmentClock {
     start: f64,
     period: f64,
     resample: bool,
-    /// Whether rows were not sampled when their stamps say.
+    /// Whether rows were sampled at other times than their stamps.
     errs: bool,
-    /// Samples produced.
+    /// Number of samples produced.
     produced: usize,
     last: f64,
 }
 
-/// Rows by which the clock of a segment is judged.
+/// Rows from which the clock of a segment is judged.
 const JUDGE: usize = 1024;
-/// Rows whose times are found at once, and those at each end with one side only.
+/// Rows whose times are estimated at once, and those at each end that have neighbours on one side
+/// only.
 const TIMED: usize = 16_384;
 const TIMED_EDGE: usize = 512;
 
 impl Preparer {
-    /// For logs with this layout.
+    /// Creates the preparer for logs with this layout.
     pub fn new(layout: &Layout, dof: usize, prepare: &Prepare) -> Result<Self, LogError> {
         if layout.dof != dof {
             return Err(LogError::Joints { file: layout.file.clone(), found: layout.dof, expected: dof });
@@ -570,7 +571,7 @@ impl Preparer {
         }
     }
 
-    /// Motions that can be made now.
+    /// Motions available from the rows so far.
     fn advance(&mut self) -> Result<Vec<Motion>, PrepareError> {
         if self.raw_time.len() < JUDGE {
             return Ok(Vec::new());
@@ -579,7 +580,7 @@ impl Preparer {
         self.motions(false)
     }
 
-    /// Motions of what is left of the segment; the next row begins another.
+    /// Motions of the rest of the segment; the next row starts another segment.
     fn end_segment(&mut self) -> Result<Vec<Motion>, PrepareError> {
         let mut motions = Vec::new();
         if !self.raw_time.is_empty() || self.clock.is_some() {
@@ -596,7 +597,7 @@ impl Preparer {
         Ok(motions)
     }
 
-    /// Decides how the segment's clock is evened: from its first rows.
+    /// Decides from the segment's first rows how its clock is made even.
     fn judge_clock(&mut self) -> Result<SegmentClock, PrepareError> {
         let t = &self.raw_time;
         let nominal = self.nominal.unwrap_or(1.0);
@@ -617,7 +618,7 @@ impl Preparer {
         if period.is_nan() || period.recip() > FASTEST {
             return Err(PrepareError::Rate { file: self.file.clone(), period });
         }
-        // A single row has no rate; that it is too few is said elsewhere.
+        // A single row has no rate; too few rows are reported elsewhere.
         if let Some(filter) = self.settings.filter.filter(|_| self.raw_time.len() > 1) {
             let rate = period.recip();
             let sos = low_pass(filter.order, filter.cutoff, rate)
@@ -657,8 +658,8 @@ impl Preparer {
         }
     }
 
-    /// Times of the rows that are not evened yet, from what all joints share; `None` where the
-    /// clock is right.
+    /// Times of the rows that are not resampled yet, estimated from the positions of all joints;
+    /// `None` if the clock needs no correction.
     fn found_times(&self, resample: bool, period: f64) -> Option<clock::Times> {
         if self.settings.derivatives != Derivatives::FromPosition {
             return None;
@@ -667,7 +668,7 @@ impl Preparer {
         clock::times(&self.stamps(resample, period), &q, period)
     }
 
-    /// Times of the rows that are not evened yet, as far as stamps or the count of rows say.
+    /// Times of the rows that are not resampled yet, from their stamps or their count.
     fn stamps(&self, resample: bool, period: f64) -> Vec<f64> {
         if resample || self.raw_time.windows(2).any(|w| w[1] - w[0] > 1.5 * period) {
             return self.raw_time.clone();
@@ -678,7 +679,7 @@ impl Preparer {
         (0..self.raw_time.len()).map(|k| start + counted(k)).collect()
     }
 
-    /// Evens rows whose stamps err: each at the time that was found for it.
+    /// Resamples rows whose stamps err, each at its estimated time.
     fn even_found(&mut self, clock: &mut SegmentClock, end: bool) {
         let n = self.raw_time.len();
         if !end && n < TIMED {
@@ -718,7 +719,7 @@ impl Preparer {
             to.extend_from_slice(&grid[(clock.produced - before).min(grid.len())..(last + 1 - before).min(grid.len())]);
         }
         clock.produced = clock.produced.max(last + 1);
-        // Rows that the next ones need beside them keep their stamps.
+        // Rows that are needed as neighbours of the next ones keep their stamps.
         let keep_from = if end { n } else { n - 2 * TIMED_EDGE };
         self.raw_time.drain(..keep_from);
         self.raw.iter_mut().for_each(|x| drop(x.drain(..keep_from)));
@@ -740,7 +741,7 @@ impl Preparer {
             let mut used = 0;
             loop {
                 let at = clock.start + clock.produced as f64 * clock.period;
-                // A few ulps past the last stamp still belong to it.
+                // A sample a few ulps past the last stamp still belongs to it.
                 if limit == 0 || at > self.raw_time[limit - 1] + 1e-9 * clock.period {
                     break;
                 }
@@ -760,7 +761,7 @@ impl Preparer {
             let mut taken = 0;
             for row in 0..self.raw_time.len() {
                 let step = self.raw_time[row] - clock.last;
-                // A sample that the recorder missed is put in on the line between its neighbours.
+                // Interpolates a sample that the recorder missed linearly between its neighbours.
                 if clock.produced > 0 && step > 1.5 * clock.period {
                     for (to, from) in self.evened.iter_mut().zip(&self.raw) {
                         to.extend_from_slice(&from[taken..row]);
@@ -820,7 +821,7 @@ impl Preparer {
             }
             motions.push(self.motion(clock, self.done..core_end, margin));
             self.done = core_end;
-            // Rows that the next chunk does not need any more.
+            // Removes rows that the next chunk no longer needs.
             let obsolete = self.done.saturating_sub(settle + margin).saturating_sub(self.first);
             self.evened.iter_mut().for_each(|x| drop(x.drain(..obsolete.min(x.len()))));
             self.first += obsolete;
@@ -828,13 +829,13 @@ impl Preparer {
         Ok(motions)
     }
 
-    /// Samples that are cut off at both ends of a segment.
+    /// Number of samples removed at both ends of a segment.
     fn trim(&self, period: f64) -> usize {
         if self.settings.derivatives == Derivatives::AtRest {
             return 0;
         }
         let differences = 3;
-        // A low-pass of a low cutoff errs farther from the ends.
+        // The end effects of a low-pass reach farther if its cutoff is low.
         let lowest = self.narrow.iter().map(|n| n.filter.cutoff).fold(f64::INFINITY, f64::min);
         let own =
             if self.settings.adaptive && self.settings.trim > 0.0 { (SETTLED / lowest).min(MOST_TRIM) } else { 0.0 };
@@ -843,8 +844,8 @@ impl Preparer {
         samples(seconds, period).max(differences)
     }
 
-    /// The low-passes of a segment, from its first chunk: of each joint's positions, and of the
-    /// torques, whose band is not below that of any joint.
+    /// Selects the low-passes of a segment from its first chunk: one for each joint's positions,
+    /// and one for the torques, whose band is not below that of any joint.
     fn choose_bands(&mut self, period: f64) {
         let (Some(filter), Some(plain)) = (self.settings.filter, self.filter.clone()) else { return };
         let from_position = self.settings.derivatives == Derivatives::FromPosition;
@@ -861,7 +862,7 @@ impl Preparer {
         self.torque_filter = widest.map(|n| (n.filter, n.sos.clone()));
     }
 
-    /// Filters of the positions; no sample has a share of the wider ones yet.
+    /// Filters of the positions; the wider ones have no weight yet.
     fn band(&self) -> Band {
         if self.settings.derivatives != Derivatives::FromPosition {
             return Band::default();
@@ -874,8 +875,8 @@ impl Preparer {
         }
     }
 
-    /// The wider low-pass of a joint, of which short and fast motion has a share: that of bursts,
-    /// or the highest of motion where the joint's own is lower.
+    /// Wider low-pass of a joint, blended in for short and fast motion: that of bursts, or the
+    /// highest of motion if the joint's own is lower.
     fn wider(&self, own: &Narrow) -> Option<(Filter, &Sos)> {
         let (bursts, highest) = (self.wide.as_ref()?, self.settings.filter?);
         match own.filter == highest {
@@ -902,8 +903,8 @@ impl Preparer {
         self.torque_filter.as_ref().filter(|_| !self.settings.raw_torque).map(|(filter, _)| filter.cutoff)
     }
 
-    /// Filters what there is and cuts the core (sample numbers of the segment) with its margin out
-    /// of it.
+    /// Filters the available samples and cuts out the core (sample numbers of the segment) with its
+    /// margin.
     fn motion(&self, clock: SegmentClock, core: std::ops::Range<usize>, margin: usize) -> Motion {
         let (n, dof, rate) = (self.evened[0].len(), self.dof, clock.period.recip());
         let mut positions = self.positions(clock.period).into_iter();
@@ -983,7 +984,7 @@ impl Preparer {
         motion
     }
 
-    /// Adds what motions carry of a joint as recorded.
+    /// Appends a joint's recorded channels that motions contain.
     fn carry(&self, motion: &mut Motion, joint: usize, range: std::ops::Range<usize>) {
         let channels = [
             (self.temperature, &mut motion.temperature),
@@ -995,8 +996,8 @@ impl Preparer {
         }
     }
 
-    /// Lets rough motion of a joint through where it is more than noise, and says the share of each
-    /// sample; nothing where there is none.
+    /// Passes rough motion of a joint where it exceeds the noise, and returns the weight of the
+    /// wider low-pass at each sample; empty if there is none.
     fn rough(&self, joint: usize, own: &Narrow, narrow: &mut Derived, period: f64) -> Vec<f64> {
         let Some((filter, sos)) = self.wider(own) else { return Vec::new() };
         let behind =
@@ -1008,7 +1009,8 @@ impl Preparer {
         narrow.let_through(&behind(positions, filter, sos), [own.filter.cutoff, filter.cutoff], steps, period)
     }
 
-    /// Where a joint sticks as it turns about, unless rest is switched off.
+    /// Samples at which a joint sticks at a reversal; empty if the detection of rest is switched
+    /// off.
     fn held(&self, joint: usize, q: &[f64], filter: Filter, period: f64) -> Vec<Stiction> {
         match self.settings.dead_zone {
             DeadZone::Off => Vec::new(),
@@ -1016,8 +1018,8 @@ impl Preparer {
         }
     }
 
-    /// Rest of joints, and of the sums of velocities, and the signs of their velocities: of the
-    /// samples `span`. `reversals`: where each joint sticks as it turns about.
+    /// Appends rest and velocity signs of joints and velocity sums for the samples `span`.
+    /// `reversals`: where each joint sticks at a reversal.
     fn rests(
         &self,
         motion: &mut Motion,
@@ -1051,7 +1053,7 @@ impl Preparer {
             let sign = |(v, rests): (&f64, &bool)| if *rests || *v == 0.0 { 0.0 } else { v.signum() };
             let mut signs: Vec<f64> = dq.iter().zip(&resting).map(sign).collect();
             if !self.settings.raw_torque {
-                // The low-pass carries friction of a held joint to the rows around.
+                // The low-pass spreads the friction of a held joint to neighbouring rows.
                 reversals.get(row).into_iter().flatten().for_each(|stick| stick.put_friction(&mut signs));
             }
             every.push(signs);
@@ -1062,25 +1064,25 @@ impl Preparer {
         }
     }
 
-    /// Positions, each joint's behind its own low-pass.
+    /// Positions, each joint's filtered by its own low-pass.
     fn positions(&self, period: f64) -> Vec<Vec<f64>> {
         let own = |j: usize| (&self.evened[j][..], self.narrow.get(j).map(|n| (n.filter, &n.sos)));
         through_each(&(0..self.dof).map(own).collect::<Vec<_>>(), period)
     }
 
-    /// Torques and signs, low-passed unless they are asked for as they are.
+    /// Torques and signs, low-passed unless raw torques are requested.
     fn treated(&self, series: &[Vec<f64>], period: f64) -> Vec<Vec<f64>> {
         let filter = self.torque_filter.as_ref().filter(|_| !self.settings.raw_torque);
         let filter = filter.map(|(filter, sos)| (*filter, sos));
         through_each(&series.iter().map(|x| (&x[..], filter)).collect::<Vec<_>>(), period)
     }
 
-    /// One series behind the low-pass of the torques.
+    /// One series filtered by the low-pass of the torques.
     fn smooth(&self, x: &[f64], period: f64) -> Vec<f64> {
         through(x, self.torque_filter.as_ref().map(|(filter, sos)| (*filter, sos)), period)
     }
 
-    /// Standard deviation of the sensor's noise in what becomes of a joint's torque, N m; `dq`: its
+    /// Standard deviation of the sensor's noise in a joint's treated torque, N m; `dq`: joint
     /// speed, rad/s.
     fn torque_noise(&self, joint: usize, dq: &[f64], rate: f64) -> f64 {
         let low_pass = self.torque_filter.as_ref().filter(|_| !self.settings.raw_torque);
@@ -1093,8 +1095,8 @@ impl Preparer {
         recorded * gain * passed
     }
 
-    /// How noisy a joint's filtered velocity is, whose error is `speed` by what the low-pass took
-    /// out of its positions.
+    /// Noise of a joint's filtered velocity. `speed`: velocity error derived from what the low-pass
+    /// removed from the positions, rad/s.
     fn noise(&self, joint: usize, speed: f64, period: f64) -> rest::Noise {
         let rate = period.recip();
         if self.settings.derivatives == Derivatives::Recorded {
@@ -1106,7 +1108,7 @@ impl Preparer {
         let position = white_noise([&self.evened[joint][..]].into_iter()).max(floor);
         match self.narrow.get(joint).map(|n| n.filter) {
             Some(filter) => rest::Noise { speed, white: filter.velocity_noise(position, rate), position },
-            // A central difference has the difference of two errors over two periods.
+            // A central difference divides the difference of two errors by two periods.
             None => {
                 let white = position * rate * 0.5_f64.sqrt();
                 rest::Noise { speed: white, white, position }
@@ -1115,20 +1117,20 @@ impl Preparer {
     }
 }
 
-/// Periods of the cutoff after which what a low-pass makes of an end has faded, and the most that
-/// is cut off for it, s.
+/// Periods of the cutoff after which the end effects of a low-pass have faded, and the longest time
+/// that is removed for them, s.
 const SETTLED: f64 = 2.0;
 const MOST_TRIM: f64 = 1.0;
 
-/// Forward and backward through a low-pass, where there is one.
+/// Filters a series forward and backward, if there is a low-pass.
 fn through(x: &[f64], filter: Option<(Filter, &Sos)>, period: f64) -> Vec<f64> {
     through_each(&[(x, filter)], period).pop().unwrap_or_default()
 }
 
-/// A series and the low-pass that it goes through, where there is one.
+/// A series and its low-pass, if there is one.
 type Passed<'a> = (&'a [f64], Option<(Filter, &'a Sos)>);
 
-/// The same of several series, each with its low-pass. Either all have one, or none has.
+/// Filters several series, each by its low-pass. Either all have one, or none has.
 fn through_each(series: &[Passed<'_>], period: f64) -> Vec<Vec<f64>> {
     let filtered = |&(x, filter): &(_, Option<(Filter, _)>)| {
         let (filter, sos): (Filter, &Sos) = filter?;
@@ -1141,8 +1143,8 @@ fn through_each(series: &[Passed<'_>], period: f64) -> Vec<Vec<f64>> {
     }
 }
 
-/// The signal `by` samples later, on the line between samples (it is smooth by now); the ends are
-/// held.
+/// Shifts a signal by `by` samples, so that sample `k` becomes that at `k + by`. Interpolates
+/// linearly between samples, which are smooth by now; the end values are held.
 fn later(x: Vec<f64>, by: f64) -> Vec<f64> {
     if by == 0.0 || !by.is_finite() {
         return x;
@@ -1153,7 +1155,7 @@ fn later(x: Vec<f64>, by: f64) -> Vec<f64> {
     (0..x.len()).map(|k| at(k) + (by - whole) * (at(k + 1) - at(k))).collect()
 }
 
-/// Standard deviation of the velocity error, from what the filter took out of the position.
+/// Standard deviation of the velocity error, from what the filter removed from the position.
 fn velocity_noise(raw: &[f64], smooth: &[f64], filter: Filter, rate: f64) -> f64 {
     filter.velocity_noise((squared_differences(raw, smooth) / raw.len().max(1) as f64).sqrt(), rate)
 }

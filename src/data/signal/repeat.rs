@@ -1,22 +1,22 @@
-//! By how much the torque differs where a motion is repeated: an error that no model of the motion
-//! takes.
+//! Estimates how much the torque differs when a motion is repeated: an error that no model of the
+//! motion can explain.
 
 use crate::numerics::sums::{squared_differences, sum};
 
-/// Spacing of samples at which a period is looked for, s, and how many there are at most.
+/// Sampling period for the search of a repetition, s, and the largest number of samples.
 const COARSE: f64 = 0.05;
 const MOST: usize = 3000;
-/// Shortest period, s.
+/// Shortest period of a repetition, s.
 const SHORTEST: f64 = 1.0;
-/// Mean square difference of positions, as a share of that of two unrelated instants, below which a
-/// motion may be repeated, and is.
+/// Mean square difference of positions, relative to that of two unrelated instants: below the first
+/// value the motion may be a repetition, below the second it is one.
 const MAYBE: f64 = 0.02;
 const SURE: f64 = 2e-4;
-/// Samples of which a shift is judged.
+/// Number of samples from which a lag is judged.
 const JUDGED: usize = 2000;
 
-/// Standard deviation of each joint's torque about its mean over repetitions, N m, and the seconds
-/// that it is from; `None` where these positions (joint-major, `len` each) repeat nothing.
+/// Standard deviation of each joint's torque about its mean over repetitions, N m, and the time
+/// from which it is estimated, s. `None` if the positions (joint-major, `len` each) do not repeat.
 pub fn repeatability(q: &[f64], tau: &[f64], len: usize, period: f64) -> Option<(Vec<f64>, f64)> {
     if len < 8 || period <= 0.0 {
         return None;
@@ -35,7 +35,7 @@ pub fn repeatability(q: &[f64], tau: &[f64], len: usize, period: f64) -> Option<
     let coarse = ((COARSE / period) as usize).max(len / MOST).max(1);
     let judged = (len / JUDGED).max(1);
     let every = Lagged::new(&moving, coarse);
-    // The start of a motion resembles itself for a while.
+    // Short lags match trivially, so the search starts once the positions have moved apart.
     let mut left = false;
     let mut lag = coarse;
     while lag <= len / 2 {
@@ -58,11 +58,11 @@ pub fn repeatability(q: &[f64], tau: &[f64], len: usize, period: f64) -> Option<
     None
 }
 
-/// Series in units in which unrelated instants differ by a mean square of one.
+/// Series scaled such that unrelated instants have a mean square difference of one.
 struct Lagged(Vec<Vec<f64>>);
 
 impl Lagged {
-    /// Every `step`th sample of series of known variances.
+    /// Takes every `step`th sample of series with known variances.
     fn new(series: &[(&[f64], f64)], step: usize) -> Self {
         let scaled = |&(x, variance): &(&[f64], f64)| {
             let unit = (2.0 * variance).sqrt().recip();
@@ -71,7 +71,7 @@ impl Lagged {
         Self(series.iter().map(scaled).collect())
     }
 
-    /// Mean square difference of samples that are `lag` apart, of every `step`th of them.
+    /// Mean square difference of samples that are `lag` apart, over every `step`th of them.
     fn difference(&self, lag: usize, step: usize) -> f64 {
         let of = |x: &Vec<f64>| match step {
             1 => squared_differences(&x[lag..], &x[..x.len() - lag]),
@@ -87,7 +87,7 @@ mod tests {
     use super::*;
     use crate::numerics::prng::Random;
 
-    /// Two joints on a motion of 4.3 s, thrice, and one that never comes back.
+    /// Two joints on a motion of 4.3 s played three times, and a joint that never returns.
     #[test]
     fn a_motion_that_is_repeated_shows_the_noise() {
         let (period, len) = (0.004, 3400);

@@ -1,8 +1,8 @@
-//! From time stamps to an even clock.
+//! Interpolates samples from their time stamps to an even clock.
 
-/// The value at time `at` of the cubic through the four samples around it (Lagrange). `t` is
-/// ascending and `t[1] <= at <= t[2]` except at the ends of a record; fewer samples give a line or
-/// a constant.
+/// Value at time `at` of the cubic through the four samples around it (Lagrange). `t` is ascending
+/// with `t[1] <= at <= t[2]`, except at the ends of a record; fewer samples give a line or a
+/// constant.
 pub fn resample(t: &[f64], x: &[f64], at: f64) -> f64 {
     let n = t.len().min(x.len());
     match n {
@@ -28,9 +28,9 @@ pub fn resample(t: &[f64], x: &[f64], at: f64) -> f64 {
     }
 }
 
-/// Whether samples look smoother when taken as evenly spaced than at their stamps. A recorder that
-/// stamps late does not sample late: its stamps then jitter where the motion does not. Compares the
-/// sums of squared second differences.
+/// Whether samples are smoother if taken as evenly spaced than at their stamps. A recorder that
+/// stamps late does not sample late: its stamps jitter, and the motion does not. Compares the sums
+/// of squared second differences.
 pub(super) fn smoother_evenly(t: &[f64], channels: &[&[f64]], period: f64) -> bool {
     let (mut even_sum, mut stamp_sum) = (0.0, 0.0);
     for x in channels {

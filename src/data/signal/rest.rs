@@ -1,48 +1,49 @@
-//! Stiction: at which samples the sign of a joint's velocity says nothing about its dry friction.
+//! Detects rest: samples at which the sign of a joint's velocity does not determine its dry
+//! friction.
 //!
 //! A joint at rest is held by friction of any value within its breakaway level, and the sign of its
-//! recorded velocity is the encoder's noise. The definition of rest follows from the log. It is a
-//! speed within three standard deviations of its noise after the low-pass, and any faster stretch
-//! that does not carry the joint beyond the noise of its position.
+//! recorded velocity is encoder noise. The definition of rest follows from the log. Rest is a speed
+//! within three standard deviations of its noise behind the low-pass, and any faster stretch that
+//! does not carry the joint beyond its position noise.
 
 use crate::numerics::sums::sum;
 
 /// Definition of rest.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum DeadZone {
-    /// Three standard deviations of the speed's noise. Where that is much of the joint's motion it
-    /// is taken from differences of neighbouring samples, which motion does not reach.
+    /// Three standard deviations of the speed's noise. If that is much of the joint's motion, the
+    /// noise is taken from differences of neighbouring samples, which contain no motion.
     #[default]
     FromNoise,
-    /// This speed, rad/s or m/s.
+    /// A fixed speed, rad/s or m/s.
     Fixed(f64),
-    /// No sample is at rest.
+    /// No sample counts as rest.
     Off,
 }
 
-/// Standard deviations of noise that count as rest.
+/// Limit of rest in standard deviations of the speed's noise.
 const DEVIATIONS: f64 = 3.0;
-/// Share of a joint's largest speed below which a speed may be noise, where the low-pass takes more
-/// than noise out of the positions.
+/// Share of a joint's largest speed below which a speed may be noise, if the low-pass removes more
+/// than noise from the positions.
 const SHARE: f64 = 0.02;
-/// Standard deviations of the position's noise that a stretch has to go beyond to be motion.
+/// Least travel of a stretch of motion, in standard deviations of the position's noise.
 const TRAVEL: f64 = 4.0;
-/// Rounding of the low-pass, as a speed, rad/s or m/s: a motion as slow takes a year to a turn.
+/// Rounding error of the low-pass as a speed, rad/s or m/s: one turn takes 20 years.
 const ROUNDING: f64 = 1e-8;
 
-/// Noise of one joint, standard deviations.
+/// Noise of one joint, as standard deviations.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Noise {
-    /// Of the filtered speed, from what the low-pass took out of the positions: noise, and motion
-    /// beyond the cutoff, rad/s.
+    /// Error of the filtered speed, from what the low-pass removed from the positions (noise, and
+    /// motion beyond the cutoff), rad/s.
     pub speed: f64,
-    /// Of the filtered speed, from differences of neighbouring samples, rad/s.
+    /// Error of the filtered speed, from differences of neighbouring samples, rad/s.
     pub white: f64,
-    /// Of the recorded positions, rad; 0 where speeds do not come from them.
+    /// Error of the recorded positions, rad; 0 if speeds are not derived from them.
     pub position: f64,
 }
 
-/// Whether the joint is at rest, at each sample.
+/// Whether the joint is at rest, for each sample.
 pub(super) fn rests(dq: &[f64], noise: Noise, period: f64, zone: DeadZone) -> Vec<bool> {
     let zone = match zone {
         DeadZone::Off => return vec![false; dq.len()],
@@ -67,24 +68,23 @@ pub(super) fn rests(dq: &[f64], noise: Noise, period: f64, zone: DeadZone) -> Ve
 }
 
 /// Standard deviation of the white noise of series, without a model: from fourth differences, in
-/// which motion below a tenth of the sampling rate leaves nothing. Noise that was low-passed before
-/// it was recorded is not seen; see [`super::noise_between_reversals`]. 0 for series of fewer than five
-/// samples.
+/// which motion below a tenth of the sampling rate vanishes. Noise that was low-passed before
+/// recording is not detected; see [`super::noise_between_reversals`]. 0 for series of fewer than
+/// five samples.
 pub fn white_noise<'a>(series: impl Iterator<Item = &'a [f64]>) -> f64 {
-    // Steps (of friction, of a contact) are rare and large: the largest hundredth is left out, and
-    // what Gauss would have there is put back.
+    // Steps (friction, contact) are rare and large: the largest hundredth is left out, and its
+    // share under a Gaussian distribution is corrected for.
     noise_of_least(series, 100, 0.9245)
 }
 
-/// The same of four fifths of the differences, the least ones: bursts, as of impacts in a gear, are
-/// in few of them.
+/// The same from the smallest four fifths of the differences, which contain few bursts such as
+/// impacts in a gear.
 pub(super) fn usual_noise<'a>(series: impl Iterator<Item = &'a [f64]>) -> f64 {
     noise_of_least(series, 5, 0.4377)
 }
 
-/// Standard deviation of white noise from its fourth differences but for the largest, one of so
-/// many; `mean`: mean square of the others where all have a mean square of 1 and Gauss's
-/// distribution.
+/// Standard deviation of white noise from fourth differences, without the largest one in `one_of`.
+/// `mean`: mean square of the remaining ones for a Gaussian distribution of unit variance.
 fn noise_of_least<'a>(series: impl Iterator<Item = &'a [f64]>, one_of: usize, mean: f64) -> f64 {
     // The variance of a fourth difference of white noise is 70 times its own (1 + 16 + 36 + 16 +
     // 1).
@@ -94,12 +94,12 @@ fn noise_of_least<'a>(series: impl Iterator<Item = &'a [f64]>, one_of: usize, me
     (sum_of_least(squares, kept) / (70 * kept.max(1)) as f64 / mean).sqrt()
 }
 
-/// Every how many values one is looked at to guess which are large, and the share of these that
+/// Stride of the values sampled to estimate a threshold, and the inverse of the share of these that
 /// counts as large.
 const LOOKED_AT: usize = 64;
 const LARGE: usize = 32;
 
-/// Sum of the `count` least values. Only those that may be among the others are put in order.
+/// Sum of the `count` smallest values. Only values near the threshold are sorted.
 fn sum_of_least(mut values: Vec<f64>, count: usize) -> f64 {
     let mut few: Vec<f64> = values.iter().step_by(LOOKED_AT).copied().collect();
     let place = few.len() - few.len() / LARGE;
@@ -129,7 +129,7 @@ mod tests {
 
     const PERIOD: f64 = 0.01;
 
-    /// Speed and its noise of positions behind the default low-pass.
+    /// Speed of positions behind the default low-pass, and its noise.
     fn seen(q: &[f64]) -> (Vec<f64>, Noise) {
         let mut y = q.to_vec();
         super::super::low_pass(5, 10.0, PERIOD.recip()).unwrap().forward_backward(&mut y, 100);
@@ -144,7 +144,7 @@ mod tests {
         let mut random = Random::new(8);
         for n in [0, 1, 63, 3000, 20_000] {
             let plain: Vec<f64> = (0..n).map(|_| random.uniform(0.0, 1.0).powi(8)).collect();
-            // None, a few and most of them large; none of those that are looked at; all alike.
+            // Few large values, many, none among the sampled ones, and all values equal.
             let few = (0..n).map(|k| if k % 64 == 1 { 1e3 } else { plain[k] }).collect();
             let rising = (0..n).map(|k| k as f64).collect();
             for values in [plain.clone(), few, rising, vec![0.5; n]] {
@@ -158,8 +158,8 @@ mod tests {
         }
     }
 
-    /// A joint that stands, moves and stands again: whatever the noise, it rests where it stands,
-    /// and nowhere else but where it turns round.
+    /// A joint that stands, moves and stands again: at any noise level it rests where it stands,
+    /// and elsewhere only where it reverses.
     #[test]
     fn noise_is_no_motion() {
         for (seed, std) in [(1, 1e-5), (2, 2e-5), (3, 3e-4)] {
@@ -178,7 +178,7 @@ mod tests {
             assert!(wrong < 10, "{std}: {wrong} of 1900 samples at rest are said to move");
             let moving = (1050..1950).filter(|&k| dq[k].abs() > 0.05 && rest[k]).count();
             assert_eq!(moving, 0, "{std}");
-            // Nothing but noise: rest throughout.
+            // Noise alone is rest throughout.
             let still: Vec<f64> = (0..1000).map(|_| 0.7 + std * random.even(3.0_f64.sqrt())).collect();
             let (dq, noise) = seen(&still);
             let rest = rests(&dq, noise, PERIOD, DeadZone::FromNoise);
@@ -186,8 +186,7 @@ mod tests {
         }
     }
 
-    /// An encoder that shows no noise at all: the rounding of the low-pass has a sign, but is no
-    /// motion.
+    /// An encoder without noise: the rounding error of the low-pass has a sign, but is no motion.
     #[test]
     fn rounding_is_no_motion() {
         let (dq, noise) = seen(&[1.234_567; 500]);
@@ -208,15 +207,15 @@ mod tests {
         assert_eq!(white_noise([&x[..3]].into_iter()), 0.0);
     }
 
-    /// A speed that is given is the limit, in both directions.
+    /// A given speed is the limit in both directions.
     #[test]
     fn a_fixed_zone_ends_where_it_says() {
         let rest = rests(&[0.0, 0.09, -0.09, 0.11, -0.11, 0.19], Noise::default(), PERIOD, DeadZone::Fixed(0.1));
         assert_eq!(rest, [true, true, true, false, false, false]);
     }
 
-    /// What the low-pass took out counts as noise up to a fiftieth of the largest speed, and beyond
-    /// it no more than what neighbouring samples show.
+    /// The part removed by the low-pass counts as noise up to a fiftieth of the largest speed;
+    /// above, only the noise of neighbouring samples counts.
     #[test]
     fn motion_beyond_the_cutoff_is_not_all_noise() {
         let dq = [1.0, 0.015, 0.025, 0.05, 0.07];

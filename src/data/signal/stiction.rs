@@ -1,37 +1,37 @@
 //! Detects a joint that sticks at a reversal: it does not move beyond the noise of its encoder,
-//! though the low-pass makes it creep.
+//! although the filtered position creeps.
 //!
 //! At a reversal dry friction holds a joint for some hundredths of a second. The low-pass spreads
-//! the motion before and after over that time, so the velocity has a sign where the joint has none.
-//! The friction torque balances the other torques: it passes from one level to the other. A law of
-//! the velocity says nothing there.
+//! the motion before and after over that time, so the filtered velocity has a sign while the joint
+//! stands still. The friction torque balances the other torques and passes from one level to the
+//! other. There it is not a function of the velocity.
 
 use std::ops::Range;
 
-/// Half of the time over which a displacement is looked at, s.
+/// Half of the time over which a displacement is measured, s.
 const NEAR: f64 = 0.01;
-/// A displacement of fewer standard deviations of the position's noise is none.
+/// Least displacement that counts as motion, in standard deviations of the position's noise.
 const NOTHING: f64 = 4.0;
-/// Smearing of the low-pass to each side of a stick, as a share of the period of its cutoff.
+/// Smearing by the low-pass to each side of a stick, as a share of the period of its cutoff.
 const SMEAR: f64 = 0.25;
-/// A joint that sticks for longer rests, or creeps more slowly than its encoder shows in [`NEAR`],
-/// s.
+/// Longest stick, s. Beyond it a joint rests, or creeps more slowly than its encoder resolves
+/// within [`NEAR`].
 const LONGEST: f64 = 0.3;
 
-/// A joint held by dry friction where it turns about.
+/// A stretch in which dry friction holds a joint at a reversal.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Stiction {
-    /// Samples at which it does not move.
+    /// Samples at which the joint does not move.
     pub held: Range<usize>,
-    /// The same, and what the low-pass makes of them.
+    /// The same samples, extended by the smearing of the low-pass.
     pub seen: Range<usize>,
-    /// Sign of the velocity behind it.
+    /// Sign of the velocity after the stick.
     pub to: f64,
 }
 
 impl Stiction {
-    /// Expected dry friction by its level while the joint is held: it passes from one level to the
-    /// other with the torques that it balances, and nothing is known of its path but the ends.
+    /// Sets the expected ratio of dry friction to its level while the joint is held. It passes
+    /// linearly from one level to the other, since only the ends of its path are known.
     pub fn put_friction(&self, signs: &mut [f64]) {
         let (from, length) = (self.held.start, self.held.len() as f64);
         for k in self.held.clone() {
@@ -40,15 +40,15 @@ impl Stiction {
     }
 }
 
-/// Whether each of `n` samples belongs to one of these.
+/// Whether each of `n` samples belongs to one of the sticks.
 pub(super) fn stuck(held: &[Stiction], n: usize) -> Vec<bool> {
     let mut marks = vec![false; n];
     held.iter().for_each(|stick| marks[stick.seen.clone()].fill(true));
     marks
 }
 
-/// Where the joint sticks as it turns about. `raw`, `smooth`: recorded position, unfiltered and
-/// behind a low-pass of `cutoff` Hz; `period`: spacing, s.
+/// Sticks of a joint at reversals. `raw`, `smooth`: recorded position, unfiltered and behind a
+/// low-pass of `cutoff` Hz; `period`: sampling period, s.
 pub(super) fn sticks(raw: &[f64], smooth: &[f64], cutoff: f64, period: f64) -> Vec<Stiction> {
     let n = raw.len();
     let mut found = Vec::new();
@@ -77,7 +77,7 @@ pub(super) fn sticks(raw: &[f64], smooth: &[f64], cutoff: f64, period: f64) -> V
     found
 }
 
-/// Sign of the velocity at the end, if it comes back to the side from which it came.
+/// Sign of the velocity at the end, if the motion returns to the side from which it came.
 fn turns(smooth: &[f64]) -> Option<f64> {
     match smooth {
         [first, second, .., before, last] if (second - first) * (last - before) < 0.0 => Some((last - before).signum()),
@@ -85,8 +85,8 @@ fn turns(smooth: &[f64]) -> Option<f64> {
     }
 }
 
-/// Standard deviation of a position's noise: the median, which sticks and reversals do not move, of
-/// what the low-pass takes out.
+/// Standard deviation of a position's noise from the median of what the low-pass removes; the
+/// median is robust against sticks and reversals.
 fn noise(raw: &[f64], smooth: &[f64]) -> f64 {
     let mut out: Vec<f64> = raw.iter().zip(smooth).map(|(a, b)| (a - b).abs()).collect();
     let middle = out.len() / 2;
@@ -106,7 +106,7 @@ mod tests {
         y
     }
 
-    /// A sine that is held for 50 ms at each of its tops, read by an encoder.
+    /// A sine that is held for 50 ms at each of its peaks, read by an encoder.
     #[test]
     fn a_held_joint_sticks_and_a_turning_one_does_not() {
         let read = |q: f64| (q / 2e-5).round() * 2e-5;
@@ -131,7 +131,7 @@ mod tests {
         }
         let free: Vec<f64> = (0..4000).map(|k| read(0.5 * (4.0 * k as f64 * PERIOD).cos())).collect();
         assert_eq!(within(&sticks(&free, &through(&free), 15.0, PERIOD)), 0);
-        // Friction passes from one level to the other, about the middle of the hold.
+        // The friction passes from one level to the other around the middle of the hold.
         for stick in found.iter().filter(|s| s.held.start > 200 && s.held.end < 3800) {
             let mut signs = vec![0.0; held.len()];
             stick.put_friction(&mut signs);
@@ -143,12 +143,12 @@ mod tests {
         }
     }
 
-    /// Sticks away from the ends.
+    /// Number of sticks away from the ends.
     fn within(found: &[Stiction]) -> usize {
         found.iter().filter(|s| s.seen.end > 100 && s.seen.start < 3900).count()
     }
 
-    /// Nor does one that creeps onwards, or rests.
+    /// A joint that creeps onwards, or rests, does not stick.
     #[test]
     fn creeping_and_resting_are_not_sticking() {
         let read = |q: f64| (q / 1e-4).round() * 1e-4;

@@ -1,4 +1,4 @@
-//! The whole preparation: from the rows of a log to motion.
+//! Tests of the whole preparation, from the rows of a log to motion.
 
 use std::f64::consts::TAU;
 
@@ -20,13 +20,13 @@ impl Joints {
         Self { waves: (0..2).map(|_| (1..=5).map(|k| wave(k, random)).collect()).collect() }
     }
 
-    /// Position, or a derivative of it, of a joint.
+    /// Position of a joint, or its derivative of order `derivative`.
     fn at(&self, joint: usize, t: f64, derivative: i32) -> f64 {
         let lead = 0.25 * TAU * f64::from(derivative);
         self.waves[joint].iter().map(|[w, a, p]| a * w.powi(derivative) * (w * t + p + lead).sin()).sum()
     }
 
-    /// A log: sampled at `times`, stamped at `stamps`, encoders with these steps. Torques are
+    /// A log sampled at `times` and stamped at `stamps`, with encoders of these steps. Torques are
     /// accelerations times 1 kg m^2.
     fn log(&self, times: &[f64], stamps: &[f64], steps: [f64; 2]) -> Vec<u8> {
         let mut text = String::from("t,q1,q2,tau1,tau2\n");
@@ -45,12 +45,13 @@ fn motions(log: &[u8], prepare: &Prepare) -> (Vec<Motion>, Prepared) {
     (motions, prepared.unwrap())
 }
 
-/// Root mean square of what a series of a joint misses of a derivative of its position.
+/// Root mean square error of a joint's filtered series, compared with the derivative of its
+/// position.
 fn error(motion: &Motion, joints: &Joints, joint: usize, derivative: i32) -> f64 {
     let len = motion.states.len;
     let series = [&motion.states.q, &motion.states.dq, &motion.states.ddq][derivative as usize];
     let square = |k: usize| (series[joint * len + k] - joints.at(joint, motion.time(k), derivative)).powi(2);
-    // A second at the ends, where the low-pass has one side only, is left out.
+    // Leaves out a second at both ends, where the low-pass is one-sided.
     let edge = (1.0 / motion.period) as usize;
     let inner = motion.core.start + edge..motion.core.end - edge;
     (inner.clone().map(square).sum::<f64>() / inner.len() as f64).sqrt()
@@ -64,8 +65,8 @@ fn adaptive(cutoff: f64) -> Prepare {
     Prepare { filter: Some(Filter { order: 4, cutoff }), adaptive: true, ..Prepare::default() }
 }
 
-/// Each joint by its own encoder: the coarse one's acceleration gains, the fine one's keeps a wider
-/// band, and errors are what they are said to be.
+/// Each joint gets a band according to its encoder: the coarse one's acceleration improves, the
+/// fine one keeps a wider band, and errors are as estimated.
 #[test]
 fn each_joint_gets_the_band_that_its_encoder_deserves() {
     for seed in 1..6 {
@@ -77,18 +78,18 @@ fn each_joint_gets_the_band_that_its_encoder_deserves() {
         let band = &found[0].band;
         assert!(band.narrow[0].cutoff < 5.0 && band.narrow[1].cutoff > band.narrow[0].cutoff, "{band:?}");
         assert!(error(&found[0], &joints, 0, 2) < 0.3 * error(&fixed[0], &joints, 0, 2));
-        // Rounding of slow motion is not white: the position's error has low frequencies that no
+        // Rounding of slow motion is not white: the position error has low frequencies that no
         // derivative shows.
         for derivative in [1, 2] {
             let ratio = found[0].error[0][derivative as usize] / error(&found[0], &joints, 0, derivative);
             assert!((0.5..2.0).contains(&ratio), "seed {seed}, derivative {derivative}: {ratio}");
         }
-        // Torques keep the widest band: nothing of what the fine joint shows is lost.
+        // Torques keep the widest band, so nothing that the fine joint shows is lost.
         assert_eq!(found[0].bandwidth, Some(band.narrow[1].cutoff));
     }
 }
 
-/// A cutoff that is given is the only one, wherever the noise stands.
+/// A given cutoff is the only one, whatever the noise.
 #[test]
 fn a_given_cutoff_is_obeyed() {
     let joints = Joints::new(&mut Random::new(3));
@@ -113,8 +114,8 @@ fn a_given_cutoff_is_obeyed() {
     }
 }
 
-/// Rows that were sampled up to half a period off their stamps come back to their times, with a
-/// note; torques go with them.
+/// Rows sampled up to half a period off their stamps are moved back to their times, with a note;
+/// torques are moved with them.
 #[test]
 fn rows_are_moved_to_the_times_at_which_they_were_sampled() {
     for seed in 1..4 {
@@ -128,7 +129,7 @@ fn rows_are_moved_to_the_times_at_which_they_were_sampled() {
         let is_found =
             |kind: &Kind| matches!(kind, Kind::Evened { clock: Clock::Found { rms } } if (0.002..0.008).contains(rms));
         assert!(prepared.findings.iter().any(|f| is_found(&f.kind)), "{:?}", prepared.findings);
-        // Largest error of the acceleration due to a wrong clock, behind the same low-pass.
+        // Error of the acceleration due to a wrong clock, behind the same low-pass.
         let wrong = {
             let mut q: Vec<f64> = times.iter().map(|t| joints.at(0, *t, 0)).collect();
             low_pass(4, 10.0, 50.0).unwrap().forward_backward(&mut q, 20);
@@ -144,7 +145,7 @@ fn rows_are_moved_to_the_times_at_which_they_were_sampled() {
     }
 }
 
-/// The announced noise of a velocity is that of white noise behind the low-pass and the difference.
+/// The stated velocity noise is that of white noise behind low-pass and difference.
 #[test]
 fn velocity_noise_is_that_of_the_filter() {
     let mut random = Random::new(31);
@@ -161,7 +162,8 @@ fn velocity_noise_is_that_of_the_filter() {
     }
 }
 
-/// Torques of gears are the motors' less the joints', of currents as of torques; the latter are the load.
+/// The torque of the gears is that of the motors (torque or current) minus that of the joints,
+/// which is the load.
 #[test]
 fn torques_on_both_sides_of_the_gears() {
     let joints = Joints::new(&mut Random::new(12));
@@ -198,7 +200,7 @@ fn torques_on_both_sides_of_the_gears() {
         }
         assert!(!found.is_empty());
     }
-    // A sensor behind the gear that was off is found out, as any other.
+    // A disconnected sensor behind the gear is detected like any other.
     let off: Vec<u8> =
         String::from_utf8(log("taum", [1.0; 2])).unwrap().lines().enumerate().fold(Vec::new(), |mut all, (k, line)| {
             let mut cells: Vec<&str> = line.split(',').collect();

@@ -1,34 +1,36 @@
-//! Noise of a joint's torque, without a model.
+//! Estimates the noise of a joint's torque without a model, and that of a residual.
 
 use super::rest::usual_noise;
 use super::white_noise;
 
-/// Lowest rate, Hz, to which series are thinned: in fourth differences there, motion below 5 Hz leaves
-/// nothing.
+/// Lowest rate, Hz, to which series are thinned: there, motion below 5 Hz vanishes in fourth
+/// differences.
 const SLOWEST: f64 = 50.0;
 
-/// Part by which noise and that of every second sample differ at most where no more of it has a memory;
-/// and where the growth is far less than the last one.
+/// Largest relative change of the noise between strides at which it counts as level, and the same
+/// for a growth far below the previous one.
 const LEVEL: f64 = 0.1;
 const NEAR_LEVEL: f64 = 0.2;
 
-/// Noise of most samples by that of all, below which it comes in bursts: impacts in a gear, not noise.
+/// Ratio of the noise of most samples to that of all, below which it comes in bursts (impacts in a
+/// gear) and is no noise.
 const BURSTS: f64 = 0.7;
 
-/// Fewest fourth differences that tell how large noise is.
+/// Fewest fourth differences for an estimate of the noise.
 const FEWEST: usize = 200;
 
-/// As many samples tell enough: of longer series only one of the thinned ones is looked at.
+/// Sufficient number of samples; of longer series only one thinned series is examined.
 const ENOUGH: usize = 50_000;
 
-/// [`white_noise`] of torques at `rate`, Hz, between the reversals of their joint: stretches of torque
-/// and of the joint's speed. Friction steps where it turns about, so that a joint that reverses every
-/// second looks half as noisy again at 30 Hz. Where the joint reverses most of the time, all of it is used.
+/// [`white_noise`] of torques at `rate`, Hz, between the reversals of their joint. `stretches`:
+/// torque and joint speed. Friction steps at a reversal, so that a joint that reverses every second
+/// appears one and a half times as noisy at 30 Hz. If the joint reverses most of the time, the
+/// whole series is used.
 ///
-/// Noise with a memory of some samples has less in their differences. Of series that are thinned to a
-/// half, again and again, it shows more, up to a level that stays; errors of the motion, ripple and
-/// friction go on growing, and impacts come in bursts. That level is taken, where there is one, and else the
-/// noise of all samples.
+/// Noise correlated over some samples is smaller in their differences. In series decimated by two,
+/// repeatedly, it grows up to a constant level. Errors of the motion, ripple and friction continue
+/// to grow, and impacts come in bursts. That level is returned if there is one, otherwise the noise
+/// of all samples.
 pub fn noise_between_reversals<'a>(stretches: impl Iterator<Item = (&'a [f64], &'a [f64])> + Clone, rate: f64) -> f64 {
     let mut runs: Vec<&[f64]> = stretches.clone().flat_map(|(torque, speed)| one_way(torque, speed)).collect();
     let all = differences(stretches.clone().map(|(torque, _)| torque));
@@ -57,26 +59,27 @@ pub fn noise_between_reversals<'a>(stretches: impl Iterator<Item = (&'a [f64], &
     white
 }
 
-/// Lowest rate, Hz, to which residuals are thinned: in fourth differences there, what a model lacks below
-/// 1.5 Hz leaves nothing.
+/// Lowest rate, Hz, to which residuals are thinned: there, model errors below 1.5 Hz vanish in
+/// fourth differences.
 const SLOWEST_OF_RESIDUALS: f64 = 12.0;
 
-/// Longest time in which noise is forgotten to 1 / e, s: what lasts longer is as slow as motion.
+/// Longest correlation time of noise (decay to 1 / e), s; above it an error is as slow as motion.
 const LONGEST_MEMORY: f64 = 0.06;
 
-/// Fewest strides that tell an autoregression from a line or a drift, largest growth from one to the next
-/// (the root of 2 belongs to a random walk), and the same of the last one.
+/// Fewest strides that distinguish an autoregression from a line or a drift, largest growth from
+/// one stride to the next (the root of 2 belongs to a random walk), and largest growth at the last
+/// stride.
 const STRIDES: usize = 4;
 const RANDOM_WALK: f64 = 1.5;
 const LAST_GROWTH: f64 = 1.35;
 
-/// Relative misfit of one stride that is allowed: of the form of the noise, and so many times the
-/// root of one by the number of independent differences, their standard deviation.
+/// Allowed relative misfit of one stride: due to the noise's form, and in standard deviations due
+/// to chance, one of which is the root of 1 / number of independent differences.
 const OF_FORM: f64 = 0.04;
 const BY_CHANCE: f64 = 2.5;
 
-/// Standard deviation of a residual of which every so many seconds a sample is looked at, by its fourth
-/// differences, and its relative tolerance.
+/// Standard deviation of a residual sampled every `step` seconds, from its fourth differences, and
+/// its relative tolerance.
 #[derive(Clone, Copy)]
 struct Thinned {
     step: f64,
@@ -84,10 +87,10 @@ struct Thinned {
     tolerance: f64,
 }
 
-/// Standard deviation of the noise of a model's residual at `rate`, Hz, that is white in a part and
-/// forgotten exponentially in another: a first-order autoregression beside white noise. `stretches`: of
-/// residual and speed of the joint. `None` where the residual is something else: its differences over more
-/// and more samples do not grow like those of such noise, or not up to a level.
+/// Standard deviation of the noise of a model's residual at `rate`, Hz, for a first-order
+/// autoregression plus white noise. `stretches`: residual and joint speed. `None` if the residual
+/// is something else: its differences over more and more samples do not grow like those of such
+/// noise, or do not level off.
 pub fn noise_with_memory<'a>(
     stretches: impl Iterator<Item = (&'a [f64], &'a [f64])> + Clone,
     rate: f64,
@@ -118,15 +121,15 @@ pub fn noise_with_memory<'a>(
     (misfit < 1.0).then_some(noise)
 }
 
-/// Largest misfit, by its tolerance, of an autoregression of this memory, s, beside white noise;
-/// and the standard deviation of both together.
+/// Largest misfit, relative to its tolerance, of an autoregression with correlation time `memory`,
+/// s, plus white noise; and the standard deviation of their sum.
 fn autoregression(strides: &[Thinned], memory: f64) -> (f64, f64) {
-    // Variance of the fourth difference, 1 -4 6 -4 1, of noise of variance 1, by that of white noise.
+    // Variance of the fourth difference, 1 -4 6 -4 1, of noise of variance 1, over that of white.
     let share = |step: f64| {
         let r = (-step / memory).exp();
         (70.0 - 112.0 * r + 56.0 * r * r - 16.0 * r.powi(3) + 2.0 * r.powi(4)) / 70.0
     };
-    // Least squares of the relative errors of the variances.
+    // Least squares on the relative errors of the variances.
     let mut sums = [0.0; 5];
     for at in strides {
         let weight = at.noise.powi(-2);
@@ -149,7 +152,7 @@ fn autoregression(strides: &[Thinned], memory: f64) -> (f64, f64) {
     (strides.iter().map(off).fold(0.0, f64::max), (white + slow).sqrt())
 }
 
-/// Series of every `stride`-th sample, from each of the first ones.
+/// Series of every `stride`-th sample, one for each starting sample.
 fn thinned(runs: &[&[f64]], stride: usize) -> Vec<Vec<f64>> {
     let samples: usize = runs.iter().map(|run| run.len()).sum();
     let starts = if samples > ENOUGH * stride { 1 } else { stride };
@@ -157,13 +160,13 @@ fn thinned(runs: &[&[f64]], stride: usize) -> Vec<Vec<f64>> {
     runs.iter().flat_map(|run| (0..starts).map(move |start| from(run, start))).collect()
 }
 
-/// How many fourth differences series have.
+/// Number of fourth differences of the series.
 fn differences<'a>(series: impl Iterator<Item = &'a [f64]>) -> usize {
     series.map(|series| series.len().saturating_sub(4)).sum()
 }
 
-/// Parts of a series in which a joint moves one way, the first and the last sample of each left out:
-/// where a filtered speed changes its sign is known to a sample.
+/// Parts of a series in which a joint moves in one direction, without the first and the last sample
+/// of each: the zero crossing of a filtered speed is accurate to one sample.
 fn one_way<'a>(series: &'a [f64], speed: &'a [f64]) -> impl Iterator<Item = &'a [f64]> {
     let mut first = 0;
     speed.chunk_by(|a, b| (*a < 0.0) == (*b < 0.0)).map(move |run| {
@@ -178,8 +181,8 @@ mod tests {
     use super::*;
     use crate::numerics::prng::Random;
 
-    /// At 30 Hz, a joint that reverses every 1.3 s, with friction that is 15 times the noise; and
-    /// joints without friction that reverse in nearly every sample and in every sixth.
+    /// At 30 Hz, a joint that reverses every 1.3 s, with friction 15 times the noise; and joints
+    /// without friction that reverse in nearly every sample and in every sixth.
     #[test]
     fn friction_that_turns_about_is_no_noise() {
         let std = 0.2;
@@ -201,7 +204,8 @@ mod tests {
         assert!(white_noise([&torque[..]].into_iter()) > 1.5 * std);
     }
 
-    /// First-order autoregressions beside a motion, at two rates; and a line at 30 Hz, which is no noise.
+    /// First-order autoregressions plus a motion, at two rates; and a 30 Hz line, which is no
+    /// noise.
     #[test]
     fn noise_with_a_memory_is_noise() {
         let mut random = Random::new(5);
@@ -224,9 +228,9 @@ mod tests {
         assert!((line - 1.0).abs() < 0.1, "{line}");
     }
 
-    /// Residuals at three rates: an autoregression of 0.2 N m that is forgotten in `memory` s
-    /// beside white noise of 0.1, and a slow error as large. With a line at 6 Hz, or a random walk
-    /// that is larger than both within 10 ms, they are something else.
+    /// Residuals at three rates: an autoregression of 0.2 N m with correlation time `memory`, s,
+    /// plus white noise of 0.1 and a slow error as large. With a 6 Hz line, or a random walk that
+    /// exceeds both within 10 ms, they are not noise.
     #[test]
     fn what_is_forgotten_in_some_hundredths_is_noise() {
         let mut random = Random::new(9);
@@ -250,11 +254,11 @@ mod tests {
             assert!((found / truth - 1.0).abs() < 0.12, "{rate} {memory} {found}");
         }
         assert_eq!([of(500.0, 0.02, 0.5, 0.0), of(500.0, 0.001, 0.0, 20.0)], [None, None]);
-        // Too few rates to tell.
+        // Too few strides to decide.
         assert_eq!(of(30.0, 0.02, 0.0, 0.0), None);
     }
 
-    /// Bursts of 25 times the noise in a tenth of the samples, as of impacts.
+    /// Bursts of 25 times the noise in a tenth of the samples, like impacts.
     #[test]
     fn bursts_are_in_few_of_the_differences() {
         let mut random = Random::new(4);

@@ -1,6 +1,6 @@
-//! Reasons why coefficients are no motion.
+//! Reasons why knots and coefficients do not define a motion.
 
-/// Reason why knots and coefficients are those of no motion.
+/// Reason why knots and coefficients do not define a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CoefficientError {
@@ -13,17 +13,17 @@ pub enum CoefficientError {
     /// Knots do not ascend from 0, or their ends are not clamped.
     #[error("`knots` must ascend from 0, with the first and the last {0} of them equal")]
     Ends(usize),
-    /// Inner knots are equal.
+    /// Inner knots coincide.
     #[error("inner `knots` must be different from each other")]
     Inner,
-    /// A joint has another number of coefficients than the knots need.
+    /// A joint has another number of coefficients than the knots require.
     #[error("joint {joint} has {has} `coefficients`; these knots need {needs}")]
     Count {
-        /// Joint, from 1.
+        /// Joint, counted from 1.
         joint: usize,
         /// Number of its coefficients.
         has: usize,
-        /// Number that the knots need.
+        /// Number that the knots require.
         needs: usize,
     },
     /// Amplitudes and constant parts of a Fourier series differ in shape.

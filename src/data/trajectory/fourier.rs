@@ -1,5 +1,5 @@
-//! Fourier series (Swevers et al., IEEE Transactions on Robotics and Automation 13(5), 1997): a
-//! period that can be repeated and averaged.
+//! Fourier series (Swevers et al., IEEE Transactions on Robotics and Automation 13(5), 1997):
+//! periodic motions that can be repeated and averaged.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 
@@ -10,7 +10,7 @@ use super::error::CoefficientError;
 pub struct Fourier {
     /// Length of a period, s.
     pub period: f64,
-    /// How often it is played.
+    /// Number of periods played.
     pub periods: usize,
     /// Constant part, rad or m, per joint.
     pub center: Vec<f64>,
@@ -24,7 +24,7 @@ impl Fourier {
     /// Checks that the shapes fit.
     ///
     /// # Errors
-    /// Says what does not.
+    /// If the shapes do not match.
     pub fn new(
         period: f64,
         periods: usize,
@@ -39,7 +39,7 @@ impl Fourier {
         Ok(Self { period, periods, center, sine, cosine })
     }
 
-    /// The derivative of this order of every joint.
+    /// Derivative of order `order` of every joint at `t`, s.
     pub fn derivative(&self, t: f64, order: usize) -> Vec<f64> {
         let joint = |j: usize| {
             let sum: f64 = (0..self.sine[j].len())

@@ -5,20 +5,20 @@ use super::error::CoefficientError;
 /// One B-spline per joint over common knots.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spline {
-    /// Polynomial degree; 5: the jerk is continuous and so is its derivative.
+    /// Polynomial degree; with 5, the jerk and its derivative are continuous.
     pub degree: usize,
-    /// Knots, s, ascending; the first and last `degree + 1` are equal.
+    /// Knots, s, ascending; the first `degree + 1` are equal, and so are the last.
     pub knots: Vec<f64>,
     /// Control points, rad or m, one row per joint.
     pub coefficients: Vec<Vec<f64>>,
 }
 
 impl Spline {
-    /// Checks what it is given.
+    /// Checks knots and coefficients.
     ///
     /// # Errors
-    /// Where numbers of knots and coefficients do not fit, or knots do not ascend from 0 with
-    /// clamped ends.
+    /// If the numbers of knots and coefficients do not match, or the knots do not ascend from 0
+    /// with clamped ends.
     pub fn new(degree: usize, knots: Vec<f64>, coefficients: Vec<Vec<f64>>) -> Result<Self, CoefficientError> {
         let count = knots.len().saturating_sub(degree + 1);
         if !(1..=15).contains(&degree) || count < degree + 1 {
@@ -37,7 +37,7 @@ impl Spline {
         }
     }
 
-    /// With equal intervals between the way points.
+    /// Clamped spline with `intervals` equal knot intervals over `duration`, s.
     ///
     /// # Errors
     /// Like [`Spline::new`].
@@ -50,19 +50,20 @@ impl Spline {
         Self::new(degree, clamped_knots(degree, duration, intervals), coefficients)
     }
 
-    /// Length, s.
+    /// Duration, s.
     pub fn duration(&self) -> f64 {
         self.knots[self.knots.len() - 1]
     }
 
-    /// The derivative of this order of every joint at `t` in `[0, duration]`.
+    /// Derivative of order `order` of every joint at `t` in `[0, duration]`, s.
     pub fn derivative(&self, t: f64, order: usize) -> Vec<f64> {
         let (first, values) = basis(&self.knots, self.degree, t, order);
         self.coefficients.iter().map(|c| values.iter().zip(&c[first..]).map(|(b, c)| b * c).sum()).collect()
     }
 }
 
-/// `intervals` equal ones over `[0, duration]`, the ends repeated `degree + 1` times.
+/// Clamped knots: `intervals` equal intervals over `[0, duration]`, the ends repeated `degree + 1`
+/// times.
 pub fn clamped_knots(degree: usize, duration: f64, intervals: usize) -> Vec<f64> {
     let inner = (0..=intervals).map(|k| duration * k as f64 / intervals as f64);
     let mut knots = vec![0.0; degree];
@@ -71,17 +72,17 @@ pub fn clamped_knots(degree: usize, duration: f64, intervals: usize) -> Vec<f64>
     knots
 }
 
-/// The `degree + 1` basis functions that are not zero at `t`, differentiated `order` times, and the
-/// index of the first.
+/// Index of the first of the `degree + 1` basis functions that are nonzero at `t`, and their
+/// derivatives of order `order`.
 pub fn basis(knots: &[f64], degree: usize, t: f64, order: usize) -> (usize, Vec<f64>) {
     let count = knots.len() - degree - 1;
-    // The span: the last one that is not empty holds the end.
+    // Knot span that contains `t`; the last nonempty span contains the end.
     let span = (degree + 1..count).take_while(|&k| knots[k] <= t).last().unwrap_or(degree);
     if order > degree {
         return (span - degree, vec![0.0; degree + 1]);
     }
-    // Values of degree - order, then one derivative per degree: N' = p (N_i / (u_{i+p} - u_i) -
-    // N_{i+1} / (u_{i+p+1} - u_{i+1})).
+    // Starts with values of degree - order, then adds one derivative per degree: N' = p (N_i /
+    // (u_{i+p} - u_i) - N_{i+1} / (u_{i+p+1} - u_{i+1})).
     let mut values = vec![1.0];
     for p in 1..=degree {
         let first = span - p;

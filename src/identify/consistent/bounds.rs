@@ -1,18 +1,18 @@
-//! User's bounds on the bodies, and priors that respect them.
+//! Bounds on the bodies given by the user, and priors that satisfy them.
 
 use super::ConsistentError;
 use crate::model::pseudo_inertia::is_body;
 
-/// Bounds on links (numbered from 0, in the order of the parameters). They concern the link's own
-/// body, without what is fixed to it.
+/// Bounds on links (counted from 0, in the order of the parameters). They apply to the link's own
+/// body, without the bodies fixed to it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Bounds {
-    /// Least and largest mass, kg.
+    /// Smallest and largest mass of a link, kg.
     pub mass: Vec<(usize, [f64; 2])>,
-    /// Box in the link's frame that the centre of mass lies in: link, axis (0 x, 1 y, 2 z), least
-    /// and largest, m.
+    /// Box for the centre of mass in the link's frame: link, axis (0 x, 1 y, 2 z), smallest and
+    /// largest coordinate, m.
     pub center: Vec<(usize, usize, [f64; 2])>,
-    /// Mass of all links together, kg.
+    /// Total mass of all links, kg.
     pub total_mass: Option<f64>,
 }
 
@@ -22,7 +22,7 @@ impl Bounds {
         all.fold([0.0, f64::INFINITY], |[a, b], [c, d]| [a.max(c), b.min(d)])
     }
 
-    /// Refuses bounds that contradict each other.
+    /// Rejects contradictory bounds.
     pub(super) fn check(&self, links: usize) -> Result<(), ConsistentError> {
         let bad = |what: String| Err(ConsistentError::Bounds { what });
         let named = self.mass.iter().map(|b| b.0).chain(self.center.iter().map(|b| b.0));
@@ -51,9 +51,9 @@ impl Bounds {
         }
     }
 
-    /// Moves bodies inside: masses between their bounds, centres into their boxes, and masses
-    /// scaled alike to the total. A body keeps its shape about its centre of mass (its tensor there
-    /// grows with the mass).
+    /// Moves bodies inside the bounds: masses between their bounds, centres into their boxes, and
+    /// masses scaled to the total. A body keeps its shape about its centre of mass (its tensor
+    /// there grows with the mass).
     pub(super) fn enforce(&self, bodies: &mut [[f64; 10]]) -> Result<(), ConsistentError> {
         self.check(bodies.len())?;
         let inside = |x: f64, [low, high]: [f64; 2]| {
@@ -71,7 +71,7 @@ impl Bounds {
         let masses = match self.total_mass {
             None => masses,
             Some(total) => {
-                // Each link goes the same share of the way to its bound.
+                // Every link moves the same share of its distance to its bound.
                 let sum: f64 = masses.iter().sum();
                 let bound = |link: usize| self.mass_of(link)[usize::from(total > sum)];
                 if total > sum && (0..masses.len()).any(|l| bound(l).is_infinite()) {
@@ -106,7 +106,7 @@ impl Bounds {
     }
 }
 
-/// The same shape with another mass and centre.
+/// Body of the same shape with another mass and centre of mass, m.
 fn placed(body: &[f64; 10], mass: f64, center: [f64; 3]) -> [f64; 10] {
     let p = crate::model::pseudo_inertia::pseudo_inertia(body);
     let mut out = nalgebra::Matrix4::zeros();
@@ -147,7 +147,7 @@ mod tests {
         assert!((lighter.iter().map(|b| b[0]).sum::<f64>() - 1.0).abs() < 1e-12 && lighter.iter().all(is_body));
     }
 
-    /// About its centre the tensor grows with the mass, wherever the centre goes.
+    /// About its centre the tensor grows with the mass, wherever the centre moves.
     #[test]
     fn a_body_that_is_placed_keeps_its_shape() {
         let about_center = |b: &[f64; 10]| {

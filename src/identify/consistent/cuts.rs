@@ -1,11 +1,11 @@
-//! The constrained least squares by another route, for the tests: clarabel on cones that close in
-//! on the true one from outside.
+//! Solves the constrained least squares by another method, for the tests: clarabel on cones that
+//! approximate the true one from outside.
 //!
 //! `Z` is positive semidefinite if `V' Z V` is for every `V` of two columns. A 2 x 2 matrix is
-//! exactly if `(a + c, a - c, 2 b)` lies in the second-order cone. Start with the six pairs of
-//! axes, solve, add the pair of eigenvectors of the smallest eigenvalues where one is negative,
-//! again. Each round's optimum is below the true one; the last violates nothing by more than the
-//! tolerance.
+//! positive semidefinite exactly if `(a + c, a - c, 2 b)` lies in the second-order cone. The method
+//! starts with the six pairs of axes, solves, adds the pair of eigenvectors of the smallest
+//! eigenvalues if one is negative, and repeats. Each round's optimum is below the true one; the
+//! last violates no constraint by more than the tolerance.
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::SupportedConeT::{NonnegativeConeT, SecondOrderConeT, ZeroConeT};
@@ -15,21 +15,21 @@ use nalgebra::Vector4;
 use super::newton::Problem;
 use crate::model::pseudo_inertia::basis;
 
-/// Why no optimum was found.
+/// Reason why no optimum was found.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum Halted {
-    /// The solver refuses the problem.
+    /// The solver rejects the problem.
     #[error(transparent)]
     Refused(#[from] SolverError),
-    /// It ends without a solution in this round.
+    /// The solver ends without a solution in this round.
     #[error("clarabel: {status:?} in round {round}")]
     Unsolved { status: SolverStatus, round: usize },
-    /// Largest violation of each round.
+    /// The constraints are still violated; largest violation of each round.
     #[error("still violated after {} rounds: {trace:?}", .trace.len())]
     StillViolated { trace: Vec<f64> },
 }
 
-/// Coordinates at the optimum of `1/2 |J v - z|^2` under the constraints, and rounds.
+/// Coordinates at the optimum of `1/2 |J v - z|^2` under the constraints, and the number of rounds.
 pub(super) fn by_cuts(problem: &Problem, tolerance: f64, rounds: usize) -> Result<(Vec<f64>, usize), Halted> {
     let n = problem.j.ncols();
     let axis = |i: usize| Vector4::from_fn(|k, _| f64::from(u8::from(k == i)));
@@ -59,7 +59,7 @@ pub(super) fn by_cuts(problem: &Problem, tolerance: f64, rounds: usize) -> Resul
             rows.push((all(&|k| 2.0 * form(u, v, k)), 0.0));
             cones.push(SecondOrderConeT(3));
         }
-        // The residual y = J v - z has variables of its own: the objective is |y|^2 / 2.
+        // The residual y = J v - z has separate variables: the objective is |y|^2 / 2.
         let data = problem.j.nrows();
         let first = rows.len();
         for row in 0..data {

@@ -1,5 +1,5 @@
-//! Least squares over possible bodies beside further unknowns, of which some have a lower bound:
-//! what a diagnosis fits.
+//! Least squares over possible bodies and further unknowns, some with a lower bound, as used by the
+//! diagnosis.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -12,51 +12,54 @@ use super::setup::{Data, Layout, Setup, grouping};
 use crate::model::{BaseParameter, StandardParameter};
 use crate::numerics::eigen;
 
-/// Eigenvalues of the scaled normal matrix below this share of the largest say nothing.
+/// Relative size of an eigenvalue of the scaled normal matrix below which its direction is
+/// undetermined.
 const RANK: f64 = 1e-13;
-/// Size of an unknown of which nothing is known, in its own unit.
+/// Scale of an unknown that the data do not determine, in its own unit.
 const SIZE: f64 = 0.1;
 
-/// The constraints of a least-squares problem in base parameters and, behind them, further
+/// Constraints of a least-squares problem whose unknowns are base parameters followed by further
 /// unknowns.
 #[derive(Debug, Clone, Copy)]
 pub struct BoundedLeastSquares<'a> {
-    /// The standard parameters, those of links and rotors among them.
+    /// Standard parameters, including those of links and rotors.
     pub standard: &'a [StandardParameter],
-    /// The first unknowns as combinations of them; empty where no link is unknown.
+    /// Base parameters (the first unknowns) as combinations of standard ones; empty if no link is
+    /// unknown.
     pub base: &'a [BaseParameter],
-    /// Least value of each further unknown; `None`: of any sign.
+    /// Lower bound of each further unknown; `None`: unbounded.
     pub least: &'a [Option<f64>],
-    /// One body per link ([`prior_bodies`](super::prior_bodies)), without what is fixed to it.
+    /// Prior body of each link ([`prior_bodies`](super::prior_bodies)), without the bodies fixed to
+    /// it.
     pub prior: &'a [PriorBody],
     /// Standard parameters of the robot file, of which those of the rotors are used (kg m^2).
     pub drives: &'a [f64],
-    /// Margin, prior's weight and what is fixed to links.
+    /// Margin, weight of the prior, and bodies fixed to links.
     pub settings: &'a ConsistentSettings,
 }
 
-/// The least-squares solution inside the constraints.
+/// Least-squares solution that satisfies the constraints.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Feasible {
-    /// Standard parameters; empty where no link is unknown.
+    /// Standard parameters; empty if no link is unknown.
     pub standard: Vec<f64>,
-    /// The unknowns: base parameters, then the others.
+    /// Unknowns: base parameters, then the further ones.
     pub x: DVector<f64>,
 }
 
 impl BoundedLeastSquares<'_> {
     /// Minimises `1/2 x'Ax - b'x`: `normal` (`A`, positive semidefinite) and `rhs` (`b`) in units
-    /// of the noise of independent samples. Further unknowns whose row of `A` is zero are 0, or at
-    /// their bound where that is above.
+    /// of the noise of independent samples. A further unknown whose row of `A` is zero is 0, or at
+    /// its bound if that is above 0.
     ///
     /// # Errors
-    /// Where numbers are infinite, or the solver comes to a halt ([`ConsistentError::Stalled`]).
+    /// If numbers are infinite, or the solver stalls ([`ConsistentError::Stalled`]).
     pub fn solve(&self, normal: &DMatrix<f64>, rhs: &DVector<f64>) -> Result<Feasible, ConsistentError> {
         if normal.iter().chain(rhs.iter()).any(|v| !v.is_finite()) {
             return Err(ConsistentError::NotFinite);
         }
         let n = rhs.len();
-        // Unknowns with a bound are counted from it.
+        // Bounded unknowns are shifted by their bound.
         let first = self.base.len();
         let bound = DVector::from_fn(n, |i, _| i.checked_sub(first).and_then(|k| *self.least.get(k)?).unwrap_or(0.0));
         let rhs = rhs - normal * &bound;
@@ -69,7 +72,7 @@ impl BoundedLeastSquares<'_> {
             carried: if first > 0 { self.settings.carried.clone() } else { Vec::new() },
             ..self.settings.clone()
         };
-        // A bounded unknown is measured by what the data make of it alone.
+        // A bounded unknown is scaled by the value that the data would give it alone.
         for (k, slot) in drives[links..].iter_mut().enumerate().filter(|(k, _)| self.least[*k].is_some()) {
             let own = normal[(first + k, first + k)];
             let alone = if own > 0.0 { (rhs[first + k] / own).abs() } else { 0.0 };
@@ -95,7 +98,8 @@ impl BoundedLeastSquares<'_> {
         Ok(Feasible { standard: all[..links].to_vec(), x })
     }
 
-    /// The first so many standard parameters, then one for each further unknown.
+    /// Layout of the first `links` standard parameters, followed by one parameter per further
+    /// unknown.
     fn layout(&self, links: usize) -> Result<Layout, ConsistentError> {
         let mut layout = Layout::new(&self.standard[..links])?;
         for (k, least) in self.least.iter().enumerate() {
@@ -106,7 +110,7 @@ impl BoundedLeastSquares<'_> {
         Ok(layout)
     }
 
-    /// The unknowns from the parameters of [`Self::layout`].
+    /// Matrix from the parameters of [`Self::layout`] to the unknowns.
     fn grouping(&self, links: usize) -> DMatrix<f64> {
         let (base, further) = (self.base.len(), self.least.len());
         let mut k = DMatrix::zeros(base + further, links + further);
@@ -116,7 +120,8 @@ impl BoundedLeastSquares<'_> {
     }
 }
 
-/// `R` and `z` with `R'R = A` and `R'z = b`, by the eigenvalues of the matrix with a unit diagonal.
+/// `R` and `z` with `R'R = A` and `R'z = b`, from the eigenvalues of the matrix scaled to unit
+/// diagonal.
 fn root(normal: &DMatrix<f64>, rhs: &DVector<f64>) -> Data {
     let n = rhs.len();
     let size: Vec<f64> = (0..n).map(|i| if normal[(i, i)] > 0.0 { normal[(i, i)].sqrt() } else { 1.0 }).collect();
@@ -153,7 +158,7 @@ mod tests {
         let b = &a * &truth;
         let x = solve(&[Some(0.0), Some(-0.3), None], &a, &b);
         assert!((&x - &truth).amax() < 1e-5, "{x}");
-        // The second at its bound, the others fitted beside it.
+        // The second unknown is at its bound, and the others are fitted accordingly.
         let x = solve(&[Some(0.0), Some(0.0), None], &a, &b);
         let rest = DMatrix::from_row_slice(2, 2, &[4e6, 0.0, 0.0, 5e6]).try_inverse().unwrap()
             * DVector::from_column_slice(&[b[0], b[2]]);

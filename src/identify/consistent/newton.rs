@@ -1,4 +1,5 @@
-//! Least squares with bodies inside their cones: Newton's method along the central path.
+//! Minimises least squares with bodies inside their cones by Newton's method along the central
+//! path.
 //!
 //! ```text
 //! F(v) = 1/2 |J v - z|^2 + sum_links w [tr Z / (1 - eps) - log det Z]        Z = Y - eps 1,  Y = sum_k v_k E_k
@@ -7,11 +8,10 @@
 //!
 //! The entropic distance to the prior is at the same time the barrier of the cone, so `F` is smooth
 //! and strictly convex inside. Divided by `w` it is self-concordant. From a neighbourhood of its
-//! one minimum Newton's steps converge quadratically to all digits (Boyd and Vandenberghe, *Convex
-//! Optimization*, section 9.6). That neighbourhood is reached by [`path`](super::path). With `w ->
-//! 0` the minimum goes to the constrained least squares solution of least distance to the prior;
-//! what it still misses is about `w` per eigenvalue (section
-//! 11.2.2).
+//! unique minimum Newton's steps converge quadratically to all digits (Boyd and Vandenberghe,
+//! *Convex Optimization*, section 9.6). That neighbourhood is reached by [`path`](super::path).
+//! With `w -> 0` the minimum tends to the constrained least squares solution of least distance to
+//! the prior; its remaining distance is about `w` per eigenvalue (section 11.2.2).
 
 use nalgebra::{DMatrix, DVector, Matrix4};
 
@@ -22,21 +22,20 @@ use crate::model::pseudo_inertia::{basis, coordinates, symmetric};
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Scalar {
     pub(super) index: usize,
-    /// Whether its prior counts like a body's (weight `w`), or is there only to keep it positive
-    /// (`mu`).
+    /// Whether its prior has the weight of a body's (`w`), or only keeps it positive (`mu`).
     pub(super) known: bool,
 }
 
-/// A body in its cone; the ten coordinates are 1, 1, 1, 1, 0, .. at the prior.
+/// A body in its cone; its ten coordinates are 1, 1, 1, 1, 0, .. at the prior.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Link {
-    /// First of the ten coordinates.
+    /// Index of the first of its ten coordinates.
     pub(super) start: usize,
-    /// Weight of its prior, relative to `w`.
+    /// Weight of its prior relative to `w`.
     pub(super) share: f64,
 }
 
-/// `a'v > b` for the listed entries of `a`.
+/// Linear constraint `a'v > b`, with the listed entries of `a`.
 #[derive(Debug, Clone)]
 pub(super) struct Wall {
     pub(super) a: Vec<(usize, f64)>,
@@ -49,53 +48,54 @@ impl Wall {
     }
 }
 
-/// Function to minimise.
+/// Objective function and constraints of a minimisation.
 #[derive(Debug, Clone)]
 pub(super) struct Problem {
     pub(super) j: DMatrix<f64>,
     pub(super) z: DVector<f64>,
     pub(super) links: Vec<Link>,
     pub(super) scalars: Vec<Scalar>,
-    /// Variables of any sign, and where they are pulled, weakly.
+    /// Unbounded variables, with the values to which they are weakly pulled.
     pub(super) free: Vec<(usize, f64)>,
     pub(super) walls: Vec<Wall>,
-    /// `e'v = s`, kept by every step.
+    /// Constraint `e'v = s`, satisfied by every step.
     pub(super) equal: Option<Wall>,
-    /// `eps`.
+    /// Margin `eps`.
     pub(super) margin: f64,
 }
 
-/// How much the prior and the barrier weigh.
+/// Weights of the prior and of the barriers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Weights {
     pub(super) w: f64,
     pub(super) mu: f64,
 }
 
-/// Newton's method came to a halt away from a minimum.
+/// Newton's method stalled away from a minimum.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("after {steps} steps at prior weight {w:.1e} the Newton decrement is still {decrement:.1e}")]
 pub struct Stalled {
-    /// Weight of the prior at this place of the path.
+    /// Weight of the prior at this point of the path.
     pub w: f64,
-    /// Steps taken there.
+    /// Number of steps taken there.
     pub steps: usize,
-    /// `sqrt(-g'd)`, in units of the smaller weight.
+    /// Newton decrement `sqrt(-g'd)`, in units of the smaller weight.
     pub decrement: f64,
 }
 
 impl Problem {
-    /// `1/2 |J v - z|^2`.
+    /// Misfit `1/2 |J v - z|^2`.
     pub(super) fn misfit(&self, v: &[f64]) -> f64 {
         0.5 * (&self.j * DVector::from_column_slice(v) - &self.z).norm_squared()
     }
 
-    /// `Z` of a link.
+    /// Matrix `Z` of a link.
     pub(super) fn inside(&self, v: &[f64], start: usize) -> Matrix4<f64> {
         symmetric(&v[start..start + 10]) - Matrix4::identity() * self.margin
     }
 
-    /// `tr Z / (1 - eps) - log det Z` of a link, less its value at the prior; `None` outside.
+    /// Value `tr Z / (1 - eps) - log det Z` of a link, minus that at the prior; `None` outside the
+    /// cone.
     pub(super) fn distance(&self, v: &[f64], start: usize) -> Option<f64> {
         let at_prior = 4.0 * (1.0 - (1.0 - self.margin).ln());
         let z = self.inside(v, start);
@@ -104,7 +104,7 @@ impl Problem {
         Some(z.trace() / (1.0 - self.margin) - log_det - at_prior)
     }
 
-    /// `F`; `None` outside of the cones and walls.
+    /// Objective `F`; `None` outside the cones and walls.
     pub(super) fn value(&self, v: &[f64], weights: Weights) -> Option<f64> {
         let Weights { w, mu } = weights;
         let mut value = self.misfit(v);
@@ -131,10 +131,10 @@ impl Problem {
         value.is_finite().then_some(value)
     }
 
-    /// The quadratic model at `v` of all but the misfit as a least squares problem, `1/2 |A d - b|^2`
-    /// plus a constant: its normal matrix is the Hessian, `-A'b` the gradient. Solved by an
-    /// orthogonal transformation ([`Stacked`]), half of the digits are lost that the normal
-    /// equations would lose, which matters where `w` is small.
+    /// Quadratic model at `v` of everything but the misfit, as a least squares problem `1/2 |A d -
+    /// b|^2` plus a constant: its normal matrix is the Hessian, `-A'b` the gradient. An orthogonal
+    /// transformation ([`Stacked`]) loses half of the digits that the normal equations would lose,
+    /// which matters for small `w`.
     fn model(&self, v: &DVector<f64>, weights: Weights) -> Option<(DMatrix<f64>, DVector<f64>)> {
         let Weights { w, mu } = weights;
         let n = self.j.ncols();
@@ -174,7 +174,7 @@ impl Problem {
         Some((a, b))
     }
 
-    /// From `v` to the minimum at these weights; the number of steps.
+    /// Moves `v` to the minimum at these weights and returns the number of steps.
     fn minimise(&self, stacked: &Stacked<'_>, v: &mut DVector<f64>, weights: Weights) -> Result<usize, Stalled> {
         const MOST: usize = 400;
         let share = self.links.iter().map(|l| l.share).fold(1.0, f64::min);
@@ -189,7 +189,7 @@ impl Problem {
             if decrement < 1e-7 || (decrement < 1e-3 && decrement > 0.5 * before) {
                 return Ok(steps); // or as small as rounding lets it be
             }
-            // Where the quadratic model holds, differences of function values drown in rounding.
+            // Where the quadratic model holds, differences of function values are below rounding.
             let trusted = decrement < 0.25;
             let here = if trusted { 0.0 } else { self.value(v.as_slice(), weights).unwrap_or(f64::INFINITY) };
             let mut length = 1.0;
@@ -205,7 +205,7 @@ impl Problem {
                 }
                 length *= 0.5;
                 if length < 1e-10 {
-                    // Rounding of the function values: a gain this small does not show in them.
+                    // Rounding of the function values hides a gain this small.
                     let lost = slope.abs() <= 1e-12 * (1.0 + here.abs());
                     return if lost { Ok(steps) } else { Err(halt(decrement)) };
                 }
@@ -214,7 +214,8 @@ impl Problem {
         Err(Stalled { w: weights.w, steps: MOST, decrement })
     }
 
-    /// From the prior to the minimum at `weights`: the coordinates, and the number of steps.
+    /// Goes from the prior to the minimum at `weights`; returns the coordinates and the number of
+    /// steps.
     pub(super) fn follow(&self, start: &[f64], weights: Weights) -> Result<(Vec<f64>, usize), Stalled> {
         let stacked = Stacked::new(self);
         let (mut v, far) = super::path::near(self, &stacked, start, weights)?;
@@ -227,8 +228,8 @@ impl Problem {
 mod tests {
     use super::*;
 
-    /// `-A'b` is the slope of all but the misfit, by central differences: of a body, scalars known and
-    /// not, a free variable and a wall.
+    /// `-A'b` is the gradient of everything but the misfit, checked by central differences: for a
+    /// body, known and unknown scalars, a free variable and a wall.
     #[test]
     fn the_slope_of_the_function_is_the_models() {
         let n = 13;

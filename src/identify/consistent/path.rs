@@ -1,11 +1,11 @@
-//! To the neighbourhood of the minimum: primal and dual bodies together, along the central path.
+//! Follows the central path to a neighbourhood of the minimum by a primal-dual method.
 //!
-//! A body `Z` and the force `S` that its cone exerts satisfy `S Z = t 1`; `t` falls until it is
-//! what the distance to the prior asks for. Steps are Newton's in the scaling of Nesterov and Todd,
-//! in which body and force look alike (Y. Nesterov, M. Todd, *Self-scaled barriers*, 1997; M. Todd,
-//! K. Toh, R. Tutuncu, SIAM J. Optimization 8(3), 1998): some tens of them, where steps of the body
-//! alone need hundreds in long valleys. With `G' S G = G^-1 Z G^-T = diag(lambda)` a step changes
-//! the scaled body by `D` and the scaled force by `t / lambda - lambda - D`.
+//! A body `Z` and its dual force `S`, exerted by the cone, satisfy `S Z = t 1`; `t` decreases to
+//! the value set by the distance to the prior. Steps are Newton's in the scaling of Nesterov and
+//! Todd, in which body and force are alike (Y. Nesterov, M. Todd, *Self-scaled barriers*, 1997; M.
+//! Todd, K. Toh, R. Tutuncu, SIAM J. Optimization 8(3), 1998). This needs some tens of steps, where
+//! primal steps alone need hundreds in long valleys. With `G' S G = G^-1 Z G^-T = diag(lambda)` a
+//! step changes the scaled body by `D` and the scaled force by `t / lambda - lambda - D`.
 
 use nalgebra::{DMatrix, DVector, Matrix4, SymmetricEigen, Vector4};
 
@@ -13,7 +13,7 @@ use super::newton::{Problem, Stalled, Wall, Weights};
 use super::stacked::Stacked;
 use crate::model::pseudo_inertia::{basis, coordinates, symmetric};
 
-/// A cone in its scaling.
+/// A cone in the Nesterov-Todd scaling.
 struct Scaled {
     g: Matrix4<f64>,
     inverse: Matrix4<f64>,
@@ -32,8 +32,8 @@ impl Scaled {
         g.iter().chain(inverse.iter()).all(|x| x.is_finite()).then_some(Self { g, inverse, lambda })
     }
 
-    /// Largest step, up to 1, that keeps nine tenths of the way to the edge for `diag(lambda) +
-    /// step D`.
+    /// Largest step, up to 1, that covers at most nine tenths of the distance to the boundary for
+    /// `diag(lambda) + step D`.
     fn longest(&self, d: &Matrix4<f64>) -> f64 {
         let root = Matrix4::from_diagonal(&self.lambda.map(|x| x.sqrt().recip()));
         let least = SymmetricEigen::new(root * d * root).eigenvalues.min();
@@ -41,11 +41,11 @@ impl Scaled {
     }
 }
 
-/// One positive number and its force.
+/// A positive linear function and its dual force.
 struct Single {
     row: Vec<(usize, f64)>,
     bound: f64,
-    /// Linear term of the objective in it.
+    /// Coefficient of the function in the objective's linear term.
     linear: f64,
     floor: f64,
     force: f64,
@@ -57,7 +57,8 @@ impl Single {
     }
 }
 
-/// Rows of bodies, single variables and weak priors in the scaling, for the target `t`.
+/// Least-squares rows of bodies, single functions and weak priors in the scaling, for the target
+/// `t`.
 fn rows(
     problem: &Problem,
     v: &DVector<f64>,
@@ -93,8 +94,8 @@ fn rows(
     (a, b)
 }
 
-/// Forces with which bodies balance at `t`, or at their floor; those of singles are set. `None` outside
-/// of a cone.
+/// Forces that balance the bodies at `t`, or at their floor; those of `singles` are set. `None`
+/// outside a cone.
 fn balancing(
     problem: &Problem,
     v: &DVector<f64>,
@@ -107,7 +108,7 @@ fn balancing(
     bodies.zip(floors).map(|(body, floor)| Some(body.cholesky()?.inverse() * t.max(*floor))).collect()
 }
 
-/// Coordinates near the minimum of [`Problem::value`], and the steps taken.
+/// Coordinates near the minimum of [`Problem::value`], and the number of steps.
 pub(super) fn near(
     problem: &Problem,
     stacked: &Stacked<'_>,
@@ -134,7 +135,7 @@ pub(super) fn near(
         .collect();
     let degree = (4 * floors.len() + singles.len()).max(1) as f64;
 
-    // As strong at the start as the misfit pulls.
+    // Starts with a target as strong as the pull of the misfit.
     let gradient = problem.j.tr_mul(&(&problem.j * &v - &problem.z));
     let pull = gradient.dot(&v).abs() / degree;
     let mut t = pull.clamp(1.0, 1e12).max(weights.w).max(weights.mu);
@@ -146,15 +147,15 @@ pub(super) fn near(
     for steps in 0..MOST {
         let now = t;
         let halt = move || Stalled { w: now, steps, decrement: f64::INFINITY };
-        // What bodies and singles are above their own floor: one that has arrived asks for nothing.
+        // Excess of bodies and singles above their own floor; one that has reached it adds nothing.
         let mut sum = 0.0;
         let mut scaled = Vec::with_capacity(forces.len());
         for ((link, force), floor) in problem.links.iter().zip(&mut forces).zip(&floors) {
             let body = problem.inside(v.as_slice(), link.start);
             let cone = match Scaled::new(&body, force) {
                 Some(cone) => cone,
-                // Rounding took the force out of its cone: one that balances the body takes its
-                // place.
+                // Rounding moved the force out of its cone: it is replaced by one that balances the
+                // body.
                 None => {
                     resets += 1;
                     *force = body.cholesky().filter(|_| resets < 20).ok_or_else(halt)?.inverse() * t.max(*floor);
@@ -165,8 +166,8 @@ pub(super) fn near(
             scaled.push(cone);
         }
         sum += singles.iter().map(|s| (s.force * s.slack(&v) - s.floor).max(0.0)).sum::<f64>();
-        // After a long step the target may fall fast; after a short one bodies and forces first go
-        // back to the middle.
+        // After a long step the target may fall fast; after a short one bodies and forces first
+        // return to the central path.
         t = (sum / degree)
             * if last > 0.9 {
                 0.1
@@ -197,7 +198,7 @@ pub(super) fn near(
             single_changes.push(force);
         }
         if length.is_nan() || length <= 1e-6 {
-            // Stuck at the edge: forces that balance the bodies push away from it.
+            // Stuck at the boundary: forces that balance the bodies push away from it.
             resets += 1;
             if resets >= 20 {
                 return Err(halt());
@@ -230,8 +231,8 @@ mod tests {
     use super::*;
     use crate::numerics::prng::Random;
 
-    /// Some tens of steps lead to the neighbourhood, from which Newton's method needs some few: also
-    /// where a body's prior asks for a force a million times that of a barrier.
+    /// Some tens of steps lead to the neighbourhood, from which Newton's method needs a few, even
+    /// if a body's prior requires a force a million times that of a barrier.
     #[test]
     fn the_path_ends_where_floors_differ() {
         let mut random = Random::new(3);

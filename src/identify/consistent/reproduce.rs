@@ -1,4 +1,4 @@
-//! Possible bodies that have given base parameters: from a published table to links.
+//! Finds possible bodies with given base parameters: from a published table to links.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -10,23 +10,23 @@ use super::setup::{Data, Setup};
 use crate::identify::regression::recover::{base_of, implausible_links};
 use crate::model::Arm;
 
-/// Bodies that have these base parameters, or come nearest.
+/// Bodies with the given base parameters, or with the nearest ones.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reproduced {
     /// Standard parameters, in the arm's order.
     pub standard: Vec<f64>,
-    /// Their base parameters less those that were asked for.
+    /// Base parameters of the bodies minus the given ones.
     pub residual: Vec<f64>,
-    /// The largest residual, relative to what such a parameter may be: see [`possible_bodies`].
+    /// Largest residual relative to the usual size of such a parameter: see [`possible_bodies`].
     pub worst: f64,
-    /// Smallest eigenvalue of each link's body in units of its prior.
+    /// Smallest eigenvalue of each link's body relative to its prior.
     pub margins: Vec<f64>,
-    /// Whether the base parameters are met up to rounding: they are those of possible bodies.
+    /// Whether the base parameters are met up to rounding, so that they belong to possible bodies.
     pub exact: bool,
 }
 
-/// Of all possible bodies that have exactly these base parameters, those nearest to the prior. If
-/// there are none, bodies whose base parameters come nearest, each in usual units of a robot: 1 kg,
+/// Finds the possible bodies nearest to the prior that have exactly these base parameters. If there
+/// are none, finds bodies whose base parameters are nearest, in the usual units of a robot: 1 kg,
 /// 0.2 kg m, 0.04 kg m^2, and 1 in the drives' units.
 ///
 /// Uses `margin`, `bounds` and `carried` of the settings.
@@ -44,7 +44,7 @@ pub fn possible_bodies(
     if base.iter().any(|x| !x.is_finite()) {
         return Err(ConsistentError::NotFinite);
     }
-    // Sizes: of a mass m and a length of 0.2 m, as parameters of a robot's link are.
+    // Typical sizes, from 1 kg and 0.2 m, as for parameters of a robot's link.
     let sizes: Vec<f64> = arm
         .base_parameters()
         .iter()
@@ -55,21 +55,21 @@ pub fn possible_bodies(
             _ => 1.0,
         })
         .collect();
-    // Known to two digits, the prior's weight beside it a thousandth: near enough for the last
-    // digits to be had by one projection.
+    // Known to two digits, with the prior's weight a thousandth: near enough for one projection to
+    // give the last digits.
     let sharp = 1e2;
     let r = DMatrix::from_fn(b, b, |i, k| if i == k { sharp / sizes[i] } else { 0.0 });
     let z = DVector::from_fn(b, |i, _| sharp * base[i] / sizes[i]);
     let setup = Setup::of(arm.description(), &Data { r, z }, prior, drives, settings)?;
     let weights = Weights { w: 1e-3, mu: 1e-6 };
-    // As in the fit: where nothing comes near, a rough answer has all the digits that there are.
+    // As in the fit: if nothing comes near, a rough answer has all meaningful digits.
     let rough = (1e-6 * setup.problem.misfit(&setup.start)).max(weights.w);
     let (mut v, _) = setup.problem.follow(&setup.start, Weights { w: rough, mu: rough.min(1e-3) })?;
     if setup.problem.misfit(&v) < 1e4 * rough {
         (v, _) = setup.problem.follow(&setup.start, weights)?;
     }
-    // The last digits, by the shortest way in units of the prior; kept only if everything stays
-    // inside.
+    // Projects to the last digits, by the shortest way in units of the prior; kept only if
+    // everything stays inside.
     let (mut next, j) = (DVector::from_column_slice(&v), &setup.problem.j);
     if let Some(root) = (j * j.transpose()).cholesky() {
         for _ in 0..3 {
@@ -89,17 +89,18 @@ pub fn possible_bodies(
     Ok(Reproduced { margins: setup.margins(&v), exact: worst < 1e-9, standard, residual, worst })
 }
 
-/// Residual, relative to what such a parameter may be, below which base parameters count as met:
-/// torques of a robot's size agree to some 1e-5 N m.
+/// Relative residual below which base parameters count as met: torques of a robot of usual size
+/// then agree to about 1e-5 N m.
 const MET: f64 = 1e-6;
 
-/// `standard` with links that can be built, its drives and base parameters kept.
+/// Replaces the links of `standard` by possible ones with the same base parameters; drives are
+/// kept.
 ///
-/// `standard` is returned unchanged if its own links, without the bodies fixed to them, are
-/// possible.
+/// Returns `standard` unchanged if its own links, without the bodies fixed to them, are possible.
 ///
-/// # Errors The links of `standard` (from 1) that no body can have, where no others have its base
-/// parameters.
+/// # Errors
+/// Returns the links of `standard` (counted from 1) that are no possible bodies, if no other links
+/// have the same base parameters.
 pub fn buildable_links(
     arm: &dyn Arm,
     standard: &[f64],
@@ -115,8 +116,8 @@ pub fn buildable_links(
     if impossible.is_empty() {
         return Ok(standard.to_vec());
     }
-    // Drives with a base parameter of their own are known. The barrier of their bound would keep
-    // them off it, so the bound is put below them.
+    // Drives with a base parameter of their own are known. Their barrier would keep them off the
+    // bound, so the bound is moved below them.
     let known = arm.base_parameters().iter().filter_map(|base| match base.coefficients[..] {
         [(i, _)] if parameters[i].is_level() => Some(i),
         _ => None,

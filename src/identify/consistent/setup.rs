@@ -1,4 +1,4 @@
-//! Standard parameters of an arm as the coordinates that [`Problem`] works in, and back.
+//! Converts standard parameters of an arm to the coordinates of [`Problem`], and back.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -9,18 +9,18 @@ use crate::model::likely_bodies::PriorBody;
 use crate::model::pseudo_inertia::Yardstick;
 use crate::model::{BaseParameter, Description, Inertial, StandardParameter};
 
-/// Indices of the parameters of the links and drives among the standard ones.
+/// Indices of the links' and drives' parameters among the standard ones.
 #[derive(Debug, Clone)]
 pub(super) struct Layout {
-    /// Per link, its ten.
+    /// Ten indices per link.
     pub(super) links: Vec<[usize; 10]>,
-    /// Rotor inertias and friction: not negative.
+    /// Rotor inertias and friction, which are not negative.
     pub(super) positive: Vec<usize>,
-    /// Offsets: of any sign.
+    /// Offsets, which may have any sign.
     pub(super) free: Vec<usize>,
-    /// The rotor inertias among them.
+    /// Rotor inertias among `positive`.
     pub(super) rotors: Vec<usize>,
-    /// All parameters.
+    /// Number of all parameters.
     pub(super) count: usize,
 }
 
@@ -50,8 +50,8 @@ impl Layout {
         Ok(Self { positive: rest(true), free: rest(false), rotors, links, count: parameters.len() })
     }
 
-    /// Standard parameters of what is fixed to links, and the least values of drives: what the
-    /// unknowns come on top of.
+    /// Standard parameters of the bodies fixed to links, and the least values of drives, to which
+    /// the unknowns are added.
     fn known(&self, settings: &ConsistentSettings) -> Result<Vec<f64>, ConsistentError> {
         let mut known = vec![0.0; 10 * self.links.len() + self.positive.len() + self.free.len()];
         for (link, body) in &settings.carried {
@@ -69,16 +69,16 @@ impl Layout {
     }
 }
 
-/// Data term: `1/2 |r beta - z|^2`, in units of the noise.
+/// Data term `1/2 |r beta - z|^2`, in units of the noise.
 pub(super) struct Data {
     pub(super) r: DMatrix<f64>,
     pub(super) z: DVector<f64>,
 }
 
-/// The problem, its start, and the way back.
+/// The problem, its start, and the conversion back to standard parameters.
 pub(super) struct Setup {
     pub(super) problem: Problem,
-    /// The prior: inside of everything.
+    /// Coordinates of the prior, which are strictly feasible.
     pub(super) start: Vec<f64>,
     pub(super) layout: Layout,
     yardsticks: Vec<Yardstick>,
@@ -86,7 +86,7 @@ pub(super) struct Setup {
     offset: Vec<f64>,
 }
 
-/// `K`: base parameters from this many standard ones.
+/// Matrix `K` from `standard` standard parameters to base parameters.
 pub(super) fn grouping(base: &[BaseParameter], standard: usize) -> DMatrix<f64> {
     let mut k = DMatrix::zeros(base.len(), standard);
     for (row, base) in base.iter().enumerate() {
@@ -96,7 +96,7 @@ pub(super) fn grouping(base: &[BaseParameter], standard: usize) -> DMatrix<f64> 
 }
 
 impl Setup {
-    /// Of an arm's base parameters.
+    /// Sets up the problem for the base parameters of an arm.
     pub(super) fn of(
         arm: &Description,
         data: &Data,
@@ -109,8 +109,8 @@ impl Setup {
         Self::new(layout, &grouping, data, prior, drives, settings)
     }
 
-    /// `grouping`: `K`, the data's unknowns from the parameters of `layout`. `drives`: standard
-    /// parameters of which those of the drives count.
+    /// Sets up the problem with `grouping`, the matrix `K` from the parameters of `layout` to the
+    /// data's unknowns. `drives`: standard parameters of which those of the drives are used.
     pub(super) fn new(
         layout: Layout,
         grouping: &DMatrix<f64>,
@@ -167,8 +167,8 @@ impl Setup {
             let given = above > 0.0;
             scales[i] = if given { above } else { 0.1 };
             problem.j.set_column(index, &(standard.column(i) * scales[i]));
-            // Friction changes with temperature and age: only rotors are held to what the file
-            // says.
+            // Friction changes with temperature and age: only rotors are regularised towards the
+            // file.
             problem.scalars.push(Scalar { index, known: given && layout.rotors.contains(&i) });
             start[index] = 1.0;
         }
@@ -184,7 +184,7 @@ impl Setup {
     }
 
     fn build_walls(&mut self, settings: &ConsistentSettings) {
-        // A row of the ten parameters, in coordinates.
+        // Row of one of the ten parameters in terms of the coordinates.
         let row = |link: usize, which: usize, factor: f64| -> Vec<(usize, f64)> {
             (0..10).map(|k| (10 * link + k, factor * self.yardsticks[link].to_body[(which, k)])).collect()
         };
@@ -213,7 +213,7 @@ impl Setup {
         self.problem.equal = equal;
     }
 
-    /// Standard parameters of coordinates.
+    /// Converts coordinates to standard parameters.
     pub(super) fn standard(&self, v: &[f64]) -> Vec<f64> {
         let mut x = self.offset.clone();
         for (link, (places, yardstick)) in self.layout.links.iter().zip(&self.yardsticks).enumerate() {
@@ -226,7 +226,7 @@ impl Setup {
         x
     }
 
-    /// Smallest eigenvalue of each link's body in units of its prior.
+    /// Smallest eigenvalue of each link's body relative to its prior.
     pub(super) fn margins(&self, v: &[f64]) -> Vec<f64> {
         let smallest =
             |l: &Link| crate::model::pseudo_inertia::symmetric(&v[l.start..l.start + 10]).symmetric_eigenvalues().min();

@@ -1,19 +1,19 @@
-//! Newton's steps of one problem: its equations are brought to an upper trapezoid once, and each
-//! step annihilates the rows of prior and barrier below it.
+//! Newton steps of one problem: its equations are reduced to an upper trapezoid once, and each step
+//! annihilates the rows of prior and barrier below it.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::newton::Problem;
 use crate::identify::regression::r_factor::{Mirror, dot};
 
-/// `J` and `z` of a problem, as `R = Q'J` and `Q'z`.
+/// Equations `J`, `z` of a problem, stored as `R = Q'J` and `Q'z`.
 ///
-/// The equations stand above the rows of the prior, which are smaller by many powers of ten:
+/// The equations are placed above the rows of the prior, which are smaller by many powers of ten:
 /// reflections keep the digits of small rows below large ones, and lose them above (Cox and Higham,
 /// *Stability of Householder QR factorization for weighted least squares problems*, 1998).
 pub(super) struct Stacked<'a> {
     problem: &'a Problem,
-    /// At most as many rows as columns.
+    /// Trapezoid `R` with at most as many rows as columns.
     r: DMatrix<f64>,
     qz: DVector<f64>,
 }
@@ -28,9 +28,9 @@ impl<'a> Stacked<'a> {
         Self { problem, r, qz }
     }
 
-    /// The step `d` from `v` that minimises `|J (v + d) - z|^2 + |A d - b|^2` and keeps `e'v`, and the
-    /// slope along it. Each variable is in a row of `A`, and rows have few entries: those of links
-    /// ten, others one, walls some.
+    /// Step `d` from `v` that minimises `|J (v + d) - z|^2 + |A d - b|^2` and preserves `e'v`, and
+    /// the slope along it. Each variable occurs in a row of `A`, and rows are sparse: ten entries
+    /// for links, some for walls, one for others.
     pub(super) fn step(&self, v: &DVector<f64>, a: &DMatrix<f64>, b: &DVector<f64>) -> Option<(DVector<f64>, f64)> {
         let n = self.r.ncols();
         let missing = &self.qz - &self.r * v;
@@ -47,8 +47,8 @@ impl<'a> Stacked<'a> {
         step.iter().all(|d| d.is_finite()).then_some((step, slope))
     }
 
-    /// Factor and right-hand side of `[R; A] d = [missing; b]`; `None` where there are fewer
-    /// equations than unknowns.
+    /// Factor and right-hand side of `[R; A] d = [missing; b]`; `None` if there are fewer equations
+    /// than unknowns.
     fn triangle(
         &self,
         missing: &DVector<f64>,
@@ -95,7 +95,7 @@ impl<'a> Stacked<'a> {
     }
 }
 
-/// `[A b]`, column-major, rows in order of the column in which they begin; and for each column the
+/// Matrix `[A b]`, column-major, rows sorted by their first nonzero column; and for each column the
 /// number of rows that have begun.
 fn by_first_entry(a: &DMatrix<f64>, b: &DVector<f64>) -> (Vec<f64>, Vec<usize>) {
     let (rows, n) = a.shape();
@@ -111,7 +111,7 @@ fn by_first_entry(a: &DMatrix<f64>, b: &DVector<f64>) -> (Vec<f64>, Vec<usize>) 
         }
         filled.push(order.len());
     }
-    // A row without entries is no equation; it stays out of the way at the end.
+    // Rows without entries are no equations and are placed at the end.
     order.extend((0..rows).filter(|&i| !begun[i]));
     let columns = a.column_iter().map(|c| c.into_owned()).chain([b.clone()]);
     (columns.flat_map(|column| order.iter().map(move |&i| column[i]).collect::<Vec<_>>()).collect(), filled)
@@ -123,8 +123,9 @@ mod tests {
     use super::*;
     use crate::numerics::prng::Random;
 
-    /// The gradient vanishes after a step but for what keeps `e'v`: for more and for fewer equations
-    /// than unknowns, with columns that no equation has and with a wall across.
+    /// The gradient vanishes after a step, except for the part that preserves `e'v`: for more and
+    /// for fewer equations than unknowns, with columns that occur in no equation and with a wall
+    /// across.
     #[test]
     fn steps_meet_the_conditions_of_the_minimum() {
         let mut random = Random::new(5);
@@ -155,7 +156,7 @@ mod tests {
             for equal in [None, Some(Wall { a: vec![(0, 1.0), (3, 2.0)], b: 0.0 })] {
                 let problem = Problem { equal, ..problem.clone() };
                 let (step, slope) = Stacked::new(&problem).step(&v, &a, &b).unwrap();
-                // The conditions of the minimum, by themselves.
+                // The conditions of the minimum, evaluated independently.
                 let missing = &problem.z - &problem.j * (&v + &step);
                 let gradient = problem.j.tr_mul(&missing) + a.tr_mul(&(&b - &a * &step));
                 let pull = problem.equal.as_ref().map_or(0.0, |_| gradient[0]);

@@ -1,4 +1,4 @@
-//! Two routes, possible bodies, contradictions.
+//! Tests of possible bodies: two solution methods, feasibility, and contradictory data.
 
 mod measured;
 
@@ -27,7 +27,7 @@ fn of(seed: u64, family: &Family) -> (Robot, Interpreted, Vec<f64>) {
     let mut random = Random::new(seed);
     let mut robot = random.robot(family);
     for joint in &mut robot.joints {
-        // Friction and rotors as bodies: not negative.
+        // Friction and rotor inertias are made non-negative, like those of possible bodies.
         for term in
             [&mut joint.drive.rotor_inertia, &mut joint.drive.viscous_friction, &mut joint.drive.coulomb_friction]
         {
@@ -43,7 +43,7 @@ fn bodies(truth: &[f64], links: usize) -> Vec<Option<[f64; 10]>> {
     (0..links).map(|l| truth[10 * l..10 * l + 10].try_into().ok()).collect()
 }
 
-/// Equations of random states, with noise, over the whole arm.
+/// Equations of the whole arm at random states, with noise.
 fn equations(arm: &Interpreted, truth: &[f64], states: usize, noise: f64, seed: u64) -> Data {
     let (n, b) = (arm.dof(), arm.base_parameters().len());
     let mut random = Random::new(seed);
@@ -60,14 +60,14 @@ fn equations(arm: &Interpreted, truth: &[f64], states: usize, noise: f64, seed: 
     let beta = grouping(arm.base_parameters(), truth.len()) * DVector::from_column_slice(truth);
     let tau = &w * beta
         + DVector::from_fn(n * states, |_, _| noise * (random.even(1.0) + random.even(1.0) + random.even(1.0)));
-    // Of the equations their triangular factor, and one row for what no parameters remove.
+    // Triangular factor of the equations, with one row for the part that no parameters remove.
     let mut all = w.insert_column(b, 0.0);
     all.set_column(b, &tau);
     let r = (all / noise).qr().unpack_r();
     Data { r: r.columns(0, b).into_owned(), z: r.column(b).into_owned() }
 }
 
-/// Part that no base parameters remove.
+/// Half the squared residual that no base parameters remove.
 fn floor(data: &Data) -> f64 {
     let svd = data.r.clone().svd(true, true);
     let beta = svd.solve(&data.z, 1e-10 * svd.singular_values.max()).unwrap();
@@ -79,11 +79,11 @@ fn two_routes_agree() {
     let mut tight = 0;
     for seed in 0..12 {
         let (robot, arm, truth) = robot(40 + seed, [2, 4]);
-        // So much noise that the plain solution is no body.
+        // Noise so large that the plain solution is no possible body.
         let data = equations(&arm, &truth, 60, 30.0, seed);
         let prior = prior_bodies(&bodies(&truth, robot.joints.len()), &geometric_bodies(&arm.ends()));
-        // Without bounds, what no torque shows could grow without end, and the sum of squares have
-        // no least value.
+        // Without bounds, undetermined directions could grow without end, and the sum of squares
+        // would have no minimum.
         let bounds = Bounds {
             mass: (0..prior.len()).map(|l| (l, [0.3 * prior[l].body[0], 3.0 * prior[l].body[0]])).collect(),
             ..Bounds::default()
@@ -109,7 +109,7 @@ fn two_routes_agree() {
     assert!(tight >= 6, "the cones matter in {tight} cases only");
 }
 
-/// A motion of some sines with the robot's torque, white noise on it.
+/// A motion of some sines with the robot's torque and white noise.
 fn motion(arm: &Interpreted, truth: &[f64], seconds: f64, noise: f64, seed: u64) -> Motion {
     let (rate, n) = (200.0, arm.dof());
     let len = (seconds * rate) as usize;
@@ -166,8 +166,8 @@ fn random_arms_get_possible_bodies_and_the_plain_ones_where_these_are_possible()
             for (parameter, value) in arm.standard_parameters().iter().zip(&result.standard) {
                 assert!(!parameter.is_level() || *value > 0.0, "{parameter} {value}");
             }
-            // If possibility costs nothing, the parameters are the plain ones, up to the shares of
-            // noise and prior.
+            // If possibility costs nothing, the parameters are the plain ones, up to the
+            // contributions of noise and prior.
             if result.possible.growth_percent < 1e-3 {
                 inside += 1;
                 for (p, q) in found.parameters.iter().zip(&result.base) {
@@ -187,8 +187,8 @@ fn random_arms_get_possible_bodies_and_the_plain_ones_where_these_are_possible()
     assert!(inside >= 8 && outside >= 4, "{inside} inside, {outside} outside");
 }
 
-/// Whether possibility costs more than noise is an F test with as many degrees of freedom as
-/// independent samples are left by the parameters: short logs, in which that tells.
+/// Whether possibility costs more than noise is an F test. Its degrees of freedom are the
+/// independent samples minus the parameters, which matters for short logs.
 #[test]
 fn the_cost_of_possibility_is_judged_by_what_is_left() {
     use statrs::distribution::{ContinuousCDF, FisherSnedecor};
@@ -197,7 +197,7 @@ fn the_cost_of_possibility_is_judged_by_what_is_left() {
     for seed in 0..16 {
         let (robot, arm, truth) = robot(305, [3, 3]);
         let b = arm.base_parameters().len() as f64;
-        // Torques of no bodies, the less the more noise.
+        // Torques that no bodies explain, with noise that grows with `seed`.
         let mut motion = motion(&arm, &truth, 0.15, 0.0, seed);
         let scale = motion.tau.iter().fold(0.0_f64, |m, t| m.max(t.abs()));
         let mut random = Random::new(50 + seed);
@@ -217,7 +217,7 @@ fn the_cost_of_possibility_is_judged_by_what_is_left() {
         let f = grown * freedom / b;
         assert_eq!(result.significant, f > limit(freedom), "seed {seed}: {f} {}", limit(freedom));
         judged += 1;
-        // With the parameters counted on the other side the answer would be another one.
+        // With the parameters counted on the other side, the verdict would differ.
         let other = freedom + 2.0 * b;
         matters += usize::from((f > limit(freedom)) != (grown * other / b > limit(other)));
     }
@@ -243,7 +243,7 @@ fn torques_of_no_body_are_refused() {
 
 #[test]
 fn the_prior_pulls_as_it_weighs_and_bounds_hold() {
-    // Of turning joints: sliding ones would weigh the links.
+    // Revolute joints only: prismatic ones would determine the links' masses.
     let turning = Family { rows: [4, 4], prismatic: 0.0, fixed: 0.0, tool: 0.0, upright: 1.0, ..Family::default() };
     let (robot, arm, truth) = of(41, &turning);
     let logs = [factors(&arm, &motion(&arm, &truth, 2.0, 1.0, 3))];
@@ -257,7 +257,7 @@ fn the_prior_pulls_as_it_weighs_and_bounds_hold() {
         let result = fit(&ConsistentSettings { prior_weight: weight, ..ConsistentSettings::default() });
         let now: f64 = result.distances.iter().sum();
         assert!(now <= distance && result.cost.growth_percent >= growth, "{weight}: {now} {distance}");
-        // By the errors of all joints in deviations of their noise.
+        // Cost from the errors of all joints, in standard deviations of their noise.
         let weighted = |rms: &[f64]| rms.iter().zip(&found.noise.sigma).map(|(r, s)| (r / s).powi(2)).sum::<f64>();
         let grown = 100.0 * ((weighted(&result.cost.fit.rms) / weighted(&found.fit.rms)).sqrt() - 1.0);
         let stated = result.cost.growth_percent;
@@ -292,7 +292,7 @@ fn base_parameters_of_possible_bodies_are_reproduced() {
             .position(|b| matches!(b.leader, StandardParameter::Link(_, Inertial::ZZ)))
             .unwrap();
         none[heaviest] = -1.0;
-        // Impossible: the nearest, or a halt; never said to be met.
+        // Impossible parameters: the nearest ones or a stall, but never reported as met.
         match possible_bodies(&arm, &none, &prior, &truth, &ConsistentSettings::default()) {
             Ok(result) => assert!(!result.exact && result.residual[heaviest] > 0.5, "{:?}", result.residual),
             Err(error) => assert!(matches!(error, ConsistentError::Stalled(_)), "{error}"),
@@ -300,8 +300,8 @@ fn base_parameters_of_possible_bodies_are_reproduced() {
     }
 }
 
-/// Base parameters leave the links open: those of least change may be impossible where others with
-/// the same torques could be built, a friction level at its bound included.
+/// Base parameters leave the links undetermined: the least change may be impossible although other
+/// links with the same torques are possible, with a friction level at its bound.
 #[test]
 fn links_that_could_be_built_have_the_same_base_parameters() {
     let settings = ConsistentSettings::default();
@@ -321,7 +321,7 @@ fn links_that_could_be_built_have_the_same_base_parameters() {
             assert!((a - b).abs() < 1e-5, "seed {seed}: {a} {b}");
         }
         assert_eq!(buildable_links(&arm, &built, &prior, &settings).as_ref(), Ok(&built));
-        // A moment of inertia below zero is no arm's.
+        // A negative moment of inertia is impossible.
         let heaviest = arm
             .base_parameters()
             .iter()
@@ -341,8 +341,8 @@ fn file(name: &str) -> (Robot, Interpreted) {
     (robot, arm)
 }
 
-/// The LWR's links are bodies, and so are the published base parameters: others reproduce them from
-/// a mere guess.
+/// The LWR's links are possible bodies, and so are the published base parameters: other bodies
+/// reproduce them from a rough guess.
 #[test]
 fn the_published_lwr_is_possible() {
     let (robot, arm) = file("kuka-lwr4");
@@ -361,8 +361,8 @@ fn the_published_lwr_is_possible() {
     }
 }
 
-/// The announced uncertainty elsewhere is the actual one: over runs with other noise, the errors
-/// over states all over the range are as large as the announced standard deviation.
+/// The stated uncertainty of extrapolation is correct: over runs with different noise, the torque
+/// errors over states in the whole range are as large as the stated standard deviation.
 #[test]
 fn the_announced_uncertainty_elsewhere_is_honest() {
     let (robot, arm) = file("kuka-lwr4");
@@ -413,9 +413,9 @@ fn the_announced_uncertainty_elsewhere_is_honest() {
     }
 }
 
-/// Errors that go together: of a covariance `s s'` the announced uncertainty is the torque of `s`
-/// itself, root mean square over the range. Errors of all parameters, and of viscous and dry
-/// friction alone, whose columns have the same sign.
+/// Fully correlated errors: for a covariance `s s'` the stated uncertainty is the torque of `s`
+/// itself, root mean square over the range. Tested for errors of all parameters, and for viscous
+/// and dry friction alone, whose columns have the same sign.
 #[test]
 fn the_uncertainty_of_errors_that_go_together() {
     let (robot, arm) = file("planar2r");
@@ -464,8 +464,8 @@ fn the_uncertainty_of_errors_that_go_together() {
     }
 }
 
-/// Of a model that is right, the plain fit can be no better where it was not fitted, but for luck;
-/// a true and a wrong one are distinguished.
+/// For a correct model, the plain fit can be better on left-out data only by chance; a true and a
+/// wrong model are distinguished.
 #[test]
 fn left_out_parts_tell_which_predicts_better() {
     let (robot, arm) = file("kuka-lwr4");
@@ -478,7 +478,7 @@ fn left_out_parts_tell_which_predicts_better() {
         let settings = ConsistentSettings { prior_weight: weight, ..ConsistentSettings::default() };
         crate::identify::left_out(&arm, &logs, &found, prior, &drives, &settings, Some(&truth)).unwrap()
     };
-    // Little data, and bodies that are known: better than the plain fit beyond doubt.
+    // Little data and known bodies: significantly better than the plain fit.
     let good = of(&prior_bodies(&bodies(&truth, links), &geometric_bodies(&arm.ends())), 1e3);
     assert!(good.better() == crate::identify::Better::Second && good.stretches >= 8, "{good:?}");
     // Bodies of the wrong size with a prior of 3 %.

@@ -1,4 +1,4 @@
-//! Motions -> one triangular factor per joint, over only that joint's columns.
+//! Accumulates motions into one triangular factor per joint, over that joint's columns only.
 
 use crate::data::signal::{Motion, MotionBlock, low_pass};
 use crate::identify::regression::batches::Batches;
@@ -6,15 +6,15 @@ use crate::identify::regression::r_factor::RFactor;
 use crate::identify::regression::rows::Rows;
 use crate::model::Arm;
 
-/// How the stack is built.
+/// Settings of the accumulation.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AccumulatorSettings {
     /// Least length of a batch, s, for the standard deviations: several times the correlation time
     /// of filtered noise. Default 0.5, five periods of the default cutoff.
     pub batch: f64,
-    /// Low-pass (order, Hz) through which the columns of the regressor and the torque are run alike
-    /// before every `stride`th sample is used: Gautier's parallel filter (Khalil and Dombre,
-    /// section 12.5.3). Needs motions with margins. Default none.
+    /// Low-pass (order, Hz) applied alike to the columns of the regressor and to the torque before
+    /// every `stride`th sample is used: Gautier's parallel filter (Khalil and Dombre, section
+    /// 12.5.3). Requires motions with margins. Default none.
     pub parallel: Option<(usize, f64)>,
 }
 
@@ -27,25 +27,25 @@ impl Default for AccumulatorSettings {
 /// Factor of one joint's equations: `R_j' R_j = [W_j tau_j]' [W_j tau_j]`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct JointFactor {
-    /// Base parameters that the joint's torque can depend on; the factor's columns, before the
-    /// torque.
+    /// Base parameters on which the joint's torque can depend: the factor's columns before that of
+    /// the torque.
     pub columns: Vec<usize>,
-    /// The factor, `columns.len() + 1` square.
+    /// Triangular factor with `columns.len() + 1` columns.
     pub triangle: RFactor,
-    /// Samples used.
+    /// Number of samples used.
     pub samples: usize,
-    /// Independent samples among them, at most: a signal without content above `f` has `2 f` values
-    /// per second (Shannon).
+    /// Upper bound of the independent samples among them: a signal without content above `f` has `2
+    /// f` values per second (Shannon).
     pub independent: f64,
-    /// Least and largest torque, N m.
+    /// Smallest and largest torque, N m.
     pub range: [f64; 2],
-    /// Least and largest position, rad or m.
+    /// Smallest and largest position, rad or m.
     pub reach: [f64; 2],
     pub(in crate::identify) batches: Batches,
 }
 
 impl JointFactor {
-    /// Whether there is a torque to explain.
+    /// Whether the torque is not zero throughout.
     pub fn is_live(&self) -> bool {
         let n = self.columns.len();
         self.samples > 0 && self.triangle.column(n).iter().any(|v| *v != 0.0)
@@ -59,7 +59,7 @@ impl JointFactor {
         self.triangle.norm_of(&last) / (self.samples.max(1) as f64).sqrt()
     }
 
-    /// Root of the sum of squares of `tau - W beta`, N m, for all base parameters.
+    /// Root of the sum of squares of `tau - W beta`, N m; `beta`: all base parameters.
     pub fn residual_norm(&self, beta: &[f64]) -> f64 {
         let mut x: Vec<f64> = self.columns.iter().map(|&c| -beta[c]).collect();
         x.push(1.0);
@@ -67,12 +67,12 @@ impl JointFactor {
     }
 }
 
-/// Factors of a log, whatever its length.
+/// Factors of a log; their size does not depend on its length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Factors {
     /// Name of the log.
     pub name: String,
-    /// One per joint.
+    /// One factor per joint.
     pub joints: Vec<JointFactor>,
     /// Seconds of motion.
     pub seconds: f64,
@@ -81,7 +81,7 @@ pub struct Factors {
 }
 
 impl Factors {
-    /// Keeps so many batches of each joint at most, longer ones; the fit does not change.
+    /// Merges batches until each joint has at most `batches`; the fit does not change.
     pub fn shrink(&mut self, batches: usize) {
         self.joints.iter_mut().for_each(|joint| joint.batches.shrink(batches));
     }
@@ -89,12 +89,12 @@ impl Factors {
 
 /// Builds [`Factors`] from motions.
 ///
-/// Where a joint is at rest ([`Motion::resting`]), or sticks at a reversal ([`Motion::stuck`]), its
-/// Coulomb column and its true friction disagree by up to twice the friction. The joint's own row
-/// is therefore left out. What the low-pass carries of that to later rows stays in: on short
-/// recordings of real arms those rows are worth more than they err. A joint that rests for more
-/// than half of a stretch is taken to stand on purpose: its rows stay, with zero in the Coulomb
-/// column.
+/// If a joint is at rest ([`Motion::resting`]), or sticks at a reversal ([`Motion::stuck`]), its
+/// Coulomb column and its true friction differ by up to twice the friction. The joint's own row is
+/// therefore left out. The part that the low-pass carries to later rows is kept: on short
+/// recordings of real arms those rows have more information than error. A joint that rests for more
+/// than half of a stretch is assumed to stand on purpose: its rows are kept, with zero in the
+/// Coulomb column.
 pub struct QrAccumulator<'a> {
     arm: &'a dyn Arm,
     settings: AccumulatorSettings,
@@ -106,16 +106,16 @@ pub struct QrAccumulator<'a> {
     work: Vec<f64>,
 }
 
-/// Samples whose velocities have no sign.
+/// Samples at which velocities have no sign.
 #[derive(Clone, Copy)]
 struct Still<'a> {
-    /// For each joint the sums behind it, at each selected sample of a motion.
+    /// Marks of each joint, followed by those of the sums, at each selected sample of a motion.
     marks: &'a [bool],
     /// Number of selected samples.
     picks: usize,
-    /// The first that is meant.
+    /// First selected sample of the current block.
     from: usize,
-    /// Of each joint, then each sum: whether it stands for most of the stretch.
+    /// Whether each joint, then each sum, stands for most of the stretch.
     stands: &'a [bool],
 }
 
@@ -129,12 +129,12 @@ impl Still<'_> {
     }
 }
 
-/// Samples that are evaluated and annihilated at once: a joint's block then stays in the
+/// Samples that are evaluated and annihilated at once, such that a joint's block stays in the
 /// second-level cache.
 const BLOCK: usize = 256;
 
 impl<'a> QrAccumulator<'a> {
-    /// For a log of this name, of this arm.
+    /// Creates an accumulator for a log named `name` of `arm`.
     pub fn new(name: &str, arm: &'a dyn Arm, settings: AccumulatorSettings) -> Self {
         let parameters = arm.base_parameters().len();
         let rows = Rows::new(arm);
@@ -164,7 +164,7 @@ impl<'a> QrAccumulator<'a> {
         }
     }
 
-    /// Takes in a stretch of motion.
+    /// Adds a stretch of motion.
     pub fn absorb(&mut self, motion: &Motion) {
         let stands = self.stands(motion);
         let (marks, picks) = (self.still(motion), motion.picks().len());
@@ -208,7 +208,7 @@ impl<'a> QrAccumulator<'a> {
         (self.block, self.regressor) = (block, regressor);
     }
 
-    /// Runs each column and the torque through the same low-pass, then uses the selected samples.
+    /// Filters each column and the torque by the same low-pass, then uses the selected samples.
     fn absorb_filtered(&mut self, motion: &Motion, sos: &crate::data::signal::Sos, still: Still<'_>, full: usize) {
         let len = motion.states.len;
         let mut regressor = Vec::new();
@@ -248,7 +248,8 @@ impl<'a> QrAccumulator<'a> {
         (0..rows).map(|k| 2 * row(k).iter().filter(|r| **r).count() > len).collect()
     }
 
-    /// Selected samples at which the rows of each joint, then each sum, have no sign of velocity.
+    /// Marks of selected samples at which the velocity of each joint, then of each sum, has no
+    /// sign.
     fn still(&self, motion: &Motion) -> Vec<bool> {
         let (len, dof) = (motion.states.len, self.arm.dof());
         let mut out = Vec::new();
@@ -263,7 +264,8 @@ impl<'a> QrAccumulator<'a> {
         out
     }
 
-    /// `regressor` by entry of the pattern, `count` rows each; `tau` joint-major.
+    /// Adds rows to the factors. `regressor`: by entry of the pattern, `count` rows each; `tau`:
+    /// joint-major.
     fn take_block(&mut self, still: Still<'_>, regressor: &[f64], tau: &[f64], count: usize) {
         let (dof, stands) = (self.arm.dof(), still.stands);
         let rests = |k: usize, s: usize| still.marked(k, s);
@@ -272,7 +274,7 @@ impl<'a> QrAccumulator<'a> {
             let entries = self.rows.offsets[joint]..self.rows.offsets[joint + 1];
             let w = &regressor[entries.start * count..entries.end * count];
             let tau = &tau[joint * count..(joint + 1) * count];
-            // Each velocity whose sign is in these rows, with the columns of the sign.
+            // Each velocity whose sign occurs in these rows, with the columns of the sign.
             let own = self.rows.coulomb[joint].map(|k| (joint, vec![k]));
             let mut signs: Vec<(usize, Vec<usize>)> = own.into_iter().collect();
             for (k, summed) in self.rows.sums.iter().enumerate() {
@@ -318,7 +320,7 @@ impl<'a> QrAccumulator<'a> {
         }
     }
 
-    /// The factors of all that was taken in.
+    /// Factors of all motions that were added.
     pub fn finish(mut self) -> Factors {
         if self.in_batch > 0 {
             self.end_batch(self.in_batch);
@@ -328,8 +330,8 @@ impl<'a> QrAccumulator<'a> {
     }
 }
 
-/// Independent samples of a stretch of low-passed torque, `2 f T + 1` (Shannon), per sample that is
-/// used.
+/// Independent samples of a stretch of low-passed torque, `2 f T + 1` (Shannon), per used sample;
+/// at most 1.
 fn independent_share(motion: &Motion, step: f64) -> f64 {
     let samples = motion.picks().len() as f64;
     motion.bandwidth.map_or(1.0, |f| ((2.0 * f * samples * step + 1.0) / samples).min(1.0))

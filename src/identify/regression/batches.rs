@@ -1,22 +1,22 @@
-//! Second moments of consecutive batches of samples: the input of standard deviations with
-//! correlation in time.
+//! Second moments of consecutive batches of samples, from which standard deviations under time
+//! correlation are computed.
 
 use crate::identify::regression::r_factor::{dot, dots};
 
-/// The most batches that are kept; one more, and neighbours are joined pairwise. Bounds the memory
-/// for logs of any length.
+/// Most batches that are kept; one more, and neighbours are merged pairwise. Bounds the memory for
+/// logs of any length.
 pub(in crate::identify) const MOST: usize = 64;
 
 /// Gram matrices of `[W_j tau_j]` over consecutive batches of equal length.
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::identify) struct Batches {
-    /// Column-major, `(n + 1)^2` each.
+    /// Gram matrices, column-major, `(n + 1)^2` each.
     pub(in crate::identify) grams: Vec<Vec<f64>>,
-    /// How many batches of the original length each one holds.
+    /// Number of batches of the original length in each one.
     pub(in crate::identify) size: usize,
-    /// Batches of the original length that wait to fill one.
+    /// Number of original batches collected for the next one.
     waiting: usize,
-    /// Upper triangle of the one that they fill; empty before its first row.
+    /// Upper triangle of the next batch's Gram matrix; empty before its first row.
     open: Vec<f64>,
 }
 
@@ -25,13 +25,13 @@ impl Batches {
         Self { grams: Vec::new(), size: 1, waiting: 0, open: Vec::new() }
     }
 
-    /// Adds rows of `n` columns, column-major, to the next batch of the original length.
+    /// Adds rows of `n` columns, column-major, to the current batch of the original length.
     pub(in crate::identify) fn add(&mut self, rows: &[f64], n: usize) {
         self.open.resize(n * n, 0.0);
         add_products(&mut self.open, rows, n);
     }
 
-    /// Ends a batch of the original length, of `n` columns.
+    /// Ends a batch of the original length with `n` columns.
     pub(in crate::identify) fn end_one(&mut self, n: usize) {
         self.open.resize(n * n, 0.0);
         self.waiting += 1;
@@ -53,14 +53,15 @@ impl Batches {
         self.waiting = 0;
     }
 
-    /// Closes a batch that is not full.
+    /// Closes an incomplete batch.
     pub(in crate::identify) fn close(&mut self) {
         if self.waiting > 0 {
             self.keep();
         }
     }
 
-    /// Joins neighbours until there are `most` at most. No more batches can be pushed then.
+    /// Merges neighbours until there are at most `most` batches. No more batches can be added
+    /// afterwards.
     pub(in crate::identify) fn shrink(&mut self, most: usize) {
         while self.grams.len() > most.max(1) {
             self.halve();
@@ -85,8 +86,8 @@ fn add(to: &mut [f64], from: &[f64]) {
     to.iter_mut().zip(from).for_each(|(a, b)| *a += b);
 }
 
-/// Adds the products of columns, a column-major block of `n`, to the upper triangle of `gram`. With
-/// the widest registers of this processor, and the bits of any other.
+/// Adds the products of the columns of a column-major block to the upper triangle of `gram`. Uses
+/// the widest registers of the processor, with bit-identical results.
 #[multiversion::multiversion(targets("x86_64+avx2"))]
 fn add_products(gram: &mut [f64], block: &[f64], n: usize) {
     let rows = block.len() / n.max(1);
@@ -114,7 +115,8 @@ fn add_products(gram: &mut [f64], block: &[f64], n: usize) {
 mod tests {
     use super::*;
 
-    /// Batches of uneven blocks hold the products of their rows; joined, they are those of all.
+    /// Batches of uneven blocks hold the products of their rows; merged, they hold those of all
+    /// rows.
     #[test]
     fn batches_are_products_of_their_rows() {
         let n = 3;
@@ -131,7 +133,7 @@ mod tests {
             batches.end_one(n);
         }
         batches.close();
-        // 64 are joined to 32 of two, and 64 of these to 32 of four.
+        // 64 batches are merged to 32 of two, and 64 of these to 32 of four.
         assert_eq!((batches.size, batches.grams.len()), (4, 33));
         for (b, gram) in batches.grams.iter().enumerate() {
             for i in 0..n {

@@ -1,9 +1,9 @@
-//! Essential parameters: those without which the model predicts worse (Khalil and Dombre, section
+//! Essential parameters: those without which the prediction degrades (Khalil and Dombre, section
 //! 12.5.4).
 //!
-//! The parameter of the largest relative standard deviation is dropped and the rest fitted again.
-//! This ends when all are well determined or the dropped ones, taken together, are no longer zero
-//! within their own covariance (Wald's F test on the full model).
+//! The parameter of the largest relative standard deviation is dropped and the rest is fitted
+//! again. This ends when all are well determined, or when the dropped ones together differ from
+//! zero significantly under their own covariance (Wald's F test on the full model).
 
 use nalgebra::DVector;
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
@@ -11,12 +11,12 @@ use statrs::distribution::{ContinuousCDF, FisherSnedecor};
 use crate::identify::regression::statistics::covariance;
 use crate::identify::regression::wls::{Problem, Solution, positions};
 
-/// When to stop leaving parameters out.
+/// Stopping criteria for dropping parameters.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Essential {
-    /// Parameters with a smaller relative standard deviation stay, percent. Default 10.
+    /// Relative standard deviation below which parameters are kept, percent. Default 10.
     pub percent: f64,
-    /// Level of the F test: with what probability the test stops although all that went is zero.
+    /// Level of the F test: probability of stopping although all dropped parameters are zero.
     /// Default 0.05.
     pub level: f64,
 }
@@ -30,21 +30,21 @@ impl Default for Essential {
 /// A parameter that was left out.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Dropped {
-    /// Name.
+    /// Name of the parameter.
     pub name: String,
-    /// Its value in the full model.
+    /// Value in the full model.
     pub value: f64,
-    /// Its relative standard deviation when it went, percent.
+    /// Relative standard deviation when it was dropped, percent.
     pub relative_std_percent: f64,
-    /// F value of all that went so far.
+    /// F value of all parameters dropped so far.
     pub f: f64,
     /// F value at which the reduction would have stopped.
     pub limit: f64,
-    /// By how much the weighted residual has grown so far, percent.
+    /// Increase of the weighted residual so far, percent.
     pub residual_growth_percent: f64,
 }
 
-/// Parameters that stay, and those that went.
+/// Solution with the kept parameters, and the list of those that were dropped.
 pub(in crate::identify) fn reduce(
     problem: &Problem<'_>,
     full: &Solution,
@@ -94,7 +94,8 @@ pub(in crate::identify) fn reduce(
     (active, dropped)
 }
 
-/// `F = b' C^-1 b / m` of `m` parameters `b` with covariance `C`, against their being zero.
+/// F statistic `b' C^-1 b / m` of `m` parameters `b` with covariance `C`, for the hypothesis that
+/// all are zero.
 fn wald(gone: &[usize], full: &Solution, place: &[Option<usize>], covariance: &nalgebra::DMatrix<f64>) -> f64 {
     let at: Vec<usize> = gone.iter().filter_map(|&c| place[c]).collect();
     let b = DVector::from_fn(at.len(), |i, _| full.beta[gone[i]]);

@@ -1,24 +1,23 @@
-//! Parameters that are known already: their share of the torque is taken out of the factors,
-//! without a second look at the log.
+//! Removes the torque of known parameters from the factors, without reading the log again.
 
 use crate::identify::regression::accumulator::{Factors, JointFactor};
 use crate::identify::regression::batches::Batches;
 use crate::identify::regression::r_factor::RFactor;
 use crate::model::{Arm, Description, States};
 
-/// An arm of which some base parameters are known: only the others are left to be identified.
+/// An arm with some known base parameters: only the others are identified.
 pub struct Known<'a> {
     arm: &'a dyn Arm,
-    /// Value of each base parameter that is known.
+    /// Value of each known base parameter.
     values: Vec<Option<f64>>,
     description: Description,
-    /// Entries of the whole arm's pattern that are left.
+    /// Indices of the remaining entries in the whole arm's pattern.
     entries: Vec<usize>,
 }
 
 impl<'a> Known<'a> {
-    /// One value, or none, for each base parameter of `arm`; those beyond the end of `values` are
-    /// unknown.
+    /// `values`: value of each base parameter of `arm`, or `None`; parameters beyond the end of
+    /// `values` are unknown.
     pub fn new(arm: &'a dyn Arm, values: &[Option<f64>]) -> Self {
         let all = arm.base_parameters();
         let values: Vec<Option<f64>> = (0..all.len()).map(|c| values.get(c).copied().flatten()).collect();
@@ -33,8 +32,8 @@ impl<'a> Known<'a> {
         Self { description: Description { base, pattern, ..arm.description().clone() }, arm, values, entries }
     }
 
-    /// The factors of a log of the whole arm, without the torque of the known parameters: `[W_u,
-    /// tau - W_k beta_k] = [W tau] T`. So `R T` is as good as the log.
+    /// Factors of a log of the whole arm, without the torque of the known parameters: `[W_u, tau -
+    /// W_k beta_k] = [W tau] T`. So `R T` replaces the log.
     pub fn factors(&self, whole: &Factors) -> Factors {
         let joints = whole.joints.iter().map(|joint| self.joint(joint)).collect();
         Factors { name: whole.name.clone(), joints, seconds: whole.seconds, parameters: self.description.base.len() }
@@ -43,7 +42,7 @@ impl<'a> Known<'a> {
     fn joint(&self, whole: &JointFactor) -> JointFactor {
         let n = whole.columns.len();
         let unknown: Vec<usize> = (0..n).filter(|&i| self.values[whole.columns[i]].is_none()).collect();
-        // The torque less what is known, in terms of the whole joint's columns.
+        // Coefficients of the torque minus its known part, over the whole joint's columns.
         let mut rest: Vec<f64> = whole.columns.iter().map(|&c| -self.values[c].unwrap_or(0.0)).collect();
         rest.push(1.0);
         let mut place = vec![0; self.values.len()];
@@ -80,8 +79,8 @@ impl<'a> Known<'a> {
     }
 }
 
-/// `T' G T` where `T` picks the columns `unknown` and adds up all columns, times `rest`, to a last
-/// one; column-major.
+/// Product `T' G T`, column-major. `T` selects the columns `unknown` and appends the sum of all
+/// columns weighted by `rest`.
 fn congruent(gram: &[f64], n: usize, unknown: &[usize], rest: &[f64]) -> Vec<f64> {
     let m = unknown.len();
     let turned: Vec<f64> = (0..n).map(|i| (0..n).map(|k| gram[i + k * n] * rest[k]).sum()).collect();
@@ -123,8 +122,8 @@ mod tests {
         solve,
     };
 
-    /// Factors from which known parameters were taken out equal those of a log whose torque never
-    /// had them.
+    /// Factors from which known parameters were removed equal those of a log whose torque never
+    /// contained them.
     #[test]
     fn taking_out_of_the_factors_is_taking_out_of_the_torque() {
         let arm = Planar::new();
@@ -156,7 +155,7 @@ mod tests {
         assert!(known.iter().zip(&whole).all(|(k, w)| k.is_none_or(|k| k == *w)));
     }
 
-    /// Of columns that are picked and summed first.
+    /// Compares with the Gram matrix of columns that are selected and summed first.
     #[test]
     fn a_gram_matrix_is_that_of_the_columns() {
         let a = nalgebra::DMatrix::from_fn(7, 4, |i, k| ((3 * i + 5 * k * k + i * k) % 11) as f64 - 5.0);

@@ -1,4 +1,4 @@
-//! The plain solution without negative rotor inertias and friction levels, which no drive has.
+//! Plain solution with non-negative rotor inertias and friction levels.
 
 use crate::identify::Factors;
 use crate::identify::Identification;
@@ -8,21 +8,21 @@ use crate::identify::Known;
 use crate::identify::solve;
 use crate::model::Arm;
 
-/// Base parameters of a fit in which no drive is impossible.
+/// Base parameters of a fit with possible drives.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Nonnegative {
     /// Base parameters, in the arm's order.
     pub base: Vec<f64>,
-    /// Names of those that are held at their bound, in the order of the parameters.
+    /// Names of the parameters held at their bound, in parameter order.
     pub held: Vec<String>,
 }
 
-/// Holds rotor inertias and friction levels that came out below zero, or below their floor, there
-/// and fits the others again, until none is below. This is the active-set method of non-negative
+/// Fixes rotor inertias and friction levels that are below zero, or below their floor, at that
+/// bound. Fits the others again, until none is below. This is the active-set method of non-negative
 /// least squares (Lawson and Hanson 1974), without release.
 ///
-/// `floors`: standard parameters with a least value above zero. Friction that differs with
-/// direction by `FCA` has a level of `FC - |FCA|` in one of them.
+/// `floors`: standard parameters with a least value above zero. Friction that differs by `FCA`
+/// between directions has a level of `FC - |FCA|` in one of them.
 pub fn nonnegative_drives(
     arm: &dyn Arm,
     fit: &[Factors],
@@ -62,7 +62,7 @@ mod tests {
         let arm = Planar::new();
         let mut m = motion(&arm, 10.0, 100.0, 0.3);
         let len = m.states.len;
-        // Friction of joint 2 of the other sign.
+        // Friction of joint 2 with the opposite sign.
         let level = 5.0;
         (len..2 * len).for_each(|k| m.tau[k] -= level * (m.states.dq[k].signum() + m.states.dq[k]));
         let mut stack = QrAccumulator::new("log", &arm, AccumulatorSettings::default());
@@ -74,7 +74,7 @@ mod tests {
         assert!(lowest < -1.0, "{lowest}");
         let bounded = nonnegative_drives(&arm, &fit, &found, &settings, &[]).unwrap();
         assert!(!bounded.held.is_empty());
-        // Directions that differ by more than the level of joint 1.
+        // A difference between directions that exceeds the level of joint 1.
         let fc1 = arm.standard_names().iter().position(|name| name == "FC1").unwrap();
         let floored = nonnegative_drives(&arm, &fit, &found, &settings, &[(fc1, 2.0)]).unwrap();
         let at = floored.held.iter().position(|name| name == "FC1");

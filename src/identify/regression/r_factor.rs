@@ -1,25 +1,25 @@
-//! A triangular factor that grows by blocks of rows.
+//! Triangular factor that is updated by blocks of rows.
 
-/// The factor `R` of `A = Q R`, of which `A`'s rows come in blocks and `Q` is never kept: `R' R =
-/// A' A`.
+/// Factor `R` of `A = Q R`, with the rows of `A` added in blocks and `Q` never stored: `R' R = A'
+/// A`.
 ///
-/// A block stands under the triangle and is annihilated column by column with Householder
-/// reflections. They touch one row of the triangle each (Golub and Van Loan, Matrix Computations,
-/// sections 5.2 and 6.5.3).
+/// A block is placed below the triangle and annihilated column by column with Householder
+/// reflections. Each reflection touches one row of the triangle (Golub and Van Loan, Matrix
+/// Computations, sections 5.2 and 6.5.3).
 #[derive(Debug, Clone, PartialEq)]
 pub struct RFactor {
     n: usize,
-    /// Column-major, `n * n`, zero below the diagonal.
+    /// Entries, column-major, `n * n`, zero below the diagonal.
     r: Vec<f64>,
 }
 
 impl RFactor {
-    /// Of no rows, with `n` columns.
+    /// Factor of no rows, with `n` columns.
     pub fn new(n: usize) -> Self {
         Self { n, r: vec![0.0; n * n] }
     }
 
-    /// Of its upper triangle, column by column; entries that are missing are zero.
+    /// Factor from its upper triangle, column by column; missing entries are zero.
     pub(in crate::identify) fn of_upper(n: usize, upper: &[f64]) -> Self {
         let mut factor = Self::new(n);
         let places = (0..n).flat_map(|k| (0..=k).map(move |i| i + k * n));
@@ -32,7 +32,7 @@ impl RFactor {
         self.n
     }
 
-    /// Entry of row `i`, column `k`.
+    /// Entry in row `i`, column `k`.
     pub fn get(&self, i: usize, k: usize) -> f64 {
         self.r[i + k * self.n]
     }
@@ -42,20 +42,20 @@ impl RFactor {
         &self.r[k * self.n..=k * self.n + k]
     }
 
-    /// Takes in `rows` rows: column-major, `rows * n`. The block is used as working memory.
+    /// Adds `rows` rows: column-major, `rows * n`. The block is used as working memory.
     pub fn absorb(&mut self, block: &mut [f64], rows: usize) {
         self.annihilate(block, rows, |_| rows);
     }
 
-    /// Takes in the rows that another factor stands for.
+    /// Adds the rows represented by another factor.
     pub fn merge(&mut self, other: &Self) {
         let n = self.n;
         let mut block = other.r.clone();
         self.annihilate(&mut block, n, |k| (k + 1).min(n));
     }
 
-    /// Column `k` of the block has its nonzeros in the first `filled(k)` rows; this does not shrink
-    /// with `k`.
+    /// Annihilates a block whose column `k` has its nonzeros in the first `filled(k)` rows.
+    /// `filled` must not decrease with `k`.
     fn annihilate(&mut self, block: &mut [f64], rows: usize, filled: impl Fn(usize) -> usize) {
         let n = self.n;
         if rows == 0 {
@@ -66,7 +66,7 @@ impl RFactor {
             let v = &left[k * rows..][..filled(k)];
             let squares = dot(v, v);
             let diagonal = self.r[k + k * n];
-            // A filter can reduce a constant so far that its square is no normal number any more.
+            // A filter can attenuate a constant so far that its square is subnormal.
             if squares == 0.0 || diagonal * diagonal + squares < 1e-280 {
                 continue;
             }
@@ -80,7 +80,7 @@ impl RFactor {
         }
     }
 
-    /// Turns the sign of the last column of `A` about.
+    /// Negates the last column of `A`.
     pub(in crate::identify) fn negate_last(&mut self) {
         let from = self.n * self.n.saturating_sub(1);
         self.r[from..].iter_mut().for_each(|v| *v = -*v);
@@ -91,7 +91,7 @@ impl RFactor {
         self.apply(x).iter().map(|y| y * y).sum::<f64>().sqrt()
     }
 
-    /// `R x`.
+    /// Product `R x`.
     pub fn apply(&self, x: &[f64]) -> Vec<f64> {
         let mut y = vec![0.0; self.n];
         for (k, &value) in x.iter().enumerate().take(self.n) {
@@ -102,7 +102,7 @@ impl RFactor {
         y
     }
 
-    /// `R' R = A' A`, column-major.
+    /// Gram matrix `R' R = A' A`, column-major.
     pub fn gram(&self) -> Vec<f64> {
         let n = self.n;
         let mut gram = vec![0.0; n * n];
@@ -121,23 +121,23 @@ impl RFactor {
 pub(in crate::identify) struct Mirror<'a> {
     /// Entries of its vector below the pivot.
     pub v: &'a [f64],
-    /// The one at the pivot.
+    /// Entry of its vector at the pivot.
     pub head: f64,
-    /// `2 / |vector|^2`.
+    /// Scale `2 / |vector|^2`.
     pub scale: f64,
 }
 
 impl Mirror<'_> {
-    /// Reflects columns of `rows` entries each, of which it touches those from `from` on. Pivots:
-    /// entries of their own (those of a column-major array, the row in it and its number of rows);
-    /// `None`: the entry at `from`, and the vector's others behind it.
+    /// Reflects columns of `rows` entries each, modifying the entries from `from` on. `pivots`:
+    /// separate pivot entries (column-major array, row in it, number of its rows). `None`: the
+    /// pivot is the entry at `from`, followed by the others.
     pub fn apply(&self, columns: &mut [f64], rows: usize, from: usize, pivots: Option<(&mut [f64], usize, usize)>) {
         reflect(self, columns, rows, from, pivots);
     }
 }
 
-/// With the widest registers of this processor. Sums and products keep their rounding, so the bits
-/// are those of any other.
+/// Applies a reflection with the widest registers of the processor. Sums and products keep their
+/// rounding, so results are bit-identical.
 #[multiversion::multiversion(targets("x86_64+avx2"))]
 fn reflect(
     mirror: &Mirror<'_>,
@@ -149,7 +149,7 @@ fn reflect(
     let Mirror { v, head, scale } = *mirror;
     match pivots {
         Some((apart, row, stride)) => {
-            // Without closures, which would not have the registers of the function around them.
+            // Without closures, which would not inherit the function's target features.
             let (mut fours, mut blocks) = (apart.chunks_exact_mut(4 * stride), columns.chunks_exact_mut(4 * rows));
             for (pivots, block) in fours.by_ref().zip(blocks.by_ref()) {
                 let products = dots(v, &block[from..], rows);
@@ -180,15 +180,15 @@ fn reflect(
     }
 }
 
-/// [`dot`] of a vector and of four others that begin `stride` apart.
+/// [`dot`] of a vector with four others that begin `stride` apart.
 #[inline(always)]
 pub(crate) fn dots(a: &[f64], others: &[f64], stride: usize) -> [f64; 4] {
     let n = a.len();
     dots_of(a, [&others[..n], &others[stride..][..n], &others[2 * stride..][..n], &others[3 * stride..][..n]])
 }
 
-/// [`dot`] of a vector and of four others of its length, bit by bit: their sums do not wait for each
-/// other.
+/// [`dot`] of a vector with four others of the same length, bit-identical: the four sums are
+/// independent and run in parallel.
 #[inline(always)]
 pub(crate) fn dots_of(a: &[f64], [b0, b1, b2, b3]: [&[f64]; 4]) -> [f64; 4] {
     let n = a.len();
@@ -232,13 +232,13 @@ pub(crate) fn dot(a: &[f64], b: &[f64]) -> f64 {
     total(&sums, rest)
 }
 
-/// Of eight running sums and of what is left over.
+/// Sum of eight running sums and of the remainder.
 #[inline(always)]
 fn total(sums: &[f64; 8], rest: f64) -> f64 {
     rest + ((sums[0] + sums[4]) + (sums[1] + sums[5])) + ((sums[2] + sums[6]) + (sums[3] + sums[7]))
 }
 
-/// `b -= w v`.
+/// Update `b -= w v`.
 #[inline(always)]
 fn subtract(b: &mut [f64], w: f64, v: &[f64]) {
     for (x, y) in b.iter_mut().zip(v) {
@@ -294,7 +294,7 @@ mod tests {
         assert!((t.norm_of(&[0.0, 1.0]) - 3.0).abs() < 1e-12 && t.norm_of(&[1.0, 0.0]).is_finite());
     }
 
-    /// `[[1, 1], [e, -e]]`: two columns that hardly differ keep the digits of their difference.
+    /// `[[1, 1], [e, -e]]`: two nearly equal columns keep the digits of their difference.
     #[test]
     fn a_small_difference_keeps_its_digits() {
         let e = 1e-9;

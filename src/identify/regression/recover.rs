@@ -1,28 +1,28 @@
-//! From identified base parameters back to standard parameters, for the robot file.
+//! Recovers standard parameters for the robot file from identified base parameters.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::model::{Arm, Inertial, StandardParameter};
 
-/// Numbers that do not go with the arm.
+/// Mismatch between parameters and arm.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum RecoverError {
-    /// A vector of the wrong length.
+    /// A vector has the wrong length.
     #[error("{what}: {found} numbers where the arm has {expected}")]
     Length {
-        /// The parameter.
+        /// Name of the parameters.
         what: &'static str,
-        /// Given.
+        /// Length given.
         found: usize,
-        /// Needed.
+        /// Length required.
         expected: usize,
     },
-    /// Base parameters that are not independent combinations of standard ones.
+    /// The base parameters are not independent combinations of standard ones.
     #[error("the base parameters are not independent combinations of the standard ones")]
     Dependent,
 }
 
-/// `beta = K phi` for standard parameters `phi`.
+/// Base parameters `beta = K phi` of standard parameters `phi`.
 pub(in crate::identify) fn base_of(arm: &dyn Arm, standard: &[f64]) -> Vec<f64> {
     arm.base_parameters().iter().map(|b| b.coefficients.iter().map(|&(i, k)| k * standard[i]).sum()).collect()
 }
@@ -31,11 +31,11 @@ pub(in crate::identify) fn base_of(arm: &dyn Arm, standard: &[f64]) -> Vec<f64> 
 /// if there is none). They are `phi = phi0 + D K' (K D K')^-1 (beta - K phi0)`, the least change in
 /// the metric `D^-1`.
 ///
-/// `D` holds the squares of the sizes that changes may have, so that kilograms and kilogram square
-/// metres can be compared. For a link of mass `m` and a length `l = 0.2 m` they are `m`, `m l` and
-/// `m l^2`; for the drive, the parameter's own size. `m` is the prior mass, at least 1 kg. Rotor
-/// inertias and friction levels that share a base parameter with others (`IA3` in `ZZ3R`) are not
-/// negative.
+/// `D` holds the squared sizes of admissible changes, so that kilograms and kilogram square metres
+/// can be compared. For a link of mass `m` and a length `l = 0.2 m` they are `m`, `m l` and `m
+/// l^2`; for the drive, the parameter's own size. `m` is the prior mass, at least 1 kg. Rotor
+/// inertias and friction levels that share a base parameter with others (`IA3` in `ZZ3R`) are kept
+/// non-negative.
 pub fn recover_standard(arm: &dyn Arm, beta: &[f64], prior: Option<&[f64]>) -> Result<Vec<f64>, RecoverError> {
     let (parameters, base) = (arm.standard_parameters(), arm.base_parameters());
     let length = |what, found, expected| match found == expected {
@@ -63,7 +63,7 @@ pub fn recover_standard(arm: &dyn Arm, beta: &[f64], prior: Option<&[f64]>) -> R
     }
 }
 
-/// `phi0 + D K' (K D K')^-1 (beta - K phi0)`; `sizes`: the diagonal of `D`.
+/// Least change `phi0 + D K' (K D K')^-1 (beta - K phi0)`; `sizes`: the diagonal of `D`.
 fn least_change(
     k: &DMatrix<f64>,
     sizes: &[f64],
@@ -73,7 +73,7 @@ fn least_change(
     let kd = DMatrix::from_fn(k.nrows(), k.ncols(), |row, column| k[(row, column)] * sizes[column]);
     let root = (&kd * k.transpose()).cholesky().ok_or(RecoverError::Dependent)?;
     let mut phi = phi0.clone();
-    // Once more for what rounding left.
+    // Repeats the step to remove rounding errors.
     for _ in 0..2 {
         let missing = DVector::from_column_slice(beta) - k * &phi;
         phi += kd.transpose() * root.solve(&missing);
@@ -81,9 +81,9 @@ fn least_change(
     Ok(phi)
 }
 
-/// Links (numbered as in the names, from 1) whose standard parameters no body can have. Their
-/// pseudo-inertia `[[tr(I)/2 1 - I, MS], [MS', M]]` is not positive definite (Wensing, Kim and
-/// Slotine 2018). Least squares does not ask for it.
+/// Links (numbered from 1, as in the names) whose standard parameters belong to no possible body.
+/// Their pseudo-inertia `[[tr(I)/2 1 - I, MS], [MS', M]]` is not positive definite (Wensing, Kim
+/// and Slotine 2018). Least squares does not enforce this.
 pub fn implausible_links(parameters: &[StandardParameter], standard: &[f64]) -> Vec<usize> {
     let value = |row: usize, which: Inertial| {
         let at = parameters.iter().position(|p| *p == StandardParameter::Link(row, which));
@@ -109,7 +109,7 @@ pub fn implausible_links(parameters: &[StandardParameter], standard: &[f64]) -> 
     .collect()
 }
 
-/// How large a change of this parameter may be.
+/// Typical size of a change of this parameter.
 fn size(parameters: &[StandardParameter], prior: &[f64], index: usize) -> f64 {
     const LENGTH: f64 = 0.2;
     let StandardParameter::Link(row, which) = parameters[index] else { return prior[index].abs().max(0.1) };
@@ -127,7 +127,7 @@ mod tests {
     use super::*;
     use crate::identify::planar::{Planar, STANDARD};
 
-    /// `IA1` stands in `ZZ1R` alone; a small `ZZ1R` would make it negative.
+    /// `IA1` occurs in `ZZ1R` alone; a small `ZZ1R` would make it negative.
     #[test]
     fn a_rotor_that_shares_a_base_parameter_is_not_negative() {
         let arm = Planar::new();

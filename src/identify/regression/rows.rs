@@ -1,13 +1,13 @@
-//! The rows of the base regressor: each joint's columns, evaluated over a block of samples.
+//! Evaluates the rows of the base regressor: each joint's columns over a block of samples.
 
 use crate::model::{Arm, DriveTerm, States, SummedSign};
 
 /// Index of each joint's entries in [`Arm::base_pattern`].
 #[derive(Debug, Clone)]
 pub(crate) struct Rows {
-    /// Base parameters of each joint's row.
+    /// Base parameters in each joint's row.
     pub(crate) columns: Vec<Vec<usize>>,
-    /// First entry of each joint's row in the pattern, and the end.
+    /// Index of the first entry of each joint's row in the pattern, and the end.
     pub(crate) offsets: Vec<usize>,
     /// Position of each joint's Coulomb column, `FCj`, within its row.
     pub(crate) coulomb: Vec<Option<usize>>,
@@ -31,8 +31,8 @@ impl Rows {
         Self { columns, offsets, coulomb, sums: arm.summed_signs() }
     }
 
-    /// The regressor's entries, `entries * len`. Where `sign` (joint-major, those of the sums
-    /// behind) is given it takes the place of the velocity's sign in the Coulomb columns.
+    /// Evaluates the regressor's entries, `entries * len`. If `sign` (joint-major, followed by the
+    /// sums) is given, it replaces the sign of the velocity in the Coulomb columns.
     pub(crate) fn evaluate(&self, arm: &dyn Arm, states: &States, sign: &[f64], out: &mut Vec<f64>) {
         let len = states.len;
         out.clear();
@@ -75,7 +75,7 @@ mod tests {
             let at = rows.coulomb[joint].map(|k| rows.columns[joint][k]);
             assert_eq!(at.map(|c| arm.base_parameters()[c].name.as_str()), Some(*name));
         }
-        // A sign that is given takes its place.
+        // A given sign replaces that of the velocity.
         let states = States { len: 1, q: vec![0.1, 0.2], dq: vec![1.0, 1.0], ddq: vec![0.0; 2] };
         let (mut plain, mut given) = (Vec::new(), Vec::new());
         rows.evaluate(&arm, &states, &[], &mut plain);

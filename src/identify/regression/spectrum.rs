@@ -1,22 +1,22 @@
-//! Small dense linear algebra on the triangular factor: singular values, null space, inverse.
+//! Dense linear algebra on the small triangular factor: singular values, null space, inverse.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::identify::regression::r_factor::RFactor;
 
-/// The factor of a least-squares problem, `min |R x - z|`, with its columns scaled to unit norm.
+/// Factor of a least-squares problem `min |R x - z|`, with the norms of its columns for scaling.
 #[derive(Debug, Clone)]
 pub(in crate::identify) struct Small {
-    /// `R`, upper triangular, `p * p`.
+    /// Matrix `R`, upper triangular, `p * p`.
     pub(in crate::identify) r: DMatrix<f64>,
-    /// `z`.
+    /// Right-hand side `z`.
     pub(in crate::identify) z: DVector<f64>,
-    /// Norm of each column; 1 for a column of zeros.
+    /// Norm of each column; 1 for a zero column.
     pub(in crate::identify) scale: Vec<f64>,
 }
 
 impl Small {
-    /// From the factor of `[A b]`.
+    /// Takes `R` and `z` from the factor of `[A b]`.
     pub(in crate::identify) fn new(triangle: &RFactor) -> Self {
         let p = triangle.columns() - 1;
         let r = DMatrix::from_fn(p, p, |i, k| triangle.get(i, k));
@@ -42,8 +42,8 @@ impl Small {
         })
     }
 
-    /// Orthonormal basis (columns) of the combinations of scaled parameters that the data say
-    /// nothing about: singular values of the scaled factor below `tolerance` times the largest.
+    /// Orthonormal basis (columns) of the undetermined combinations of scaled parameters: singular
+    /// values of the scaled factor below `tolerance` times the largest.
     pub(in crate::identify) fn null_space(&self, tolerance: f64) -> DMatrix<f64> {
         let p = self.scale.len();
         let svd = self.scaled().svd(false, true);
@@ -53,9 +53,9 @@ impl Small {
         DMatrix::from_fn(p, rows.len(), |i, k| v_t[(rows[k], i)])
     }
 
-    /// `G` with `G G' = (R' R)^-1`: the inverse of `R`, or, where the data leave `null` open, the
-    /// pseudo-inverse in scaled parameters. `G R` is then the projection on the determined
-    /// directions.
+    /// Matrix `G` with `G G' = (R' R)^-1`: the inverse of `R`, or, if the directions `null` are
+    /// undetermined, the pseudo-inverse in scaled parameters. `G R` is then the projection on the
+    /// determined directions.
     pub(in crate::identify) fn inverse(&self, null: &DMatrix<f64>) -> DMatrix<f64> {
         let p = self.scale.len();
         if null.ncols() == 0 {
@@ -80,7 +80,7 @@ impl Small {
         inverse
     }
 
-    /// The solution nearest to `prior` (in scaled parameters where the data leave something open).
+    /// Solution nearest to `prior` (in scaled parameters, if some directions are undetermined).
     pub(in crate::identify) fn solve(
         &self,
         inverse: &DMatrix<f64>,
@@ -91,8 +91,8 @@ impl Small {
     }
 }
 
-/// Groups of parameters that a null space couples: parameters `i` and `k` belong together where the
-/// projector on it has an entry `(i, k)` that is not zero.
+/// Groups of parameters coupled by a null space: parameters `i` and `k` belong together if entry
+/// `(i, k)` of the projector on it is nonzero.
 pub(in crate::identify) fn coupled(null: &DMatrix<f64>) -> Vec<Vec<usize>> {
     let projector = null * null.transpose();
     let p = null.nrows();

@@ -1,47 +1,49 @@
-//! Standard deviations of the parameters when the noise is filtered, so not white.
+//! Standard deviations of the parameters under filtered, hence correlated, noise.
 //!
 //! With `A = sum_j w_j^2 W_j' W_j` the estimate's covariance is `A^-1 B A^-1`, `B` that of the
 //! score `sum_j w_j^2 W_j' e_j`. For white noise `B = A`. A low-pass correlates neighbouring
-//! samples, so that 10,000 of them have the information of some hundreds: `B` is larger. As in the
+//! samples, so that 10,000 of them have the information of a few hundred: `B` is larger. As in the
 //! method of batch means (Chen and Seila 1987; Flegal and Jones 2010) and in cluster-robust
 //! regression (Liang and Zeger 1986), the scores of batches that are long against the correlation
-//! time are nearly independent. Their squares therefore show how much larger. The score of batch
-//! `b` of joint `j`, `s_jb = w_j^2 W_jb' (tau_jb - W_jb beta)`, needs only that batch's Gram
-//! matrix: no second pass.
+//! time are nearly independent. Their squares therefore show how much larger `B` is. The score of
+//! batch `b` of joint `j`, `s_jb = w_j^2 W_jb' (tau_jb - W_jb beta)`, requires only that batch's
+//! Gram matrix, so the log is read once.
 //!
-//! From some tens of batches a `57 * 57` matrix can't be had with any precision, but one number per
-//! joint can: `lambda_j = sum_b s_jb' A^-1 s_jb / sum_b tr(A^-1 (A_jb - A_jb A^-1 A_jb))`. It is
-//! the ratio of the batches' variance to that of white noise; the second term is the part that the
-//! fit itself removes (Bell and McCaffrey 2002 correct for the same). Then `B = sum_j lambda_j
-//! w_j^2 W_j' W_j`, and joint `j` has `N_j / lambda_j` effective samples. Because the scores carry
-//! the regressor's own spectrum, `lambda` is that of the frequencies at which the motion excites.
+//! Some tens of batches do not determine a `57 * 57` matrix with useful precision, but they
+//! determine one number per joint: `lambda_j = sum_b s_jb' A^-1 s_jb / sum_b tr(A^-1 (A_jb - A_jb
+//! A^-1 A_jb))`. It is the ratio of the batches' variance to that of white noise; the second term
+//! is the part that the fit itself removes (Bell and McCaffrey 2002 correct for the same). Then `B
+//! = sum_j lambda_j w_j^2 W_j' W_j`, and joint `j` has `N_j / lambda_j` effective samples. Because
+//! the scores carry the regressor's own spectrum, `lambda` applies to the frequencies that the
+//! motion excites.
 //!
-//! One number per joint takes the error to be spread over the motion as the regressor is. It is
-//! not where friction is wrong for some hundredths of a second at each reversal, and accelerations
-//! are largest: inertias then err more, viscous friction less. [`Directions`] compares for each
-//! parameter what the batches show with what `lambda` expects.
+//! One number per joint assumes that the error is distributed over the motion like the regressor.
+//! This fails if friction is wrong for some hundredths of a second at each reversal, where
+//! accelerations are largest: the errors of inertias are then larger, those of viscous friction
+//! smaller. [`Directions`] compares, for each parameter, the variance of the batches with that
+//! expected from `lambda`.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::identify::regression::wls::{JointSystem, Solution, positions};
 
-/// Fewer degrees of freedom show nothing of a single parameter.
+/// Fewest degrees of freedom for a statement on a single parameter.
 const LEAST: f64 = 4.0;
 
-/// Noise of the joints' torques, as the residual shows it.
+/// Noise of the joints' torques, estimated from the residual.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Noise {
     /// Standard deviation of each joint's residual, N m.
     pub sigma: Vec<f64>,
     /// Number of samples per independent sample, per joint, at least 1.
     pub inflation: Vec<f64>,
-    /// Samples divided by that.
+    /// Number of samples divided by the inflation, per joint.
     pub effective_samples: Vec<f64>,
-    /// Batches of which the inflation was found, per joint.
+    /// Number of batches from which the inflation was estimated, per joint.
     pub batches: Vec<usize>,
 }
 
-/// `lambda_j` for each joint, and the covariance of the active parameters.
+/// Noise with `lambda_j` for each joint, and the covariance of the active parameters.
 pub(in crate::identify) fn covariance(
     joints: &[JointSystem],
     solution: &Solution,
@@ -62,8 +64,8 @@ pub(in crate::identify) fn covariance(
         noise.batches.push(joint.batches.len());
         directions.add(joint, &pairs, inverse, [weight, lambda * (weight * sigma).powi(2)], &solution.beta);
         if joint.samples > 0 {
-            // A^-1 w_j R_j' sqrt(lambda_j) w_j sigma_j, then its square; w_j sigma_j is 1 unless
-            // weights were not wanted.
+            // Adds A^-1 w_j R_j' sqrt(lambda_j) w_j sigma_j, then its square; w_j sigma_j is 1
+            // unless weighting is switched off.
             let r = DMatrix::from_fn(joint.columns.len(), pairs.len(), |i, k| {
                 if i <= pairs[k].0 { joint.triangle.get(i, pairs[k].0) } else { 0.0 }
             });
@@ -98,11 +100,12 @@ fn weighted(
     (a, score)
 }
 
-/// For each active parameter, squares of the batches' shares in its error: shown and expected.
+/// For each active parameter, summed squares of the batches' contributions to its error: observed
+/// and expected.
 struct Directions {
     shown: Vec<f64>,
     expected: Vec<f64>,
-    /// Sum of the squares of what is expected of each batch.
+    /// Sum over batches of the squared expected contribution.
     squares: Vec<f64>,
 }
 
@@ -112,7 +115,7 @@ impl Directions {
         Self { shown: zeros(), expected: zeros(), squares: zeros() }
     }
 
-    /// Adds a joint's batches. `variance`: of a weighted row, with its inflation.
+    /// Adds a joint's batches. `variance`: of a weighted row, including the inflation.
     fn add(
         &mut self,
         joint: &JointSystem,
@@ -122,7 +125,7 @@ impl Directions {
         beta: &[f64],
     ) {
         let rows: Vec<usize> = pairs.iter().map(|pair| pair.1).collect();
-        // Column k: what a score of this joint adds to the error of parameter k.
+        // Column k: contribution of a score of this joint to the error of parameter k.
         let gains = inverse.select_rows(&rows);
         let local = gains.select_columns(&rows);
         for gram in &joint.batches {
@@ -140,9 +143,9 @@ impl Directions {
         }
     }
 
-    /// Factor of each parameter's variance: shown by expected, drawn together as far as the
+    /// Factor of each parameter's variance: observed over expected, shrunk together as far as the
     /// parameters differ by chance alone. (Smyth 2004: with `d` degrees of freedom each, the
-    /// logarithm scatters by `2 / d`, and what it scatters more is theirs.)
+    /// logarithm has a variance of `2 / d`, and any excess is due to the parameters.)
     fn ratios(&self) -> Vec<f64> {
         let freedom = |k: usize| if self.squares[k] > 0.0 { self.expected[k].powi(2) / self.squares[k] } else { 0.0 };
         let known: Vec<usize> = (0..self.shown.len()).filter(|&k| freedom(k) >= LEAST && self.shown[k] > 0.0).collect();
@@ -163,7 +166,7 @@ impl Directions {
     }
 }
 
-/// `lambda_j`, given the block of `A^-1` that belongs to the joint's parameters.
+/// Inflation `lambda_j`, given the block of `A^-1` that belongs to the joint's parameters.
 fn inflation(
     joint: &JointSystem,
     pairs: &[(usize, usize)],
@@ -181,7 +184,7 @@ fn inflation(
     }
     let lambda = shown / (white * w2 * sigma * sigma);
     let samples = joint.samples.max(1) as f64;
-    // Too few batches to show anything: what the band has room for.
+    // With too few batches, the bound by the bandwidth is used.
     let most = if joint.independent > 0.0 { samples / joint.independent } else { 1.0 };
     if white > 1e-6 && lambda.is_finite() { lambda.clamp(1.0, samples) } else { most }
 }
@@ -191,8 +194,9 @@ mod tests {
     use super::*;
     use crate::identify::RFactor;
 
-    /// One parameter, seen alike by batches with these scores; `shown / white` by hand: each batch adds
-    /// its squared score by the sum of squares, and `1/4 - 1/16` of its own is expected.
+    /// One parameter, with batches that differ only in these scores. The value is computed by hand.
+    /// Each batch adds its squared score divided by the sum of squares. Its expectation is `1/4 -
+    /// 1/16`.
     fn by_scores(scores: &[f64]) -> f64 {
         let joint = JointSystem {
             columns: vec![0],
@@ -211,8 +215,8 @@ mod tests {
     fn scores_that_scatter_more_than_white_noise_widen() {
         let found = by_scores(&[3.0, -3.0, 3.0, -3.0]);
         assert!((found - 0.25 * 36.0 / 0.75).abs() < 1e-12, "{found}");
-        // Never narrower than white noise, nor wider than one sample's; of no batch, what the band has
-        // room for.
+        // Never narrower than white noise, nor wider than that of a single sample; without batches,
+        // the value given by the bandwidth.
         assert_eq!([by_scores(&[0.1; 4]), by_scores(&[60.0; 4]), by_scores(&[])], [1.0, 100.0, 5.0]);
     }
 }

@@ -1,8 +1,8 @@
 //! Weighted least squares on the joints' factors, each joint weighted by its own noise (Gautier
 //! 1997; Khalil and Dombre, section 12.5).
 //!
-//! `min sum_j w_j^2 |R_j beta_j - z_j|^2` with `w_j = 1 / sigma_j`, `sigma_j` from the residual of
-//! the solution before, until nothing changes.
+//! Solves `min sum_j w_j^2 |R_j beta_j - z_j|^2` with `w_j = 1 / sigma_j`, `sigma_j` from the
+//! residual of the previous solution, until convergence.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -10,26 +10,26 @@ use crate::identify::regression::accumulator::{Factors, JointFactor};
 use crate::identify::regression::r_factor::RFactor;
 use crate::identify::regression::spectrum::Small;
 
-/// One joint's equations over all logs of the fit.
+/// Equations of one joint over all fitted logs.
 #[derive(Debug, Clone)]
 pub(in crate::identify) struct JointSystem {
     pub(in crate::identify) columns: Vec<usize>,
     pub(in crate::identify) triangle: RFactor,
-    /// `R_j' R_j`, column-major, `(n + 1)^2`.
+    /// Gram matrix `R_j' R_j`, column-major, `(n + 1)^2`.
     pub(in crate::identify) gram: Vec<f64>,
     pub(in crate::identify) samples: usize,
-    /// [`JointFactor::independent`].
+    /// Independent samples, see [`JointFactor::independent`].
     pub(in crate::identify) independent: f64,
     pub(in crate::identify) torque_rms: f64,
-    /// Farthest that it moved in any log, rad or m.
+    /// Largest range of its position in any log, rad or m.
     pub(in crate::identify) travel: f64,
     /// Gram matrices of batches.
     pub(in crate::identify) batches: Vec<Vec<f64>>,
 }
 
 impl JointSystem {
-    /// Joins a joint's factors of several logs. Logs in which its torque is zero throughout are
-    /// left out.
+    /// Merges the factors of each joint over several logs. Logs in which its torque is zero
+    /// throughout are left out.
     pub(in crate::identify) fn all(logs: &[Factors], parameters: usize) -> Vec<Self> {
         let dof = logs.first().map_or(0, |log| log.joints.len());
         debug_assert!(logs.iter().all(|log| log.parameters == parameters && log.joints.len() == dof));
@@ -62,7 +62,7 @@ impl JointSystem {
             .collect()
     }
 
-    /// Turns the sign of the torque about.
+    /// Negates the torque.
     pub(in crate::identify) fn turn(&mut self) {
         self.triangle.negate_last();
     }
@@ -73,7 +73,7 @@ impl JointSystem {
         self.triangle.norm_of(&x)
     }
 
-    /// Pairs (position in the joint's columns, position among the active parameters).
+    /// Pairs of (position in the joint's columns, position among the active parameters).
     pub(in crate::identify) fn active(&self, position: &[Option<usize>]) -> Vec<(usize, usize)> {
         self.columns.iter().enumerate().filter_map(|(i, &c)| position[c].map(|p| (i, p))).collect()
     }
@@ -111,24 +111,24 @@ pub(in crate::identify) fn stacked(
     triangle
 }
 
-/// A solution of the weighted problem.
+/// Solution of the weighted problem.
 #[derive(Debug, Clone)]
 pub(in crate::identify) struct Solution {
-    /// All parameters; zero where not active.
+    /// Values of all parameters; zero if not active.
     pub(in crate::identify) beta: Vec<f64>,
     pub(in crate::identify) active: Vec<usize>,
-    /// `1 / sigma_j`.
+    /// Weights `1 / sigma_j`.
     pub(in crate::identify) weights: Vec<f64>,
-    /// `sigma_j`, N m.
+    /// Residual standard deviations `sigma_j`, N m.
     pub(in crate::identify) sigma: Vec<f64>,
-    /// `(sum_j w_j^2 W_j' W_j)^-1` over the active parameters.
+    /// Inverse information `(sum_j w_j^2 W_j' W_j)^-1` over the active parameters.
     pub(in crate::identify) inverse_information: DMatrix<f64>,
     pub(in crate::identify) small: Small,
     pub(in crate::identify) null: DMatrix<f64>,
     pub(in crate::identify) iterations: usize,
 }
 
-/// Settings of the problem, besides the data.
+/// Weighted least-squares problem: data and settings.
 #[derive(Debug, Clone)]
 pub(in crate::identify) struct Problem<'a> {
     pub(in crate::identify) joints: &'a [JointSystem],
@@ -140,7 +140,7 @@ pub(in crate::identify) struct Problem<'a> {
 }
 
 impl Problem<'_> {
-    /// Solves for the active parameters; the weights start at `weights` or at 1.
+    /// Solves for the active parameters, with `weights` (default 1) as initial weights.
     pub(in crate::identify) fn solve(&self, active: &[usize], weights: Option<&[f64]>) -> Solution {
         let prior = DVector::from_fn(active.len(), |i, _| self.prior[active[i]]);
         let mut weights: Vec<f64> = weights.map_or_else(|| vec![1.0; self.joints.len()], <[f64]>::to_vec);
@@ -175,9 +175,10 @@ impl Problem<'_> {
         }
     }
 
-    /// Standard deviation of each joint's residual, with the degrees of freedom that the parameters
-    /// take from that joint: `sigma_j^2 = |tau_j - W_j beta|^2 / (N_j - w_j^2 tr(A^-1 W_j' W_j))`.
-    /// At least 1e-9 of the torque, lest an exact fit gets an infinite weight.
+    /// Standard deviation of each joint's residual, corrected for the degrees of freedom that the
+    /// parameters take from that joint: `sigma_j^2 = |tau_j - W_j beta|^2 / (N_j - w_j^2 tr(A^-1
+    /// W_j' W_j))`. It is at least 1e-9 of the torque, so that an exact fit does not get an
+    /// infinite weight.
     fn sigmas(&self, beta: &[f64], active: &[usize], weights: &[f64], inverse: &DMatrix<f64>) -> Vec<f64> {
         let position = positions(active, self.parameters);
         self.joints

@@ -1,4 +1,4 @@
-//! Values, weights, essential parameters, prior.
+//! Tests of values, weights, essential parameters and prior.
 
 use super::*;
 use crate::identify::{
@@ -56,8 +56,8 @@ fn agrees_with_a_dense_solution() {
     let inverse = (w.transpose() * &w).try_inverse().unwrap();
     for (i, p) in found.parameters.iter().enumerate() {
         assert!((p.value - dense[i]).abs() < 1e-8);
-        // White noise: the deviation is that of the textbook but for the inflation, which is 1
-        // within its own scatter.
+        // White noise: the standard deviation is that of the textbook except for the inflation,
+        // which is 1 within its own scatter.
         let ratio = p.std / (inverse[(i, i)] * variance).sqrt();
         assert!((0.95..1.4).contains(&ratio), "{}: {ratio}", p.name);
     }
@@ -204,7 +204,7 @@ fn wrong_numbers_are_refused() {
     assert!(solve(&arm, &[factors(&arm, &[huge])], &[], &IdentifySettings::default()).is_err());
 }
 
-/// The residual of few samples is smaller than the noise, as parameters take their part of it.
+/// The residual of few samples is smaller than the noise, since the parameters absorb part of it.
 #[test]
 fn noise_of_few_samples_is_not_too_small() {
     let arm = Planar::new();
@@ -218,7 +218,7 @@ fn noise_of_few_samples_is_not_too_small() {
     assert!(mean.iter().all(|m| (m - 1.0).abs() < 0.1), "{mean:?}");
 }
 
-/// Low-passed noise shows the same inflation in four batches as in twenty.
+/// Low-passed noise gives the same inflation with four batches as with twenty.
 #[test]
 fn few_batches_show_the_same_inflation() {
     let arm = Planar::new();
@@ -236,7 +236,8 @@ fn few_batches_show_the_same_inflation() {
     assert!((mean[0] / mean[1] - 1.0).abs() < 0.2, "{mean:?}");
 }
 
-/// Friction that changes from second to second makes itself less sure, and other parameters less so.
+/// Friction that changes over time increases its own standard deviation, and that of other
+/// parameters less.
 #[test]
 fn what_changes_is_less_sure() {
     let arm = Planar::new();
@@ -263,8 +264,8 @@ fn fewer_numbers_than_unknowns_determine_nothing() {
     assert!(matches!(found.underdetermined(), Some(crate::identify::Underdetermined::Equations { .. })));
 }
 
-/// The least change in sizes `m`, `m l` and `m l^2`: Lagrange's condition, that changes by the
-/// squares of their sizes are a sum of the constraints.
+/// The least change with sizes `m`, `m l` and `m l^2` satisfies Lagrange's condition: changes
+/// divided by their squared sizes are a linear combination of the constraints.
 #[test]
 fn standard_parameters_change_by_their_sizes() {
     use crate::model::StandardParameter;
@@ -301,7 +302,8 @@ fn standard_parameters_change_by_their_sizes() {
     assert!(pull.norm() > 0.1 && left.norm() < 1e-9 * pull.norm(), "{} {}", left.norm(), pull.norm());
 }
 
-/// A standard deviation: twice the errors of the motion are twice those of the torque.
+/// Standard deviations scale linearly: twice the errors of the motion give twice those of the
+/// torque.
 #[test]
 fn errors_of_the_motion_go_into_the_torque_as_they_are() {
     let arm = Planar::new();
@@ -315,8 +317,8 @@ fn errors_of_the_motion_go_into_the_torque_as_they_are() {
     }
 }
 
-/// The F test has as many degrees of freedom as independent numbers are left by the parameters: a
-/// short log, in which that tells.
+/// The F test has as many degrees of freedom as there are independent samples minus parameters,
+/// which matters for a short log.
 #[test]
 fn few_samples_leave_few_degrees_of_freedom() {
     use statrs::distribution::{ContinuousCDF, FisherSnedecor};

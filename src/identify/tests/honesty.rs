@@ -1,11 +1,11 @@
-//! Monte Carlo: the truth lies within two stated standard deviations in about 95 % of the runs,
-//! whatever the noise's colour.
+//! Monte Carlo tests: the truth lies within two stated standard deviations in about 95 % of the
+//! runs, for white and coloured noise.
 
 use super::*;
 use crate::identify::planar::motion;
 
 /// Share of (run, parameter) pairs within two standard deviations, and the root mean square of
-/// error / deviation.
+/// error / standard deviation.
 fn coverage(runs: u64, rate: f64, seconds: f64, filtered: bool) -> (f64, f64) {
     let arm = Planar::new();
     let truth = arm.beta();
@@ -42,22 +42,22 @@ fn short_record() {
     assert!((0.92..0.985).contains(&within) && (0.85..1.15).contains(&spread), "{within} {spread}");
 }
 
-/// Result of the white-noise formula on the same data: its deviations are too small by the root of
-/// the inflation.
+/// The white-noise formula on the same data gives standard deviations too small by the root of the
+/// inflation.
 #[test]
 fn filtered_noise_is_told_from_white() {
     let arm = Planar::new();
     let mut m = motion(&arm, 10.0, 1000.0, 0.0);
     add_noise(&mut m, [2.0, 0.6], true, 7);
     let found = identify(&arm, &[m]);
-    // A zero-phase low-pass at 10 Hz leaves about 2 * 9.5 Hz * 10 s independent numbers of 10,000.
+    // A zero-phase low-pass at 10 Hz leaves about 2 * 9.5 Hz * 10 s independent samples of 10,000.
     for joint in 0..2 {
         let n = found.noise.effective_samples[joint];
         assert!((110.0..350.0).contains(&n), "{n}");
     }
 }
 
-/// Shannon: `2 f T + 1` numbers say all of a torque below `f`.
+/// Shannon: `2 f T + 1` numbers fully represent a torque below `f`.
 #[test]
 fn a_band_holds_twice_its_width_of_samples() {
     let arm = Planar::new();
@@ -68,21 +68,21 @@ fn a_band_holds_twice_its_width_of_samples() {
     }
 }
 
-/// Runs of a test: few in a hurry, `DENAVIT_HONESTY=200` for figures.
+/// Number of runs of a test: `few` by default, `DENAVIT_HONESTY=200` for published figures.
 fn runs(few: u64) -> u64 {
     std::env::var("DENAVIT_HONESTY").ok().and_then(|n| n.parse().ok()).unwrap_or(few)
 }
 
-/// Scores (error by deviation) of many runs: share within three, and root mean square.
+/// Share of the scores (error / standard deviation) within three, and their root mean square.
 fn within_three(scores: &[f64]) -> (f64, f64) {
     let within = scores.iter().filter(|z| z.abs() < 3.0).count() as f64 / scores.len() as f64;
     (within, (scores.iter().map(|z| z * z).sum::<f64>() / scores.len() as f64).sqrt())
 }
 
-/// A log of joints that dry friction holds at every reversal. Speeds below a tenth of a radian per
-/// second are none, and meanwhile friction passes from one level to the other. Encoders of 1e-5
+/// A log of joints that dry friction holds at every reversal. Speeds below 0.1 rad/s are set to
+/// zero, and meanwhile friction passes from one level to the other. Encoders have steps of 1e-5
 /// rad. Positions and torques are means over each sample's time: a hold lasts some samples, and
-/// accelerations that are only picked at the samples don't add up to the velocities.
+/// accelerations merely picked at the samples do not add up to the velocities.
 fn sticking(arm: &Planar, rate: f64, noise: f64, seed: u64) -> crate::data::log::Log {
     const FINER: usize = 10;
     let mut m = motion(arm, 12.0, rate * FINER as f64, 0.37 * seed as f64);
@@ -119,8 +119,8 @@ fn sticking(arm: &Planar, rate: f64, noise: f64, seed: u64) -> crate::data::log:
     crate::identify::planar::log(&m)
 }
 
-/// Rows of a joint that sticks are no part of its equation: dry friction is nearly all of the
-/// residual there, and its sign is not known.
+/// Rows of a joint that sticks are left out of its equation: dry friction dominates the residual
+/// there, and its sign is unknown.
 #[test]
 fn rows_of_joints_that_stick_are_left_out() {
     use crate::data::log::Replay;
@@ -147,7 +147,7 @@ fn rows_of_joints_that_stick_are_left_out() {
     }
     let (within, spread) = within_three(&scores);
     println!("{} runs: {within} within three deviations, spread {spread}; squares {squares:?}", runs(6));
-    // 200 runs: 99.4 % within three deviations, spread 1.11; what the low-pass carries stays in.
+    // 200 runs: 99.4 % within three deviations, spread 1.11, since low-passed rows are kept.
     assert!(within >= 0.985 && spread < 1.25, "{within} {spread}");
     assert!(squares[0] < squares[1], "{squares:?}");
 }
@@ -165,7 +165,7 @@ fn waves(n: usize, rate: f64) -> crate::model::States {
     crate::model::States { len, q: all(0), dq: all(1), ddq: all(2) }
 }
 
-/// A hand with a tool on it: a robot of the repository, and what both weigh.
+/// A hand with a tool: a robot of the repository, and the parameters of both.
 struct Hand {
     arm: crate::model::interpreted::Interpreted,
     standard: Vec<f64>,
@@ -203,7 +203,7 @@ impl Hand {
         stack.finish()
     }
 
-    /// Errors of the estimated tool, by their standard deviations.
+    /// Errors of the estimated tool in units of their standard deviations.
     fn scores(
         &self,
         unloaded: &[Factors],
@@ -216,7 +216,7 @@ impl Hand {
     }
 }
 
-/// Without an unloaded log: the robot's parameters are as wrong as their covariance says.
+/// Without an unloaded log: the robot's parameters have errors according to their covariance.
 #[test]
 fn a_tool_on_a_robot_that_is_known_to_so_much() {
     use crate::identify::recover_standard;
@@ -245,7 +245,7 @@ fn a_tool_on_a_robot_that_is_known_to_so_much() {
     assert!(without > 2.0, "{without}");
 }
 
-/// With an unloaded log nothing of the robot has to be known.
+/// With an unloaded log the robot need not be known.
 #[test]
 fn a_tool_beside_the_empty_hand() {
     let (hand, settings) = (Hand::new(), crate::identify::tool::ToolSettings::default());
@@ -260,8 +260,8 @@ fn a_tool_beside_the_empty_hand() {
     assert!(within >= 0.985 && (0.7..1.2).contains(&spread), "{within} {spread}");
 }
 
-/// A scale with a standard deviation is one more measurement of the mass: precisions add, and what
-/// is correlated with the mass goes along with it.
+/// A scale with a standard deviation is one more measurement of the mass: precisions add, and
+/// parameters correlated with the mass are updated accordingly.
 #[test]
 fn a_scale_is_a_measurement() {
     use crate::identify::tool::{ToolSettings, identify_tool};
@@ -285,8 +285,8 @@ fn a_scale_is_a_measurement() {
     assert!(along > 0, "nothing is correlated with the mass");
 }
 
-/// Tools that are known to so much: probabilities are those of normal densities, of which the widest
-/// is the lowest.
+/// Tools with a tolerance: probabilities are those of normal densities, of which the widest is the
+/// lowest.
 #[test]
 fn tools_are_as_likely_as_their_densities() {
     use crate::identify::tool::{Entry, RecogniseSettings, ToolSettings, identify_tool, recognise};

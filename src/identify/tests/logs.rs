@@ -1,4 +1,4 @@
-//! From a file's bytes to parameters.
+//! Tests from the bytes of a file to the parameters.
 
 use super::*;
 use crate::data::log::{LogError, Quantity, csv, open};
@@ -24,7 +24,7 @@ fn from_bytes(
     Ok(solve(arm, &[stack.finish()], &[], &IdentifySettings::default()).unwrap())
 }
 
-/// Largest error relative to what the parameter is worth in torque: 1 kg m^2 is as bad as 1 N m.
+/// Largest error of the parameters, weighted by their torque: 1 kg m^2 counts as 1 N m.
 fn worst(arm: &Planar, found: &Identification) -> f64 {
     found.parameters.iter().zip(arm.beta()).map(|(p, t)| (p.value - t).abs()).fold(0.0, f64::max)
 }
@@ -35,7 +35,7 @@ fn positions_and_torques_suffice() {
     let m = motion(&arm, 20.0, 1000.0, 0.0);
     let prepare = Prepare::default();
     let found = from_bytes(&arm, &bytes(&m), &prepare, AccumulatorSettings::default()).unwrap();
-    // The low-pass rounds the steps of the Coulomb torque; the parallel filter rounds the column
+    // The low-pass rounds the steps of the Coulomb torque; the parallel filter rounds its column
     // alike.
     assert!(worst(&arm, &found) < 0.06, "{}", worst(&arm, &found));
     let parallel = AccumulatorSettings { parallel: Some((5, 10.0)), ..Default::default() };
@@ -59,7 +59,7 @@ fn chunks_do_not_show() {
             let b = from_bytes(&arm, &csv, &pieces, AccumulatorSettings::default()).unwrap();
             assert_eq!(a.samples, b.samples);
             for ((a, b), w) in a.parameters.iter().zip(&b.parameters).zip(&whole.parameters) {
-                // Only the velocity noise, found chunk by chunk, differs.
+                // Only the velocity noise, estimated chunk by chunk, differs.
                 assert!((a.value - b.value).abs() < 0.3 * a.std, "{}: {} {}", a.name, a.value, b.value);
                 assert!((a.value - w.value).abs() < 3.0 * w.std);
             }
@@ -96,8 +96,8 @@ fn chunks_are_filtered_as_the_whole_is() {
     }
 }
 
-/// White noise on the recorded torque, the whole way from the file: the truth is where the
-/// deviations say.
+/// White noise on the recorded torque, from the file to the result: the truth is within the stated
+/// standard deviations.
 #[test]
 fn honest_from_the_file_on() {
     let arm = Planar::new();
@@ -211,7 +211,7 @@ fn a_budget_keeps_as_much_of_a_thousand_stretches_as_of_some() {
     some.iter().zip(&many).for_each(|(a, b)| assert!((a / b - 1.0).abs() < 0.1, "{a} {b}"));
 }
 
-/// Torques that are moved back by more than the low-pass settles in: no boundary of chunks shows.
+/// Torques shifted back by more than the low-pass's settling time: chunk boundaries have no effect.
 #[test]
 fn a_long_delay_crosses_the_chunks() {
     let arm = Planar::new();

@@ -1,4 +1,4 @@
-//! Factors that travel: their bytes, and the law of merging.
+//! Tests of serialised factors and of merging.
 
 use proptest::prelude::*;
 
@@ -18,7 +18,7 @@ fn recording(arm: &Planar, motions: &[Motion]) -> RecordingFactor {
     RecordingFactor { robot: ROBOT, factors: factors(arm, motions) }
 }
 
-/// Through the bytes.
+/// Serialises and parses the factor.
 fn carried(factor: &RecordingFactor) -> RecordingFactor {
     RecordingFactor::from_bytes("carried", &factor.to_bytes()).unwrap()
 }
@@ -105,7 +105,7 @@ fn bytes_hold_all_but_the_batches() {
     assert_eq!(RecordingFactor::from_bytes("x", &long), Err(FactorError::Long(1)));
 }
 
-/// A count of four thousand million columns in a file of some bytes sets no memory aside.
+/// A count of four thousand million columns in a file of some bytes allocates no memory.
 #[test]
 fn counts_are_checked_against_the_length() {
     let mut bytes = recording(&Planar::new(), &[noisy(&Planar::new(), 3.0, 0.0, 1)]).to_bytes();

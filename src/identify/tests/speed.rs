@@ -1,12 +1,12 @@
-//! `cargo test --release identify::tests::speed -- --ignored --nocapture`: how long 10,000 samples
-//! of seven joints take.
+//! Measures the time for 10,000 samples of seven joints: `cargo test --release
+//! identify::tests::speed -- --ignored --nocapture`.
 
 use std::time::Instant;
 
 use super::*;
 use crate::model::{Arm, BaseParameter, Description, DriveTerm, Inertial, StandardParameter, States};
 
-/// Seven joints, 57 columns with the structure of a serial arm: joint `j` sees the inertial
+/// Seven joints, 57 columns with the structure of a serial arm: joint `j` depends on the inertial
 /// parameters of the links from `j` on.
 struct Wide(Description);
 
@@ -42,7 +42,7 @@ impl Arm for Wide {
     fn description(&self) -> &Description {
         &self.0
     }
-    /// Cheap numbers of the right shape: the model's own time is not measured here.
+    /// Returns cheap numbers of the right shape: the model's own time is not measured here.
     fn base_regressor(&self, states: &States, out: &mut [f64]) {
         let n = states.len;
         for (k, &(row, column)) in self.0.pattern.iter().enumerate() {
@@ -120,7 +120,7 @@ fn ten_thousand_samples() {
     }
 }
 
-/// An hour of seven joints at 1 kHz, written while it is read: a 16 s piece again and again.
+/// An hour of seven joints at 1 kHz, generated while it is read: a piece of 16 s, repeated.
 struct Hour {
     piece: Vec<String>,
     row: usize,

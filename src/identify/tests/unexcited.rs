@@ -1,4 +1,4 @@
-//! Data that do not determine everything: reported, by name.
+//! Tests that undetermined parameters are reported by name.
 
 use super::*;
 use crate::identify::{Essential, Standing, planar::motion};

@@ -1,4 +1,4 @@
-//! Logs that are not what they are taken for.
+//! Tests with logs that are wrongly recorded or labelled.
 
 use super::*;
 use crate::data::log::{Finding, Kind};
@@ -30,7 +30,7 @@ fn logs_of_one_robot_agree_and_another_ones_is_named() {
     };
     let (times, worst) = disagree(found(&arm, &[a.clone(), other.clone(), b])).unwrap();
     assert!(times > 5.0 && worst.as_deref() == Some("log4.csv"), "{times} {worst:?}");
-    // Of two, neither can be blamed.
+    // Of two logs, neither can be blamed.
     assert_eq!(disagree(found(&arm, &[a, other])).unwrap().1, None);
 }
 
@@ -50,7 +50,7 @@ fn signs(findings: &[Finding]) -> Vec<&str> {
     findings.iter().filter(|f| matches!(f.kind, Kind::Sign { .. })).filter_map(|f| f.column.as_deref()).collect()
 }
 
-/// Joint 2 stands (but for what `tremble` adds), joint 1 moves.
+/// Joint 2 stands (except for the tremble of size `tremble`), joint 1 moves.
 fn standing(arm: &Planar, seconds: f64, phase: f64, tremble: f64, change: impl Fn(&mut [f64])) -> Motion {
     let mut m = motion(arm, seconds, 200.0, phase);
     let len = m.states.len;
@@ -72,8 +72,8 @@ fn standing(arm: &Planar, seconds: f64, phase: f64, tremble: f64, change: impl F
 fn a_joint_that_stands_tells_no_sign_by_its_offset() {
     let arm = Planar::new();
     let fit = log(&arm, 6, |_| {});
-    // Gravity of joint 2 is carried by something else, and a small torque of the other sign is
-    // left.
+    // Gravity of joint 2 is carried by something else, and a small torque of the opposite sign
+    // remains.
     let other = standing(&arm, 8.0, 0.0, 0.0, |tau| tau.iter_mut().for_each(|t| *t *= -0.1));
     let said = |m: Motion| {
         let log = Factors { name: "other.csv".into(), ..factors(&arm, &[m]) };
@@ -81,7 +81,7 @@ fn a_joint_that_stands_tells_no_sign_by_its_offset() {
     };
     let found = said(other);
     assert!(signs(&found).is_empty(), "{found:?}");
-    // A turned sign is reported, as the arm's weight is on that joint.
+    // A reversed sign is reported, since the joint carries the arm's weight.
     let found = said(standing(&arm, 8.0, 0.0, 0.0, |tau| tau.iter_mut().for_each(|t| *t = -*t)));
     assert_eq!(signs(&found), ["tau2"], "{found:?}");
 }
@@ -89,7 +89,7 @@ fn a_joint_that_stands_tells_no_sign_by_its_offset() {
 #[test]
 fn friction_of_a_joint_that_only_trembles_has_no_sign() {
     let arm = Planar::new();
-    // A millimetre at the tip: what brakes there is a spring with memory, here one that leads.
+    // A millimetre at the tip: there friction acts as a spring with hysteresis, here one with lead.
     let lead = |m: &mut Motion| {
         let len = m.states.len;
         for s in len..2 * len {
@@ -100,7 +100,7 @@ fn friction_of_a_joint_that_only_trembles_has_no_sign() {
     lead(&mut m);
     let found = solve(&arm, &[factors(&arm, &[m])], &[], &IdentifySettings::default()).unwrap();
     assert!(signs(&found.findings).is_empty(), "{:?}", found.findings);
-    // The same of a joint that slides is reported.
+    // The same for a joint that slides is reported.
     let mut m = standing(&arm, 12.0, 0.3, 0.2, |_| {});
     lead(&mut m);
     let found = solve(&arm, &[factors(&arm, &[m])], &[], &IdentifySettings::default()).unwrap();

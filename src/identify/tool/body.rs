@@ -1,33 +1,32 @@
-//! From ten parameters to what one can hold a ruler to: mass, centre, tensor at the centre,
-//! principal axes.
+//! Converts ten inertial parameters to measurable quantities: mass, centre, tensor about the
+//! centre, principal axes.
 
 use dh_codegen::robot::Inertia;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 
-/// A body as the workshop describes it. Everything in the axes of the frame that its parameters
-/// were given in.
+/// Body in engineering terms, in the axes of the frame in which its parameters are given.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Body {
     /// Mass, kg.
     pub mass: f64,
     /// Centre of mass, m.
     pub center: [f64; 3],
-    /// Its standard deviations, m, from the covariance of the parameters to first order.
+    /// Standard deviations of the centre, m, from the covariance of the parameters to first order.
     pub center_std: [f64; 3],
     /// Tensor about the centre of mass, `XX YY ZZ XY XZ YZ`, kg m^2.
     pub tensor: [f64; 6],
     /// Principal moments, ascending, kg m^2.
     pub principal_moments: [f64; 3],
-    /// Principal axes, one row each, in the order of the moments, a right-handed set.
+    /// Principal axes, one row each, in the order of the moments; a right-handed set.
     pub principal_axes: [[f64; 3]; 3],
-    /// Why no body can be like this, if so. Least squares does not ask for it, and noise can bring
-    /// it about.
+    /// Reason why the body is physically impossible, if it is. Least squares does not enforce
+    /// possibility, and noise may violate it.
     pub impossible: Option<String>,
 }
 
 impl Body {
-    /// From ten parameters and their covariance (row-major `10 * 10`). `None` where the mass is not
-    /// positive: then there is no centre.
+    /// Body from ten parameters and their covariance (row-major `10 * 10`). `None` if the mass is
+    /// not positive, as there is no centre then.
     pub fn new(values: &[f64; 10], covariance: &[f64]) -> Option<Self> {
         let inertia = Inertia::from_array(*values);
         let mass = inertia.m;
@@ -49,7 +48,7 @@ impl Body {
         order.sort_by(|&a, &b| eigen.eigenvalues[a].total_cmp(&eigen.eigenvalues[b]));
         let mut axes: [Vector3<f64>; 3] = order.map(|k| {
             let axis: Vector3<f64> = eigen.eigenvectors.column(k).into();
-            // Either direction is an axis: the largest component is made positive.
+            // The sign of an axis is arbitrary: the largest component is made positive.
             if axis[axis.icamax()] < 0.0 { -axis } else { axis }
         });
         if axes[0].cross(&axes[1]).dot(&axes[2]) < 0.0 {
@@ -67,7 +66,7 @@ impl Body {
     }
 }
 
-/// The matrix `T` (`10 * 10`) with `pi' = T pi` for a body seen in another frame. `rotation`
+/// Matrix `T` (`10 * 10`) with `pi' = T pi` for a body expressed in another frame. `rotation`
 /// (row-major) and `origin` (m) are those of the present frame in the new one.
 pub fn moving(rotation: &[[f64; 3]; 3], origin: &[f64; 3]) -> nalgebra::SMatrix<f64, 10, 10> {
     let mut matrix = nalgebra::SMatrix::<f64, 10, 10>::zeros();
@@ -80,8 +79,8 @@ pub fn moving(rotation: &[[f64; 3]; 3], origin: &[f64; 3]) -> nalgebra::SMatrix<
     matrix
 }
 
-/// How the parameters change when the body is shifted along an axis (first three, per m) or turned
-/// about it (last three, per rad).
+/// Derivatives of the parameters when the body is shifted along an axis (first three, per m) or
+/// rotated about it (last three, per rad).
 pub(super) fn displacements(values: &[f64; 10]) -> [[f64; 10]; 6] {
     const STEP: f64 = 1e-5;
     let inertia = Inertia::from_array(*values);
@@ -141,8 +140,8 @@ mod tests {
         assert!(d.iter().all(|way| way[0].abs() < 1e-12));
     }
 
-    /// Errors of mass and first moments that go together leave the centre where it is; those that go
-    /// against each other move it by both.
+    /// Positively correlated errors of mass and first moments leave the centre unchanged;
+    /// negatively correlated ones add up.
     #[test]
     fn errors_of_the_centre_are_those_of_a_quotient() {
         let values = [2.0, 0.6, -0.4, 0.2, 0.3, 0.3, 0.3, 0.0, 0.0, 0.0];

@@ -1,4 +1,4 @@
-//! An arm with a body in its hand: the paper's equation (7) as one regressor.
+//! Combines an arm and the body in its hand in one regressor: the paper's equation (7).
 
 use crate::model::{Arm, BaseParameter, Description, Inertial, Payload, StandardParameter, States};
 
@@ -7,8 +7,8 @@ pub fn names() -> [String; 10] {
     Inertial::ALL.map(|p| p.name().to_string())
 }
 
-/// An arm whose base parameters are followed by the ten of a body that it carries (`ML MSXL ...`),
-/// in the frame of [`Payload`]. A loaded log has `[W_b W_L]`, an unloaded one `[W_b 0]`.
+/// An arm whose base parameters are followed by the ten of a carried body (`ML MSXL ...`), in the
+/// frame of [`Payload`]. A loaded log has `[W_b W_L]`, an unloaded one `[W_b 0]`.
 pub struct Carrying<'a> {
     arm: &'a dyn Payload,
     loaded: bool,
@@ -18,7 +18,7 @@ pub struct Carrying<'a> {
 }
 
 impl<'a> Carrying<'a> {
-    /// The arm with the body, or (not `loaded`) the same unknowns while the hand is empty.
+    /// The arm with the body, or (not `loaded`) with the same unknowns and an empty hand.
     pub fn new(arm: &'a dyn Payload, loaded: bool) -> Self {
         let own = arm.base_parameters().len();
         let at = arm.standard_parameters().len();
@@ -43,7 +43,7 @@ impl<'a> Carrying<'a> {
         Self { description, sources, loaded, arm }
     }
 
-    /// The first of the body's ten columns.
+    /// Index of the first of the body's ten columns.
     pub fn first(&self) -> usize {
         self.description.base.len() - 10
     }

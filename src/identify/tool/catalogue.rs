@@ -1,40 +1,41 @@
-//! The tools of `robots/tools/`: their inertias from their geometry.
+//! Computes the inertias of the tools of `robots/tools/` from their geometry.
 //!
-//! The tool frame sits in the face of the flange, z outwards; a roller's axis and a brush's band
-//! lie along x. The flange of the LWR is 0.078 m beyond its last frame. Sizes and masses are those
-//! of hardware that shops sell, rounded; the two rollers of the paper (section VI: 0.35 m x 0.20 m,
-//! 0.2 kg; 0.33 m x 0.10 m, 0.1 kg) are the anchor. Wire and grip are ordinary, and the nap's mass
-//! per metre makes up the rest of the paper's mass. Dry tools: a nap full of paint is another body.
+//! The tool frame is in the face of the flange, z outwards; a roller's axis and the width of a
+//! brush lie along x. The flange of the LWR is 0.078 m beyond its last frame. Sizes and masses are
+//! those of commercial hardware, rounded. The reference is the paper's two rollers (section VI:
+//! 0.35 m x 0.20 m, 0.2 kg; 0.33 m x 0.10 m, 0.1 kg). Wire and grip are ordinary, and the nap's
+//! mass per metre accounts for the rest of the paper's mass. Tools are dry: a nap full of paint is
+//! another body.
 
 use dh_codegen::robot::{Angle, Inertia, Tool, ToolGeometry};
 
 use super::shape::{Assembly, Axis};
 
-/// The flange of the LWR in its last frame, m (public URDF).
+/// Distance of the LWR's flange from its last frame, m (public URDF).
 pub const FLANGE: f64 = 0.078;
 
-/// How a series of paint rollers is made. Grip, bent wire, and a tube with nap that turns on the
-/// wire's end.
+/// Construction of a series of paint rollers: grip, bent wire, and a tube with nap that turns on
+/// the wire's end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RollerSeries {
-    /// First words of the tools' names.
+    /// Prefix of the tools' names.
     pub name: &'static str,
-    /// Length, radius of the grip, m, and its mass, kg.
+    /// Length of the grip, m, its radius, m, and its mass, kg.
     pub grip: [f64; 3],
     /// Radius of the steel wire, m.
     pub wire: f64,
     /// Outer and inner radius of the tube with its nap, m.
     pub tube: [f64; 2],
-    /// Its mass per metre, kg/m.
+    /// Mass of the tube per metre, kg/m.
     pub nap: f64,
-    /// By how far the wire passes beside the tube, m.
+    /// Distance between the tube's end and the wire beside it, m.
     pub clearance: f64,
 }
 
-/// Of steel, kg/m^3.
+/// Density of steel, kg/m^3.
 const STEEL: f64 = 7850.0;
 
-/// The large roller's series: 6 mm wire, 48 mm tube.
+/// Series of the large roller: 6 mm wire, 48 mm tube.
 pub const WALL_ROLLERS: RollerSeries = RollerSeries {
     name: "roller",
     grip: [0.13, 0.016, 0.042],
@@ -44,7 +45,7 @@ pub const WALL_ROLLERS: RollerSeries = RollerSeries {
     clearance: 0.015,
 };
 
-/// The small roller's series: 5 mm wire, 30 mm tube.
+/// Series of the small roller: 5 mm wire, 30 mm tube.
 pub const MINI_ROLLERS: RollerSeries = RollerSeries {
     name: "mini-roller",
     grip: [0.12, 0.011, 0.027],
@@ -55,7 +56,7 @@ pub const MINI_ROLLERS: RollerSeries = RollerSeries {
 };
 
 impl RollerSeries {
-    /// A roller of this length (flange to the far side of the tube) and width (of the tube), m.
+    /// Roller of this length (flange to the far side of the tube) and width (of the tube), m.
     pub fn roller(&self, length: f64, width: f64) -> Inertia {
         let [grip, radius, mass] = self.grip;
         let axle = length - self.tube[0];
@@ -70,7 +71,7 @@ impl RollerSeries {
     }
 }
 
-/// A flat brush: handle and bristles of this width, m.
+/// Flat brush: handle and bristles of this width, m.
 fn flat_brush(length: f64, width: f64) -> Inertia {
     let (ferrule, bristles) = (0.045, 0.055);
     let handle = length - ferrule - bristles;
@@ -81,7 +82,7 @@ fn flat_brush(length: f64, width: f64) -> Inertia {
         .inertia
 }
 
-/// A round brush of this width, m: handle, ferrule and bristles on one axis.
+/// Round brush of this width, m: handle, ferrule and bristles on one axis.
 fn round_brush(length: f64, width: f64) -> Inertia {
     let (head, radius) = (0.07, 0.5 * width);
     let handle = length - head;
@@ -97,7 +98,7 @@ fn round_brush(length: f64, width: f64) -> Inertia {
         .inertia
 }
 
-/// A brush for radiators: its head stands at an angle to the side, here at a right one.
+/// Radiator brush: its head stands at an angle to the side, here a right angle.
 fn radiator_brush(length: f64, width: f64) -> Inertia {
     Assembly::new()
         .tube(700.0 * std::f64::consts::PI * 1.21e-4 * length, [0.011, 0.0], length, Axis::Z, [0.0, 0.0, 0.5 * length])
@@ -105,8 +106,8 @@ fn radiator_brush(length: f64, width: f64) -> Inertia {
         .inertia
 }
 
-/// A parallel gripper with two fingers, such as sit on arms of this size: body, two finger rails,
-/// two fingers.
+/// Parallel gripper with two fingers, as used on arms of this size: body, two finger rails, two
+/// fingers.
 fn gripper() -> Inertia {
     Assembly::new()
         .cuboid(0.62, [0.10, 0.06, 0.085], [0.0, 0.0, 0.0425])
@@ -115,7 +116,7 @@ fn gripper() -> Inertia {
         .inertia
 }
 
-/// An air sander with a disc of 150 mm: motor, head, disc, and the hose's end at the side.
+/// Air sander with a disc of 150 mm: motor, head, disc, and the hose's end at the side.
 fn sanding_disc() -> Inertia {
     Assembly::new()
         .tube(0.48, [0.032, 0.0], 0.085, Axis::Z, [0.0, 0.0, 0.0425])
@@ -124,7 +125,7 @@ fn sanding_disc() -> Inertia {
         .inertia
 }
 
-/// A spray gun with its cup on top (empty): body along z, cup beside it, nozzle at the end.
+/// Spray gun with its empty cup on top: body along z, cup beside it, nozzle at the end.
 fn spray_gun() -> Inertia {
     Assembly::new()
         .cuboid(0.34, [0.035, 0.05, 0.15], [0.0, 0.0, 0.075])
@@ -133,7 +134,7 @@ fn spray_gun() -> Inertia {
         .inertia
 }
 
-/// A scraper: handle and steel blade of this width, m.
+/// Scraper: handle and steel blade of this width, m.
 fn scraper(length: f64, width: f64) -> Inertia {
     let blade = 0.09;
     let handle = length - blade;
@@ -153,11 +154,11 @@ fn tool(name: String, inertia: Inertia, size: Option<[f64; 2]>) -> Tool {
     }
 }
 
-/// First line of a tool file.
+/// Source note in the first line of a tool file.
 #[cfg(test)]
 const SOURCE: &str = "geometry and density, by src/identify/tool/catalogue.rs; dry";
 
-/// The tools of `robots/tools/`.
+/// Tools of `robots/tools/`.
 pub fn catalogue() -> Vec<Tool> {
     let mut tools = vec![
         tool("large-roller".into(), WALL_ROLLERS.roller(0.35, 0.20), Some([0.35, 0.20])),
@@ -194,7 +195,7 @@ mod tests {
     use std::fs;
     use std::path::Path;
 
-    /// Rewrites `robots/tools/` and fails where a file did not say what the builder says.
+    /// Rewrites `robots/tools/`, and fails if a file differed from the builder's result.
     #[test]
     fn the_files_are_what_the_builder_makes() {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("robots/tools");

@@ -1,4 +1,4 @@
-//! Complete result on the body that the arm carries: plain data for a report.
+//! Complete result on the carried body, as plain data for a report.
 
 use super::identify::Carried;
 use super::interpolate::{Relative, interpolate};
@@ -6,36 +6,37 @@ use super::recognise::{RecogniseSettings, Recognition, recognise};
 use super::table::{Entry, Tolerance};
 use dh_codegen::robot::Tool;
 
-/// The body in the frame of a tool.
+/// The body expressed in the frame of a tool.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InToolFrame {
-    /// Whose frame.
+    /// Name of the tool.
     pub tool: String,
     /// Rotation (row-major) from the tool frame to the last frame, and origin, m.
     pub pose: ([[f64; 3]; 3], [f64; 3]),
-    /// The ten parameters.
+    /// Ten inertial parameters.
     pub values: [f64; 10],
-    /// Their standard deviations.
+    /// Standard deviations of the parameters.
     pub std: [f64; 10],
 }
 
-/// The whole result.
+/// Complete result.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Found {
-    /// The ten parameters in the last DH frame.
+    /// Ten parameters in the last DH frame.
     pub carried: Carried,
-    /// The table that was looked up; may be empty.
+    /// Table of known tools; may be empty.
     pub table: Vec<Entry>,
     /// Recognised tool; `None` without a table.
     pub recognition: Option<Recognition>,
-    /// As a member of a family of the table, whose size is between those that are there.
+    /// Estimated size as a member of one of the table's families, interpolated between its tools.
     pub relative: Option<Relative>,
-    /// The same body in a tool's frame: the robot file's tool, else the recognised one.
+    /// The same body in a tool's frame: that of the robot file's tool, otherwise of the recognised
+    /// one.
     pub in_tool_frame: Option<InToolFrame>,
 }
 
-/// Looks up what was identified. `own`: the robot file's tool, whose frame the body is also shown
-/// in.
+/// Looks up the identified body in the table. `own`: the robot file's tool, in whose frame the body
+/// is also expressed.
 pub fn look_up(
     carried: Carried,
     own: Option<&Tool>,

@@ -1,9 +1,9 @@
-//! The ten parameters of what the arm carries: the paper's equation (7), solved from the factors of
-//! the logs.
+//! Identifies the ten parameters of the carried body: the paper's equation (7), solved from the
+//! factors of the logs.
 //!
-//! `[tau_u; tau_l] = [W_b 0; W_b W_L] [Phi_b; Phi_L]`, each joint weighted by its own noise, as in
-//! [`crate::identify`]. With the robot identified before, `Phi_b` is known and `tau_l - W_b Phi_b =
-//! W_L Phi_L` is solved from the loaded logs alone.
+//! Solves `[tau_u; tau_l] = [W_b 0; W_b W_L] [Phi_b; Phi_L]`, each joint weighted by its own noise,
+//! as in [`crate::identify`]. If the robot was identified before, `Phi_b` is known and `tau_l - W_b
+//! Phi_b = W_L Phi_L` is solved from the loaded logs alone.
 
 use super::body::{Body, moving};
 use super::carrying::Carrying;
@@ -13,22 +13,22 @@ use crate::identify::{
 };
 use crate::model::Payload;
 
-/// How to solve.
+/// Settings of the tool identification.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ToolSettings {
-    /// Standard parameters of the robot without the tool (`P`): taken as known without an unloaded
-    /// log; else only the values where the logs have no information.
+    /// Standard parameters of the robot without the tool (`P`). Without an unloaded log they are
+    /// taken as known, otherwise they only supply values that the logs do not determine.
     pub robot: Option<Vec<f64>>,
     /// Mass from a scale, kg.
     pub known_mass: Option<f64>,
-    /// Standard deviation of that, kg; zero: it is exact.
+    /// Standard deviation of the scale reading, kg; zero: exact.
     pub mass_std: f64,
-    /// Without an unloaded log: whether friction and offsets (`FV FC FO`), which change from day to
-    /// day, are estimated from the loaded log. Then only the links and rotors are taken as known.
+    /// Whether, without an unloaded log, friction and offsets (`FV FC FO`), which change from day
+    /// to day, are estimated from the loaded log. Then only links and rotors are taken as known.
     pub refresh_friction: bool,
-    /// Covariance of the robot's base parameters, row-major `B * B`, as identified; zero where one
-    /// is exact. Without an unloaded log it is carried on to the ten. `None`: all are taken as
-    /// exact.
+    /// Covariance of the robot's base parameters, row-major `B * B`, as identified; zero for exact
+    /// ones. Without an unloaded log it is propagated to the ten parameters. `None`: all are taken
+    /// as exact.
     pub robot_covariance: Option<Vec<f64>>,
 }
 
@@ -53,44 +53,44 @@ impl ToolSettings {
     }
 }
 
-/// Contribution of the robot's own errors in the standard deviations.
+/// Contribution of the robot's own errors to the standard deviations.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RobotErrors {
-    /// All: the robot was identified along.
+    /// All errors, since the robot was identified from the same logs.
     Identified,
-    /// Those of the identification that is named: their covariance was carried on.
+    /// Errors of a previous identification, whose covariance was propagated.
     Counted,
-    /// None: the robot's parameters were taken as exact.
+    /// No errors: the robot's parameters were taken as exact.
     NotCounted,
 }
 
-/// Why there is no tool.
+/// Reason why no tool could be identified.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum ToolError {
-    /// The logs.
+    /// The logs can't be used.
     #[error(transparent)]
     Identify(#[from] IdentifyError),
-    /// Neither an unloaded log nor a robot.
+    /// There is neither an unloaded log nor a robot with parameters.
     #[error(
         "without an unloaded log the robot's own parameters are required, and its file does not have them; record the same motion with an empty hand and give it as --unloaded, or identify the robot first"
     )]
     UnknownRobot,
-    /// No loaded log.
+    /// There is no loaded log.
     #[error("there is no loaded log")]
     NoLoad,
-    /// A mass that is none.
+    /// The known mass is not positive.
     #[error("the known mass is {0} kg; give a positive number")]
     Mass(f64),
-    /// A deviation that is none.
+    /// The standard deviation of the known mass is invalid.
     #[error("the standard deviation of the known mass is {0} kg; give zero or more, and --known-mass with it")]
     MassStd(f64),
-    /// A scale that is not exact can only be combined with a mass that the logs determine.
+    /// The scale is not exact, and can only be combined with a mass that the logs determine.
     #[error(
         "the logs don't determine the mass, so that of the scale can't be combined with theirs; leave --mass-std out to use it as exact"
     )]
     MassUnidentified,
-    /// The data say nothing of the tool.
+    /// The data have no information on the tool.
     #[error(
         "the loaded log has no information on the body that the arm carries: none of its ten parameters is determined; record a motion that moves the wrist"
     )]
@@ -100,7 +100,7 @@ pub enum ToolError {
 /// Torque errors of one log.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LogError {
-    /// Name.
+    /// Name of the log.
     pub name: String,
     /// Whether the tool was carried.
     pub loaded: bool,
@@ -108,51 +108,51 @@ pub struct LogError {
     pub seconds: f64,
     /// Errors of robot and tool.
     pub with_tool: Accuracy,
-    /// Errors of the robot alone (same as `with_tool` in an unloaded log).
+    /// Errors of the robot alone (equal to `with_tool` for an unloaded log).
     pub robot_alone: Accuracy,
 }
 
-/// Body that the arm carries, in the arm's last DH frame about its origin (in the tool frame where
-/// `arm` has a tool).
+/// Carried body, in the arm's last DH frame about its origin (in the tool frame if `arm` has a
+/// tool).
 #[derive(Debug, Clone, PartialEq)]
 pub struct Carried {
-    /// The robot's name.
+    /// Name of the robot.
     pub robot: String,
-    /// `M MSX MSY MSZ XX YY ZZ XY XZ YZ`, kg, kg m, kg m^2.
+    /// Parameters `M MSX MSY MSZ XX YY ZZ XY XZ YZ`, kg, kg m, kg m^2.
     pub values: [f64; 10],
-    /// Their standard deviations; infinite if undetermined; zero for a known mass.
+    /// Standard deviations; infinite if undetermined; zero for a known mass.
     pub std: [f64; 10],
-    /// Their covariance, row-major `10 * 10`; zero in rows and columns of undetermined ones.
+    /// Covariance, row-major `10 * 10`; zero in rows and columns of undetermined parameters.
     pub covariance: Vec<f64>,
-    /// Status of each.
+    /// Status of each parameter.
     pub standing: [Standing; 10],
-    /// The mass that was given, and its standard deviation.
+    /// Given mass, kg.
     pub known_mass: Option<f64>,
-    /// Zero: it was taken as exact.
+    /// Standard deviation of the given mass, kg; zero: taken as exact.
     pub mass_std: f64,
-    /// Mass from the logs alone where one was given, and its standard deviation, kg; `None` if they
-    /// don't determine it.
+    /// Mass from the logs alone if one was given, and its standard deviation, kg; `None` if the
+    /// logs do not determine it.
     pub mass_of_logs: Option<[f64; 2]>,
-    /// Contribution of the robot's own errors in the standard deviations.
+    /// Contribution of the robot's own errors to the standard deviations.
     pub robot_errors: RobotErrors,
     /// Mass, centre, principal axes; `None` if the data do not determine the mass or the first
     /// moments.
     pub body: Option<Body>,
-    /// Independent samples over all joints, less the number of unknowns: degrees of freedom of the
-    /// noise.
+    /// Degrees of freedom of the noise: independent samples over all joints minus the number of
+    /// unknowns.
     pub freedom: f64,
-    /// Each log.
+    /// Errors on each log.
     pub logs: Vec<LogError>,
     /// Noise of the joints.
     pub noise: Noise,
-    /// Base parameters of [`Carrying`], all of them: the robot's and the ten.
+    /// All base parameters of [`Carrying`]: those of the robot and the ten.
     pub beta: Vec<f64>,
-    /// Everything that was solved for.
+    /// Identification of all unknowns.
     pub solved: Identification,
 }
 
 impl Carried {
-    /// `100 std / |value|` of each.
+    /// Relative standard deviation `100 std / |value|` of each parameter.
     pub fn relative_std_percent(&self) -> [f64; 10] {
         std::array::from_fn(|k| match (self.std[k], self.values[k]) {
             (0.0, _) => 0.0,
@@ -160,13 +160,13 @@ impl Carried {
         })
     }
 
-    /// Which of the ten are determined (a known mass is).
+    /// Whether each of the ten parameters is determined (a known mass is).
     pub fn determined(&self) -> [bool; 10] {
         self.standing.map(|s| s == Standing::Identified)
     }
 
-    /// The same body in another frame: `rotation` (row-major) and `origin` of the last frame in
-    /// that one. `None` if a parameter is undetermined.
+    /// Values and standard deviations of the body in another frame; `rotation` (row-major) and
+    /// `origin` (m) are those of the last frame in it. `None` if a parameter is undetermined.
     pub fn moved(&self, rotation: &[[f64; 3]; 3], origin: &[f64; 3]) -> Option<([f64; 10], [f64; 10])> {
         if !self.determined().iter().all(|t| *t) {
             return None;
@@ -178,8 +178,8 @@ impl Carried {
     }
 }
 
-/// Identifies what the arm carries. `unloaded` and `loaded` are factors of [`Carrying`] arms
-/// (loaded or not) over `arm`.
+/// Identifies the carried body. `unloaded` and `loaded` are factors of [`Carrying`] arms (unloaded
+/// or loaded) over `arm`.
 pub fn identify_tool(
     arm: &dyn Payload,
     unloaded: &[Factors],
@@ -190,8 +190,8 @@ pub fn identify_tool(
         return Err(ToolError::NoLoad);
     }
     settings.check(arm)?;
-    // A mass that is exact is no unknown; one from a scale with a standard deviation is combined
-    // with the logs' below.
+    // An exact mass is no unknown; a scale reading with a standard deviation is combined with the
+    // logs' mass below.
     let exact = settings.known_mass.filter(|_| settings.mass_std == 0.0);
     let whole = Carrying::new(arm, true);
     let first = whole.first();
@@ -227,7 +227,7 @@ pub fn identify_tool(
     let mass_of_logs = match (settings.known_mass, exact) {
         (None, _) => None,
         (Some(_), None) => mass_of(&solved),
-        // Without what the scale says.
+        // Without the scale reading.
         (Some(_), Some(_)) => {
             known[first] = None;
             let free = Known::new(&whole, &known);
@@ -243,7 +243,7 @@ pub fn identify_tool(
     }
     let beta = unknown.whole(&solved.values());
 
-    // The ten among what was solved for, in order; a known mass is not there.
+    // Positions of the ten among the unknowns, in order; a known mass is not among them.
     let count = solved.parameters.len();
     let ten: Vec<Option<usize>> = match exact {
         Some(_) => std::iter::once(None).chain((count - 9..count).map(Some)).collect(),
@@ -294,14 +294,14 @@ pub fn identify_tool(
     })
 }
 
-/// The mass among all unknowns, and its standard deviation; `None` if it is undetermined.
+/// Mass among all unknowns and its standard deviation, kg; `None` if it is undetermined.
 fn mass_of(solved: &Identification) -> Option<[f64; 2]> {
     let mass = solved.parameters.len().checked_sub(10).map(|at| &solved.parameters[at])?;
     (mass.standing == Standing::Identified).then_some([mass.value, mass.std])
 }
 
-/// Takes in what a scale says of the mass, the first of the last ten parameters: the conditional
-/// mean and covariance of a normal distribution.
+/// Includes a scale reading of the mass, the first of the last ten parameters: conditional mean and
+/// covariance of a normal distribution.
 fn add_scale_reading(solved: &mut Identification, mass: f64, std: f64) -> Result<(), ToolError> {
     let count = solved.parameters.len();
     let at = count - 10;

@@ -1,12 +1,13 @@
-//! Length and width of a tool that is not in the table, from its relatives that are: the paper's
-//! future work (section VII).
+//! Estimates length and width of a tool that is not in the table from similar tools that are: the
+//! paper's future work (section VII).
 //!
 //! Tools of one make differ in length and width alone, and their parameters are smooth in both.
 //! Masses of straight parts grow with the size, first moments with its square, tensors with its
 //! cube. A polynomial `f(length, width)` is fitted to the family's entries of the table, and
 //! inverted by generalised least squares: `min (Phi - f)' S^-1 (Phi - f)`. `S = C + C_t + C_f` is
-//! that of the identification, of the table's tolerance, and of the polynomial's error (from
-//! leaving one out). The minimum has the law of chi square: a tool that is no relative is reported.
+//! the covariance of the identification, of the table's tolerance, and of the polynomial's error
+//! (from leaving one out). The minimum has a chi-squared distribution, so a tool outside the family
+//! is reported.
 
 use nalgebra::{DMatrix, DVector, Matrix2, SMatrix, SVector, Vector2};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor, StudentsT};
@@ -15,60 +16,60 @@ use super::identify::Carried;
 use super::recognise::scale_freedom;
 use super::table::{Entry, Tolerance, family};
 
-/// A number with its interval.
+/// A value with its confidence interval.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
-    /// Best value, m.
+    /// Best estimate, m.
     pub value: f64,
     /// Standard deviation, m.
     pub std: f64,
-    /// Ends of the interval that holds the truth with 95 %, m.
+    /// Limits of the 95 % confidence interval, m.
     pub ends: [f64; 2],
 }
 
-/// A tool seen as a member of a family.
+/// A tool estimated as a member of a family.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Relative {
-    /// The family: `roller`.
+    /// Name of the family: `roller`.
     pub family: String,
-    /// How many of the table's tools it was interpolated between.
+    /// Number of the table's tools used for the interpolation.
     pub members: usize,
-    /// From the mount to the far end.
+    /// Length from the mount to the far end.
     pub length: Interval,
-    /// Of what meets the work.
+    /// Width of the working part.
     pub width: Interval,
-    /// Distance from the nearest member that the family could have.
+    /// Mahalanobis distance from the nearest possible member of the family.
     pub distance: f64,
-    /// The distance beyond which it is no member.
+    /// Distance beyond which the tool is not a member.
     pub limit: f64,
-    /// Whether it can be one.
+    /// Whether the tool can be a member.
     pub fits: bool,
-    /// Whether length or width lie outside of what the table has.
+    /// Whether length or width lie outside the range of the table.
     pub extrapolated: bool,
 }
 
 impl Relative {
-    /// Whether the table's tool of this name is of the family.
+    /// Whether the table's tool of this name belongs to the family.
     pub fn family_of(&self, name: &str) -> bool {
         family(name).is_some_and(|f| f == self.family)
     }
 }
 
-/// How `f` is built: exponents of length and width.
+/// Terms of `f`: exponents of length and width.
 const TERMS: [&[(i32, i32)]; 3] =
     [&[(0, 0), (1, 0), (0, 1), (2, 0), (1, 1), (0, 2)], &[(0, 0), (1, 0), (0, 1), (1, 1)], &[(0, 0), (1, 0), (0, 1)]];
 
-/// A family's parameters as a function of its size.
+/// Parameters of a family as a function of the tool's size.
 #[derive(Debug, Clone, PartialEq)]
 struct Family {
     name: String,
     sizes: Vec<[f64; 2]>,
-    /// Middle and half width of lengths and widths.
+    /// Middle and half width of the ranges of length and width, m.
     range: [[f64; 2]; 2],
     terms: &'static [(i32, i32)],
-    /// `terms * 10`.
+    /// Coefficients, `terms * 10`.
     coefficients: DMatrix<f64>,
-    /// Error of the polynomial.
+    /// Covariance of the polynomial's error.
     misfit: SMatrix<f64, 10, 10>,
 }
 
@@ -85,7 +86,7 @@ impl Family {
         }
         let values = DMatrix::from_fn(members.len(), 10, |i, k| members[i].values[k]);
         TERMS.into_iter().find_map(|terms| {
-            // Two more than terms, so that leaving one out still leaves something to miss.
+            // Two more tools than terms, so that leaving one out still leaves a residual.
             if sizes.len() < terms.len() + 2 {
                 return None;
             }
@@ -95,11 +96,11 @@ impl Family {
             let rest = &values - &design * &coefficients;
             let mut misfit = SMatrix::<f64, 10, 10>::zeros();
             for i in 0..sizes.len() {
-                // Left out, the residual grows by 1 / (1 - h_ii).
+                // If left out, the residual grows by 1 / (1 - h_ii).
                 let row: DVector<f64> = design.row(i).transpose();
                 let leverage = row.dot(&root.solve(&row));
-                // A corner that alone holds a term can't be left out: this basis is too rich for
-                // this table.
+                // A corner that alone determines a term can't be left out: this basis is too rich
+                // for this table.
                 if leverage > 1.0 - 1e-6 {
                     return None;
                 }
@@ -117,13 +118,13 @@ impl Family {
     }
 }
 
-/// `x^a y^b` of length and width, each from -1 to 1 over the table.
+/// Term `x^a y^b` of length and width, each scaled to -1 .. 1 over the table.
 fn term((a, b): (i32, i32), range: &[[f64; 2]; 2], size: &[f64; 2]) -> f64 {
     let [x, y] = [0, 1].map(|k| (size[k] - range[k][0]) / range[k][1]);
     x.powi(a) * y.powi(b)
 }
 
-/// The family that the tool fits best, with its size there; `None` if the table has no family (see
+/// Family that fits the tool best, with the tool's size; `None` if the table has no family (see
 /// [`Entry::family`]) of at least five tools of several lengths and widths.
 pub fn interpolate(carried: &Carried, table: &[Entry], tolerance: &Tolerance, level: f64) -> Option<Relative> {
     let mut names: Vec<String> = table.iter().filter_map(Entry::family).collect();
@@ -138,13 +139,13 @@ pub fn interpolate(carried: &Carried, table: &[Entry], tolerance: &Tolerance, le
         relative(carried, &Family::new(name, &members)?, &kept, tolerance, level)
     });
     // A family in which the tool lies between others is better evidence than one that must be
-    // stretched to it.
+    // extrapolated.
     let rank = |r: &Relative| (!r.fits, r.extrapolated);
     found.min_by(|a, b| rank(a).cmp(&rank(b)).then((a.distance / a.limit).total_cmp(&(b.distance / b.limit))))
 }
 
-/// Gauss and Newton's descent from the best member of the family, with a shorter step where the
-/// long one leads upwards.
+/// Gauss-Newton descent from the best member of the family, with a shorter step if the full one
+/// increases the cost.
 fn relative(carried: &Carried, family: &Family, kept: &[usize], tolerance: &Tolerance, level: f64) -> Option<Relative> {
     let n = kept.len();
     let whitener = |size: &[f64; 2]| {
@@ -213,9 +214,9 @@ fn relative(carried: &Carried, family: &Family, kept: &[usize], tolerance: &Tole
         width: interval(1),
         distance,
         limit,
-        // Half the table's range beyond its ends the polynomial means nothing any more.
+        // Beyond the table's ends by half its range the polynomial is meaningless.
         fits: distance <= limit && size.iter().all(|s| *s > 0.0) && !beyond(2.0),
-        // A tenth of the range is let pass: the polynomial does not end there.
+        // A tenth of the range beyond the ends is tolerated.
         extrapolated: beyond(1.2),
     })
 }
@@ -230,7 +231,7 @@ mod tests {
     use crate::numerics::prng::Random;
     use dh_codegen::robot::ToolGeometry;
 
-    /// The error of the polynomial is that of each tool where it is left out of the fit.
+    /// The polynomial's error is that of each tool when it is left out of the fit.
     #[test]
     fn the_misfit_is_that_of_leaving_one_out() {
         let mut random = Random::new(4);

@@ -1,24 +1,24 @@
-//! The space in which tools differ: the paper's equation (8).
+//! Computes the space in which tools differ: the paper's equation (8).
 //!
-//! The table's parameters stand side by side, `Phi = [Phi_1 ... Phi_NT]` (`10 * N_T`), and `Phi = U
-//! S V'`. The first columns of `U` span it; a tool is `U_p' Phi_j` there.
+//! The table's parameters are the columns of `Phi = [Phi_1 ... Phi_NT]` (`10 * N_T`), and `Phi = U
+//! S V'`. The first columns of `U` span the space; a tool has the coordinates `U_p' Phi_j` there.
 
 use nalgebra::{DMatrix, DVector};
 
-/// The reduced space.
+/// Principal components of a table of tools.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Pca {
-    /// `U_p`, `10 * N`.
+    /// Basis `U_p`, `10 * N`.
     pub basis: DMatrix<f64>,
     /// All singular values, descending.
     pub singular_values: Vec<f64>,
-    /// Share of the sum of squares that the first `k + 1` of them hold.
+    /// Share of the sum of squares in the first `k + 1` components.
     pub explained: Vec<f64>,
 }
 
 impl Pca {
-    /// As many components as hold this share of the sum of squares; at least one. As in the paper,
-    /// the mean is not taken out.
+    /// Keeps as many components as are needed for this share of the sum of squares; at least one.
+    /// As in the paper, the mean is not removed.
     pub fn new(table: &[[f64; 10]], share: f64) -> Self {
         if table.is_empty() {
             return Self { basis: DMatrix::zeros(10, 0), singular_values: Vec::new(), explained: Vec::new() };
@@ -38,7 +38,7 @@ impl Pca {
             .collect();
         let count = explained.iter().position(|e| *e >= share).map_or(order.len(), |k| k + 1);
         let u = svd.u.unwrap_or_else(|| DMatrix::zeros(10, order.len()));
-        // A direction and its opposite are one component: the largest entry is made positive.
+        // The sign of a component is arbitrary: the largest entry is made positive.
         let columns: Vec<DVector<f64>> = order[..count]
             .iter()
             .map(|&k| {
@@ -55,12 +55,12 @@ impl Pca {
         self.basis.ncols()
     }
 
-    /// `U_p' Phi`.
+    /// Coordinates `U_p' Phi`.
     pub fn scores(&self, values: &[f64; 10]) -> DVector<f64> {
         self.basis.transpose() * DVector::from_column_slice(values)
     }
 
-    /// `|U_p' (a - b)|`, the paper's distance.
+    /// Distance `|U_p' (a - b)|` of the paper.
     pub fn distance(&self, a: &[f64; 10], b: &[f64; 10]) -> f64 {
         (self.scores(a) - self.scores(b)).norm()
     }
@@ -80,7 +80,7 @@ mod tests {
             let pca = Pca::new(&table, share);
             let n = pca.components();
             assert!((pca.basis.transpose() * &pca.basis - DMatrix::identity(n, n)).amax() < 1e-12);
-            // Remainder of the table without the components, against the share.
+            // Share of the table in the components, compared with `explained`.
             let all: f64 = table.iter().flatten().map(|v| v * v).sum();
             let held: f64 = table.iter().map(|t| pca.scores(t).norm_squared()).sum();
             assert!((held / all - pca.explained[n - 1]).abs() < 1e-12 && held / all >= share - 1e-9);

@@ -1,12 +1,12 @@
-//! Finds the tool in the table, or none.
+//! Finds the tool in the table, or rejects all of them.
 //!
-//! Two distances beside each other. The paper's: the norm of the difference in the space of
-//! [`Pca`], where a kilogram counts as much as a kilogram square metre. The other is that of
-//! Mahalanobis, `d^2 = (a - b)' (C + C_j)^-1 (a - b)`, with the covariance `C` of the
-//! identification and `C_j` of the table: each difference is measured by its uncertainty. The
-//! second decides, over all identified parameters, because it has a law. For the right tool `d^2 /
-//! k` is distributed as `F(k, nu)` (Hotelling 1931, for a covariance whose scale was estimated), so
-//! that a limit rejects the right tool with a probability of one's choice.
+//! Computes two distances. The paper's is the norm of the difference in the space of [`Pca`], where
+//! a kilogram counts as much as a kilogram square metre. The other is that of Mahalanobis, `d^2 =
+//! (a - b)' (C + C_j)^-1 (a - b)`, with the covariance `C` of the identification and `C_j` of the
+//! table: each difference is weighted by its uncertainty. The second decides, over all identified
+//! parameters, because its distribution is known. For the right tool `d^2 / k` is distributed as
+//! `F(k, nu)` (Hotelling 1931, for a covariance whose scale was estimated), so that a limit rejects
+//! the right tool with a chosen probability.
 
 use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, FisherSnedecor};
@@ -15,13 +15,13 @@ use super::identify::Carried;
 use super::pca::Pca;
 use super::table::Entry;
 
-/// How to recognise.
+/// Settings of the recognition.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RecogniseSettings {
-    /// Share of the table's sum of squares that the components of the paper's space hold. Default
+    /// Share of the table's sum of squares that the components of the paper's space retain. Default
     /// 0.99999.
     pub share: f64,
-    /// With what probability a tool of the table is rejected. Default 0.01.
+    /// Probability of rejecting a tool that is in the table. Default 0.01.
     pub level: f64,
 }
 
@@ -31,57 +31,58 @@ impl Default for RecogniseSettings {
     }
 }
 
-/// A tool of the table, seen from what was identified.
+/// A tool of the table compared with the identified body.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Candidate {
-    /// Name.
+    /// Name of the tool.
     pub name: String,
-    /// Its place in the table.
+    /// Index in the table.
     pub entry: usize,
     /// Mahalanobis distance over all determined parameters.
     pub distance: f64,
-    /// The same in the reduced space.
+    /// Mahalanobis distance in the reduced space.
     pub distance_in_space: f64,
-    /// The paper's: plain norm in the reduced space.
+    /// Distance of the paper: Euclidean norm in the reduced space.
     pub plain_distance: f64,
-    /// Probability, if it is one of the table's tools and each was as likely before.
+    /// Posterior probability, assuming that the body is one of the table's tools, all equally
+    /// likely a priori.
     pub probability: f64,
-    /// Difference of each parameter (identified less table) in its own standard deviations; NaN if
-    /// it is undetermined.
+    /// Difference of each parameter (identified minus table) in standard deviations; NaN if
+    /// undetermined.
     pub deviations: [f64; 10],
 }
 
-/// The answer.
+/// Result of the recognition.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Recognition {
     /// All tools, nearest first.
     pub candidates: Vec<Candidate>,
-    /// The distance beyond which it is none of them.
+    /// Mahalanobis distance beyond which a tool is rejected.
     pub limit: f64,
-    /// Whether it is none of them.
+    /// Whether all tools are rejected.
     pub rejected: bool,
-    /// Others that fit nearly as well: probability above 0.05 and within the limit.
+    /// Other tools that fit nearly as well: probability above 0.05 and within the limit.
     pub not_distinguished_from: Vec<String>,
-    /// Nearest tool by the paper's distance, which can't reject.
+    /// Nearest tool by the paper's distance, which has no rejection limit.
     pub by_plain_distance: String,
     /// Number of determined parameters, `k`.
     pub determined: usize,
     /// Degrees of freedom of the covariance's scale, `nu`.
     pub freedom: f64,
-    /// The level that the limit was chosen for.
+    /// Level for which the limit was chosen.
     pub level: f64,
-    /// The reduced space.
+    /// Reduced space.
     pub pca: Pca,
-    /// Identified parameters, there.
+    /// Identified parameters in the reduced space.
     pub scores: DVector<f64>,
-    /// Its covariance there.
+    /// Covariance of the scores.
     pub score_covariance: DMatrix<f64>,
-    /// Each tool there, in the order of the table.
+    /// Coordinates of each tool in the reduced space, in the order of the table.
     pub table_scores: Vec<DVector<f64>>,
 }
 
 impl Recognition {
-    /// The nearest tool.
+    /// Nearest tool.
     pub fn nearest(&self) -> &Candidate {
         &self.candidates[0]
     }
@@ -151,22 +152,22 @@ pub fn recognise(carried: &Carried, table: &[Entry], settings: &RecogniseSetting
     })
 }
 
-/// Degrees of freedom of the scale of the covariance. It comes from the batches of the joints (see
-/// `identify::statistics`), each of which gives about one number that is independent of the others.
+/// Degrees of freedom of the scale of the covariance. The scale is estimated from the batches of
+/// the joints (see `identify::statistics`), each of which gives about one independent number.
 pub(super) fn scale_freedom(carried: &Carried) -> f64 {
     (carried.noise.batches.iter().sum::<usize>() as f64).clamp(1.0, carried.freedom.max(1.0))
 }
 
-/// The distance that the right tool exceeds with this probability.
+/// Distance that the right tool exceeds with this probability.
 pub(super) fn limit(count: usize, freedom: f64, level: f64) -> f64 {
     let k = count as f64;
     FisherSnedecor::new(k, freedom).map_or(f64::INFINITY, |law| (k * law.inverse_cdf(1.0 - level)).sqrt())
 }
 
-/// `x' C^-1 x` and `log det C`; `None` where `C` is not positive definite.
+/// Values `x' C^-1 x` and `log det C`; `None` if `C` is not positive definite.
 pub(super) fn mahalanobis(x: &DVector<f64>, covariance: &DMatrix<f64>) -> Option<(f64, f64)> {
     let n = x.len();
-    // In standard deviations, where all numbers are of one size.
+    // In standard deviations, so that all numbers are of similar size.
     let scale = DVector::from_fn(n, |i, _| covariance[(i, i)].max(f64::MIN_POSITIVE).sqrt());
     let correlation =
         DMatrix::from_fn(n, n, |i, k| covariance[(i, k)] / (scale[i] * scale[k]) + if i == k { 1e-10 } else { 0.0 });
@@ -179,7 +180,7 @@ pub(super) fn mahalanobis(x: &DVector<f64>, covariance: &DMatrix<f64>) -> Option
 
 #[cfg(test)]
 mod tests {
-    /// Of one number with many degrees of freedom: the normal law's two-sided limits.
+    /// For one number with many degrees of freedom: the normal distribution's two-sided limits.
     #[test]
     fn a_limit_is_exceeded_with_its_probability() {
         for (level, expected) in [(0.05, 1.960), (0.01, 2.576), (0.3173, 1.0)] {

@@ -1,17 +1,17 @@
-//! Effect of the errors of a robot that was identified before on the parameters of its load.
+//! Propagates the errors of a previously identified robot to the parameters of its load.
 
 use nalgebra::DMatrix;
 
 use crate::identify::{Factors, Identification, Standing};
 
-/// Standard deviation of rounding among columns of unit norm, below which a direction is open.
+/// Singular value, among columns of unit norm, below which a direction counts as undetermined.
 const OPEN: f64 = 1e-9;
 
-/// Adds the covariance that comes from the known parameters.
+/// Adds the covariance due to the known parameters.
 ///
-/// With `x = A^-1 sum_j w_j^2 W_uj' (tau_j - W_kj beta_k)` an error of `beta_k` moves `x` by `-A^-1
-/// M` times it, `M = sum_j w_j^2 W_uj' W_kj`. Known parameters of covariance `C` therefore add
-/// `A^-1 M C M' A^-1`: first-order propagation, exact here, as the model is linear.
+/// With `x = A^-1 sum_j w_j^2 W_uj' (tau_j - W_kj beta_k)` an error of `beta_k` changes `x` by
+/// `-A^-1 M` times it, `M = sum_j w_j^2 W_uj' W_kj`. Known parameters of covariance `C` therefore
+/// add `A^-1 M C M' A^-1`: first-order propagation, exact here, as the model is linear.
 ///
 /// `logs`: factors over all columns. `unknown`: whether each column was solved for, in the order of
 /// the parameters of `solved`. `covariance`: of the first columns, row-major.
@@ -35,7 +35,7 @@ pub(super) fn add(solved: &mut Identification, logs: &[Factors], unknown: &[bool
     widen(solved, &(&gain * of_known * gain.transpose()));
 }
 
-/// `sum_j w_j^2 W_j' W_j` over all columns, each joint weighted by its noise.
+/// Normal matrix `sum_j w_j^2 W_j' W_j` over all columns, each joint weighted by its noise.
 fn normal_matrix(logs: &[Factors], sigma: &[f64], columns: usize) -> DMatrix<f64> {
     let mut normal = DMatrix::zeros(columns, columns);
     for log in logs {
@@ -51,7 +51,7 @@ fn normal_matrix(logs: &[Factors], sigma: &[f64], columns: usize) -> DMatrix<f64
     normal
 }
 
-/// Adds to the covariance of the determined parameters.
+/// Adds `more` to the covariance of the determined parameters.
 fn widen(solved: &mut Identification, more: &DMatrix<f64>) {
     let count = solved.parameters.len();
     let determined: Vec<bool> = solved.parameters.iter().map(|p| p.standing == Standing::Identified).collect();

@@ -1,11 +1,11 @@
-//! Ten inertial parameters of solid bodies of even density, put together to tools.
+//! Ten inertial parameters of homogeneous solids, and their assembly to tools.
 //!
-//! Moments of the elementary solids: any handbook, as in D. T. Greenwood, *Principles of Dynamics*,
-//! appendix; Steiner's theorem is [`Inertia::moved`].
+//! Moments of the elementary solids are in any handbook, such as D. T. Greenwood, *Principles of
+//! Dynamics*, appendix; Steiner's theorem is [`Inertia::moved`].
 
 use dh_codegen::robot::Inertia;
 
-/// Axes of a shape's own symmetry.
+/// Symmetry axis of a solid.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Axis {
     /// x
@@ -17,7 +17,7 @@ pub enum Axis {
 }
 
 impl Axis {
-    /// `[along, across, across]` put into the order x, y, z.
+    /// Moments `[along, across, across]` in the order x, y, z.
     fn place(self, along: f64, across: f64) -> [f64; 3] {
         match self {
             Self::X => [along, across, across],
@@ -27,15 +27,15 @@ impl Axis {
     }
 }
 
-/// Bodies, fixed to each other.
+/// Bodies rigidly connected to each other.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Assembly {
-    /// All of them, in the tool frame, about its origin.
+    /// Inertia of all bodies, in the tool frame, about its origin.
     pub inertia: Inertia,
 }
 
 impl Assembly {
-    /// Nothing yet.
+    /// Empty assembly.
     pub fn new() -> Self {
         Self::default()
     }
@@ -48,26 +48,27 @@ impl Assembly {
         self
     }
 
-    /// A tube (a full cylinder for `inner` 0) of this mass, outer and inner radius and length, m,
-    /// about `center`.
+    /// Adds a tube (a full cylinder for `inner` 0) of this mass, kg, outer and inner radius and
+    /// length, m, centred at `center`, m.
     pub fn tube(self, mass: f64, [outer, inner]: [f64; 2], length: f64, axis: Axis, center: [f64; 3]) -> Self {
         let squares = outer * outer + inner * inner;
         let moments = axis.place(mass * squares / 2.0, mass * (squares / 4.0 + length * length / 12.0));
         self.at(mass, moments, center)
     }
 
-    /// A cuboid of this mass and size, m, about `center`.
+    /// Adds a cuboid of this mass, kg, and size, m, centred at `center`, m.
     pub fn cuboid(self, mass: f64, [x, y, z]: [f64; 3], center: [f64; 3]) -> Self {
         let twelfth = |a: f64, b: f64| mass * (a * a + b * b) / 12.0;
         self.at(mass, [twelfth(y, z), twelfth(x, z), twelfth(x, y)], center)
     }
 
-    /// A ball of this mass and radius, m, about `center`.
+    /// Adds a ball of this mass, kg, and radius, m, centred at `center`, m.
     pub fn ball(self, mass: f64, radius: f64, center: [f64; 3]) -> Self {
         self.at(mass, [0.4 * mass * radius * radius; 3], center)
     }
 
-    /// A round wire of this mass per metre and radius, m, from point to point along the axes.
+    /// Adds a round wire of mass `per_metre`, kg/m, and this radius, m, along axis-parallel
+    /// segments between points, m.
     pub fn wire(self, per_metre: f64, radius: f64, points: &[[f64; 3]]) -> Self {
         points.windows(2).fold(self, |all, ends| {
             let [from, to] = [ends[0], ends[1]];
@@ -87,7 +88,7 @@ mod tests {
     use super::*;
     use crate::numerics::prng::Random;
 
-    /// Each solid against a cloud of random points in it.
+    /// Compares each solid with a cloud of random points inside it.
     #[test]
     fn solids_have_the_moments_of_their_points() {
         let mut random = Random::new(3);

@@ -1,4 +1,4 @@
-//! The look-up table: known tools, where the arm sees them.
+//! Look-up table of known tools, expressed in the arm's last frame.
 
 use dh_codegen::robot::{Tool, ToolGeometry};
 use nalgebra::{SMatrix, SVector};
@@ -8,26 +8,26 @@ use super::body::displacements;
 /// A tool of the table.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Entry {
-    /// Name.
+    /// Name of the tool.
     pub name: String,
-    /// The ten parameters in the arm's last DH frame, about its origin.
+    /// Ten inertial parameters in the arm's last DH frame, about its origin.
     pub values: [f64; 10],
     /// Covariance of the table's numbers, from [`Tolerance`].
     pub covariance: SMatrix<f64, 10, 10>,
-    /// Size, where known.
+    /// Size, if known.
     pub geometry: Option<ToolGeometry>,
     /// Rotation (row-major) from the tool frame to the last frame, and origin, m.
     pub pose: ([[f64; 3]; 3], [f64; 3]),
 }
 
-/// Accuracy of the table and of the mounting: one standard deviation each.
+/// Accuracy of the table and of the mounting, as standard deviations.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
-    /// Of the mass, relative; the moments go with it. Default 0.005: a gram of 200.
+    /// Relative error of the mass; the moments scale with it. Default 0.005: a gram in 200.
     pub mass: f64,
-    /// Of the place on the flange, along each axis, m. Default 0.0005.
+    /// Error of the position on the flange, along each axis, m. Default 0.0005.
     pub position: f64,
-    /// Of the direction, about each axis, rad. Default 0.005: 0.3 deg.
+    /// Error of the orientation, about each axis, rad. Default 0.005: 0.3 deg.
     pub angle: f64,
 }
 
@@ -55,8 +55,8 @@ impl Tolerance {
 }
 
 impl Entry {
-    /// A tool as it hangs on the arm; `None` if its inertia is not known. `mount`: origin of the
-    /// tool frame in the last frame instead of the tool's own.
+    /// Entry of a tool mounted on the arm; `None` if its inertia is unknown. `mount`: origin of the
+    /// tool frame in the last frame, m, instead of the tool's own.
     pub fn new(tool: &Tool, mount: Option<[f64; 3]>, tolerance: &Tolerance) -> Option<Self> {
         let pose = (tool.rotation(), mount.unwrap_or(tool.xyz));
         let values = tool.inertia?.moved(&pose.0, &pose.1).to_array();
@@ -64,15 +64,15 @@ impl Entry {
         Some(Self { name: tool.name.clone(), values, covariance, geometry: tool.geometry, pose })
     }
 
-    /// The family of its name, see `family`; `None` without a size.
+    /// Family derived from the name, see `family`; `None` without a size.
     pub fn family(&self) -> Option<String> {
         self.geometry?;
         family(&self.name)
     }
 }
 
-/// Common name of tools of one make: the name without the words that have digits in them, `roller`
-/// for `roller-400x180`. `None` if there is no such word, or nothing else.
+/// Common name of tools of one make: the name without the words that contain digits, `roller` for
+/// `roller-400x180`. `None` if there is no such word, or nothing else.
 pub(super) fn family(name: &str) -> Option<String> {
     let words: Vec<&str> = name.split(['-', '_', ' ']).collect();
     let plain: Vec<&str> = words.iter().copied().filter(|w| !w.contains(|c: char| c.is_ascii_digit())).collect();

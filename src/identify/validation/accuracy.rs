@@ -1,27 +1,27 @@
-//! How well parameters predict the torque of a log.
+//! Computes how well parameters predict the torque of a log.
 
 use crate::identify::regression::accumulator::Factors;
 
-/// Errors per joint. NaN for a joint without torque.
+/// Errors per joint; NaN for a joint without torque.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Accuracy {
-    /// Root mean square of measured less predicted torque, N m.
+    /// Root mean square of measured minus predicted torque, N m.
     pub rms: Vec<f64>,
-    /// That, divided by the range (largest less least) of the measured torque.
+    /// RMS error divided by the range (largest minus smallest) of the measured torque.
     pub nrms: Vec<f64>,
     /// Root mean square of the measured torque, N m.
     pub torque_rms: Vec<f64>,
-    /// Samples.
+    /// Number of samples.
     pub samples: Vec<usize>,
 }
 
 impl Accuracy {
-    /// `100 rms / torque_rms`.
+    /// Error `100 rms / torque_rms` of a joint, percent.
     pub fn percent_of_torque(&self, joint: usize) -> f64 {
         100.0 * self.rms[joint] / self.torque_rms[joint]
     }
 
-    /// `100 |error| / |torque|` over all joints and samples.
+    /// Error `100 |error| / |torque|` over all joints and samples, percent.
     pub fn relative_error_percent(&self) -> f64 {
         let norm = |rms: &[f64]| -> f64 {
             let square = |(r, n): (&f64, &usize)| if r.is_nan() { 0.0 } else { r * r * *n as f64 };

@@ -7,9 +7,9 @@ use crate::model::{Arm, LinkExtents, States};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Extrapolation {
     /// Per joint: root mean square over random states of the standard deviation of the predicted
-    /// torque, N m. Infinite where a parameter that the data leave open acts on it.
+    /// torque, N m. Infinite if an undetermined parameter acts on the joint.
     pub torque_std: Vec<f64>,
-    /// That, divided by the standard deviation of the joint's residual in the fit.
+    /// This uncertainty divided by the standard deviation of the joint's residual in the fit.
     pub ratio: Vec<f64>,
 }
 
@@ -24,8 +24,8 @@ impl Extrapolation {
             .all(|(std, torque)| std.partial_cmp(torque) != Some(std::cmp::Ordering::Less))
     }
 
-    /// Joints (from 1) whose torque elsewhere is uncertain by more than the fit's own residual,
-    /// worst first.
+    /// Joints (from 1) whose torque on unrecorded motions is uncertain by more than the fit's own
+    /// residual, worst first.
     pub fn doubtful(&self) -> Vec<usize> {
         let mut joints: Vec<usize> = (0..self.ratio.len()).filter(|&j| self.ratio[j] > 1.0).collect();
         joints.sort_by(|&a, &b| self.ratio[b].total_cmp(&self.ratio[a]));
@@ -33,18 +33,19 @@ impl Extrapolation {
     }
 }
 
-/// States that are looked at.
+/// Number of states that are evaluated.
 const STATES: usize = 256;
 
-/// `sqrt(mean_s w_s C w_s')` per joint, with `C` the covariance of the estimates and `w_s` the
-/// joint's row of the base regressor. States are spread evenly over the positions' ranges, at up to
-/// half of the largest speeds, which change sign within a quarter of a second.
+/// Torque uncertainty `sqrt(mean_s w_s C w_s')` per joint, with `C` the covariance of the estimates
+/// and `w_s` the joint's row of the base regressor. States are spread evenly over the positions'
+/// ranges, with velocities up to half of the largest speeds, which change sign within a quarter of
+/// a second.
 pub fn extrapolation(arm: &dyn Arm, reach: &dyn LinkExtents, found: &Identification) -> Extrapolation {
     let (n, b) = (arm.dof(), arm.base_parameters().len());
     let ranges = reach.ranges();
     let mut states = States { len: STATES, ..States::default() };
-    // Kronecker's sequence with roots of the generalised golden ratio: even in all dimensions, the
-    // same everywhere.
+    // Kronecker's sequence with roots of the generalised golden ratio: even in all dimensions, and
+    // identical on every machine.
     let phi = {
         let mut x = 2.0_f64;
         (0..60).for_each(|_| x = (1.0 + x).powf(1.0 / (3 * n + 1) as f64));
@@ -93,7 +94,7 @@ pub fn extrapolation(arm: &dyn Arm, reach: &dyn LinkExtents, found: &Identificat
         }
         let std = variance.max(0.0).sqrt();
         result.torque_std.push(std);
-        // A joint whose torque was not recorded has no residual to compare with.
+        // A joint whose torque was not recorded has no residual for comparison.
         let sigma = found.noise.sigma.get(joint).copied().unwrap_or(f64::NAN);
         result.ratio.push(if found.fit.rms[joint].is_finite() { std / sigma } else { f64::INFINITY });
     }

@@ -1,7 +1,7 @@
-//! The plain fit and possible bodies on stretches of the fitted logs that are left out in turn:
-//! which of the two carries over, without a further log.
+//! Compares the plain fit and possible bodies on stretches of the fitted logs that are left out in
+//! turn. Decides which of the two extrapolates better, without a further log.
 //!
-//! Fit and errors need only the Gram matrices of the batches, so no log is read again.
+//! Fit and errors require only the Gram matrices of the batches, so no log is read again.
 
 use nalgebra::DMatrix;
 
@@ -16,27 +16,27 @@ use crate::identify::validation::preference::compare;
 use crate::model::Arm;
 use crate::numerics::eigen;
 
-/// Parts that are left out in turn.
+/// Number of parts that are left out in turn.
 const PARTS: usize = 8;
 
-/// Why there is no answer.
+/// Reason why there is no result.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum LeftOutError {
-    /// Too short.
+    /// The logs are too short.
     #[error("the fitted logs are too short to leave parts out")]
     Short,
-    /// The rest does not determine the parameters.
+    /// The remaining data do not determine the parameters.
     #[error(transparent)]
     Identify(#[from] IdentifyError),
-    /// The rest has no bodies.
+    /// The remaining data have no possible bodies.
     #[error(transparent)]
     Consistent(#[from] ConsistentError),
 }
 
-/// How bodies (with the prior) compare with the plain fit on parts of the fitted logs, each fitted
-/// on the others: by how much their error is larger. `found`: the plain solution of the whole;
-/// `file`: standard parameters of the robot file, as [`solve`] had them; the rest as for
+/// Compares bodies (with the prior) with the plain fit on parts of the fitted logs, each predicted
+/// from the others: relative increase of the error. `found`: plain solution of all data; `file`:
+/// standard parameters of the robot file, as for [`solve`]; the other arguments as for
 /// [`consistent`].
 pub fn left_out(
     arm: &dyn Arm,
@@ -55,7 +55,7 @@ pub fn left_out(
     }
     let solving =
         IdentifySettings { weighted: found.weighted, prior: file.map(<[f64]>::to_vec), ..IdentifySettings::default() };
-    // The remaining data may contradict physics; that is to be detected.
+    // The remaining data may contradict physics; this is to be detected.
     let settings = ConsistentSettings { most_cost_percent: f64::INFINITY, ..settings.clone() };
     let mut errors = Vec::new();
     for part in 0..parts {
@@ -80,7 +80,7 @@ pub fn left_out(
     compare(&errors).ok_or(LeftOutError::Short)
 }
 
-/// The log without these batches.
+/// Factors of the log without these batches.
 fn without(log: &Factors, out: &std::ops::Range<usize>) -> Factors {
     if out.is_empty() {
         return log.clone();
@@ -108,8 +108,8 @@ fn without(log: &Factors, out: &std::ops::Range<usize>) -> Factors {
     Factors { joints: log.joints.iter().map(joint).collect(), ..log.clone() }
 }
 
-/// `R` of `R' R = gram`, column-major: from the eigenvectors of the matrix with unit diagonal, of
-/// which what is rounding (below 1e-13) is nothing.
+/// Factor `R` with `R' R = gram`, column-major, from the eigenvectors of the matrix scaled to unit
+/// diagonal. Eigenvalues that are rounding errors (below 1e-13) are set to zero.
 fn factor(gram: &[f64], n: usize) -> RFactor {
     let scale: Vec<f64> = (0..n).map(|k| gram[k + k * n].max(0.0).sqrt()).collect();
     let inverse = |k: usize| if scale[k] > 0.0 { scale[k].recip() } else { 0.0 };
@@ -144,7 +144,7 @@ mod tests {
                 assert!((gram[i + k * n] - again[i + k * n]).abs() < 1e-12 * size(i) * size(k), "{i} {k}");
             }
         }
-        // The column that is another's double stays so.
+        // The column that is twice another one stays so.
         assert!(factor(&gram, n).norm_of(&[2.0, 0.0, -1.0, 0.0]) < 1e-7 * size(2));
     }
 }

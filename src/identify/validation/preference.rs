@@ -1,50 +1,50 @@
-//! Compares the predictions of logs by two sets of parameters, and decides whether the logs are
-//! long enough.
+//! Compares the predictions of two sets of parameters on logs, and decides whether the logs are
+//! long enough for a verdict.
 //!
-//! Compared is the mean over the joints of the RMS, `E = mean_j sqrt(sum_t S_jt / N_j)`. `S_jt` are
-//! the squared errors of joint `j` in stretch `t` (the batches of the factors, half a second or
-//! more). `L = log E_b - log E_a` is a smooth function of these sums, so each stretch has an
-//! influence on it, `I_t = sum_j S^b_jt / (2 r^b_j N_j sum r^b) - (the same of a)`. Its variance is
-//! `var L = sum_t I_t^2 + 2 sum_(t < s) I_t I_s` (the infinitesimal jackknife; Efron and Tibshirani
-//! 1993, section 21). Errors of a model are autocorrelated over stretches, so the second sum is
-//! taken as far as Geyer's initial positive sequence goes (Statistical Science 7, 1992). The
-//! interval is that of Student's t with as many degrees of freedom as stretches are independent,
-//! less one. Both errors are of the same torques, so what they share falls out.
+//! The criterion is the mean over the joints of the RMS, `E = mean_j sqrt(sum_t S_jt / N_j)`.
+//! `S_jt` are the squared errors of joint `j` in stretch `t` (the batches of the factors, half a
+//! second or more). `L = log E_b - log E_a` is a smooth function of these sums, so each stretch has
+//! an influence on it, `I_t = sum_j S^b_jt / (2 r^b_j N_j sum r^b) - (the same of a)`. Its variance
+//! is `var L = sum_t I_t^2 + 2 sum_(t < s) I_t I_s` (the infinitesimal jackknife; Efron and
+//! Tibshirani 1993, section 21). Errors of a model are autocorrelated over stretches, so the second
+//! sum extends as far as Geyer's initial positive sequence (Statistical Science 7, 1992). The
+//! interval is that of Student's t, with the number of independent stretches minus one as degrees
+//! of freedom. Both errors refer to the same torques, so common errors cancel.
 //!
-//! The parameters are taken as given: the interval says what other motion *of this kind* would show
-//! of these two, not what another fit would.
+//! The parameters are taken as given: the interval covers other motion *of this kind* with these
+//! two sets, not another fit.
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use crate::identify::regression::accumulator::Factors;
 
-/// How much worse the second parameters predict than the first.
+/// Comparison of the predictions of the second parameters with those of the first.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Preference {
-    /// By how much the mean over the joints of the RMS is larger with the second, percent
-    /// (negative: smaller).
+    /// Relative increase of the mean over the joints of the RMS with the second parameters, percent
+    /// (negative: decrease).
     pub percent: f64,
-    /// Its 95 % interval.
+    /// Confidence interval of `percent`, 95 %.
     pub interval: [f64; 2],
-    /// Stretches that were compared.
+    /// Number of stretches that were compared.
     pub stretches: usize,
-    /// As how many independent ones they count.
+    /// Equivalent number of independent stretches.
     pub independent: f64,
 }
 
-/// Verdict of the logs.
+/// Verdict of the comparison.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Better {
-    /// The first predicts better.
+    /// The first parameters predict better.
     First,
-    /// The second does.
+    /// The second parameters predict better.
     Second,
     /// The logs can't decide.
     Open,
 }
 
 impl Preference {
-    /// The better one, beyond the chance of the stretches.
+    /// The significantly better set of parameters.
     pub fn better(&self) -> Better {
         match self.interval {
             [low, _] if low > 0.0 => Better::First,
@@ -58,12 +58,12 @@ impl Preference {
 /// `[parameters][joint][stretch]`.
 pub(in crate::identify) struct Errors {
     pub(in crate::identify) squares: [Vec<Vec<f64>>; 2],
-    /// Samples of each joint; none where its torque was not recorded.
+    /// Number of samples of each joint; zero if its torque was not recorded.
     pub(in crate::identify) samples: Vec<usize>,
 }
 
 impl Errors {
-    /// Of the stretches of a log with these numbers.
+    /// Errors over the stretches of a log with these numbers.
     pub(in crate::identify) fn new(log: &Factors, stretches: std::ops::Range<usize>, beta: [&[f64]; 2]) -> Self {
         let square = |gram: &[f64], x: &[f64]| {
             let row = |column: &[f64]| column.iter().zip(x).map(|(g, v)| g * v).sum::<f64>();
@@ -85,19 +85,19 @@ impl Errors {
     }
 }
 
-/// Compares base parameters `b` with `a` on these logs. `None` where there are fewer than four
-/// stretches, or no error at all.
+/// Compares base parameters `b` with `a` on these logs. `None` if there are fewer than four
+/// stretches, or if the errors are zero.
 pub fn preference(logs: &[Factors], a: &[f64], b: &[f64]) -> Option<Preference> {
     let all = |log: &Factors| log.joints.iter().map(|j| j.batches.grams.len()).max().unwrap_or(0);
     compare(&logs.iter().map(|log| Errors::new(log, 0..all(log), [a, b])).collect::<Vec<_>>())
 }
 
-/// See [`preference`].
+/// Compares errors, see [`preference`].
 pub(in crate::identify) fn compare(logs: &[Errors]) -> Option<Preference> {
     let dof = logs.first()?.samples.len();
     let live: Vec<f64> = (0..dof).map(|j| logs.iter().map(|l| l.samples[j]).sum::<usize>() as f64).collect();
     let joints: Vec<usize> = (0..dof).filter(|&j| live[j] > 0.0).collect();
-    // r_j of both, and what a square adds to log E.
+    // Errors r_j of both, and the derivative of log E with respect to a squared error.
     let weights = [0, 1].map(|which| {
         let total = |j: usize| logs.iter().filter(|l| l.samples[j] > 0).flat_map(|l| &l.squares[which][j]).sum::<f64>();
         let rms: Vec<f64> = joints.iter().map(|&j| (total(j) / live[j]).sqrt()).collect();
@@ -133,8 +133,8 @@ pub(in crate::identify) fn compare(logs: &[Errors]) -> Option<Preference> {
     let alone = lagged(0);
     let mut variance = alone;
     let mut pair = 1;
-    // Pairs of lags (1, 2), (3, 4), ... as long as their sum is positive; a third of the stretches
-    // at most.
+    // Pairs of lags (1, 2), (3, 4), ... as long as their sum is positive, up to a third of the
+    // stretches.
     while pair < stretches.div_ceil(3) {
         let more = lagged(pair) + lagged(pair + 1);
         if more <= 0.0 {
@@ -146,10 +146,10 @@ pub(in crate::identify) fn compare(logs: &[Errors]) -> Option<Preference> {
     let count = stretches as f64;
     let independent = if variance > 0.0 { (count * alone / variance).min(count) } else { count };
     let freedom = (independent - 1.0).max(1.0);
-    // Influences sum to zero: one of the independent ones is used up.
+    // Influences sum to zero, which takes one of the independent stretches.
     let std = (variance * independent / freedom).max(0.0).sqrt();
     let reach = StudentsT::new(0.0, 1.0, freedom).map_or(f64::INFINITY, |t| t.inverse_cdf(0.975)) * std;
-    // A ratio of a million says as much as infinity, and stays a number.
+    // Caps the ratio at a million, so that it stays finite.
     let percent = |l: f64| 100.0 * l.clamp(-14.0, 14.0).exp_m1();
     let interval = [percent(log_ratio - reach), percent(log_ratio + reach)];
     Some(Preference { percent: percent(log_ratio), interval, stretches, independent })
@@ -174,9 +174,9 @@ mod tests {
         (0..count).map(|_| next()).collect()
     }
 
-    /// Errors of the second that are three stretches above and three below those of the first, 24 in
-    /// all. Products of neighbours sum to 9, of every other to -6; those of lags 3 and 4 are negative.
-    /// So the variance is that of 24 alone and twice 3, and the stretches count for 24 / 30 each.
+    /// Errors of the second that are three stretches above and three below those of the first, 24
+    /// in all. Products at lag 1 sum to 9, at lag 2 to -6; those of lags 3 and 4 are negative. The
+    /// variance is that of 24 independent stretches plus twice 3, so each counts as `24 / 30`.
     #[test]
     fn stretches_that_go_with_their_neighbours_count_for_less() {
         let second = (0..24).map(|t| if t / 3 % 2 == 0 { 2.5 } else { 1.5 }).collect();

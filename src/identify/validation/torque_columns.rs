@@ -1,9 +1,9 @@
-//! Whether the torque columns of a log stand in another order, with other signs or in another unit,
-//! or its position columns in another order.
+//! Detects torque columns of a log in another order, with other signs or in another unit, and
+//! position columns in another order.
 //!
-//! Factors hold each joint's regressor beside its own torque alone. Here it stands beside all
-//! torques, `[W_j tau_1 .. tau_n]`, so that every pairing of equations and columns can be tried
-//! without another look at the log.
+//! Ordinary factors combine each joint's regressor with its own torque alone. Here it is combined
+//! with all torques, `[W_j tau_1 .. tau_n]`, so that every pairing of equations and columns can be
+//! tried without reading the log again.
 
 use crate::data::log::{Explanation, Finding, Kind, Severity};
 use crate::data::signal::{Motion, MotionBlock};
@@ -14,48 +14,48 @@ use crate::model::{Arm, States};
 
 mod positions;
 
-/// Samples that are evaluated at once.
+/// Number of samples evaluated at once.
 const BLOCK: usize = 256;
-/// An explanation has to leave less than this share of what the log leaves as recorded (root mean
-/// square), and of what the best one with other signs alone leaves.
+/// An explanation must leave less than this share of the residual of the log as recorded (root mean
+/// square), and of the best reading that changes signs only.
 const FAR_BETTER: f64 = 0.5;
-/// And less than this share of the torques.
+/// An explanation must also leave less than this share of the torques.
 const EXPLAINED: f64 = 0.35;
-/// Two orders are not to be distinguished by a fit where what they leave differs by less than this
-/// factor: light wrists have hardly more than friction.
+/// Ratio of residuals below which a fit can't distinguish two orders: light wrists have little more
+/// than friction.
 const ALIKE_LEFT: f64 = 1.3;
-/// A correlation with the given model from which on sizes can be compared.
+/// Least correlation with the given model at which sizes can be compared.
 const ALIKE: f64 = 0.8;
-/// Sizes that differ by less than this factor are within what a rough model errs.
+/// Ratio of sizes that is within the error of a rough model.
 const ROUGH: f64 = 2.5;
-/// The same where fewer than half of the joints, two at least, go with the model: what hangs on the
-/// arm may make their torques several times as large.
+/// The same if fewer than half of the joints, but at least two, agree with the model: a payload may
+/// make their torques several times as large.
 const ROUGH_OF_FEW: f64 = 10.0;
-/// Travel of a joint from which on its torque identifies its column, rad or m.
+/// Least travel of a joint at which its torque identifies its column, rad or m.
 const TRAVEL: f64 = 0.1;
-/// Sizes of the joints' torques agree on a unit within this factor.
+/// Factor within which the sizes of the joints' torques must agree on a unit.
 const AGREE: f64 = 2.0;
-/// Most joints whose pairings are searched one and all.
+/// Most joints for which all pairings are searched.
 const MOST_JOINTS: usize = 14;
 
-/// References for the torques.
+/// Reference with which the torques are compared.
 #[derive(Debug, Clone, Copy)]
 pub enum Reference<'a> {
-    /// The arm's best parameters for this log.
+    /// Best parameters for this log.
     Fit,
-    /// These base parameters.
+    /// Given base parameters.
     Model(&'a [f64]),
 }
 
-/// Second moments of a log's torque columns beside every joint's regressor.
+/// Second moments of a log's torque columns together with every joint's regressor.
 pub struct TorqueColumns<'a> {
     arm: &'a dyn Arm,
     rows: Rows,
-    /// `[W_j tau_1 .. tau_n]` of each joint.
+    /// Factor of `[W_j tau_1 .. tau_n]` for each joint.
     factors: Vec<RFactor>,
-    /// The same with positions taken as degrees.
+    /// The same factors with positions taken as degrees.
     degrees: Vec<RFactor>,
-    /// Lowest and highest position of each joint.
+    /// Smallest and largest position of each joint, rad or m.
     range: Vec<[f64; 2]>,
     samples: usize,
     seconds: f64,
@@ -78,7 +78,7 @@ impl Reading {
         self.column.iter().enumerate().any(|(joint, column)| joint != *column)
     }
 
-    /// With two columns exchanged, or one negated: all readings one step away.
+    /// Readings that differ by one step: two columns exchanged, or one negated.
     fn neighbours(&self) -> impl Iterator<Item = Self> + '_ {
         let n = self.column.len();
         let exchanged = (0..n).flat_map(move |a| (0..a).map(move |b| (a, b))).map(|(a, b)| {
@@ -97,7 +97,7 @@ impl Reading {
 }
 
 impl<'a> TorqueColumns<'a> {
-    /// Of a log of this arm.
+    /// Creates empty moments for a log of this arm.
     pub fn new(arm: &'a dyn Arm) -> Self {
         let rows = Rows::new(arm);
         let empty = || rows.columns.iter().map(|c| RFactor::new(c.len() + arm.dof())).collect();
@@ -106,7 +106,7 @@ impl<'a> TorqueColumns<'a> {
         Self { arm, factors: empty(), degrees: empty(), range, samples: 0, seconds: 0.0, kept, rows }
     }
 
-    /// Takes in a stretch of motion.
+    /// Adds a stretch of motion.
     pub fn absorb(&mut self, motion: &Motion) {
         let (mut block, mut from) = (MotionBlock::default(), 0);
         loop {
@@ -129,16 +129,16 @@ impl<'a> TorqueColumns<'a> {
         }
     }
 
-    /// Whether the torques, as recorded, are mostly something else than `reference` says: where
-    /// they are not, nothing is to be explained.
+    /// Whether the reference leaves a large part of the recorded torques unexplained; otherwise no
+    /// explanation is needed.
     pub fn is_suspicious(&self, reference: Reference<'_>) -> bool {
         self.samples > 0
             && self.unexplained(&self.factors, self.samples, &Reading::as_recorded(self.arm.dof()), reference)
                 > EXPLAINED
     }
 
-    /// Whether half of the joints travel: torques of an arm that stands are a few numbers, which
-    /// another order meets by chance.
+    /// Whether half of the joints travel: an arm at rest gives only a few distinct torques, which
+    /// another order can match by chance.
     fn travels(&self) -> bool {
         2 * self.range.iter().filter(|[low, high]| high - low > TRAVEL).count() >= self.range.len()
     }
@@ -148,14 +148,14 @@ impl<'a> TorqueColumns<'a> {
         self.samples > 0 && !self.is_short() && self.travels()
     }
 
-    /// Too little to distinguish a fit from a coincidence: 20 independent values per second and
-    /// joint.
+    /// Whether the log is too short to distinguish a fit from a coincidence, at 20 independent
+    /// values per second and joint.
     fn is_short(&self) -> bool {
         self.seconds * 20.0 * self.arm.dof() as f64 <= 3.0 * self.arm.base_parameters().len() as f64
     }
 
     /// Reading that explains the torques far better than the recorded columns, with its evidence.
-    /// `gears`: ratio of each joint, where it is known.
+    /// `gears`: ratio of each joint, if known.
     pub fn explained(&self, reference: Reference<'_>, gears: &[Option<f64>]) -> Option<Finding> {
         let n = self.arm.dof();
         if self.samples == 0 || (self.is_short() && matches!(reference, Reference::Fit)) {
@@ -206,8 +206,8 @@ impl<'a> TorqueColumns<'a> {
         }
     }
 
-    /// Shares of the torques (root mean square) that a model leaves of the joints whose column is
-    /// another one in `reading`: as recorded, with the best signs, and so read.
+    /// Residual shares of the torques (root mean square) of a model over the joints whose column
+    /// changes in `reading`: as recorded, with the best signs, and with this reading.
     fn of_the_moved(&self, beta: &[f64], reading: &Reading) -> [f64; 3] {
         let moved: Vec<usize> = (0..reading.column.len()).filter(|&j| reading.column[j] != j).collect();
         let left = |j: usize, column: usize, negated: bool| self.left_by_model(&self.factors, beta, j, column, negated);
@@ -220,8 +220,8 @@ impl<'a> TorqueColumns<'a> {
         ]
     }
 
-    /// Share of the torques (root mean square, joints weighing alike) that is left.
-    /// `samples`: how many the factors stand for.
+    /// Residual share of the torques (root mean square, joints equally weighted). `samples`: number
+    /// of samples in the factors.
     fn unexplained(&self, factors: &[RFactor], samples: usize, reading: &Reading, reference: Reference<'_>) -> f64 {
         match reference {
             Reference::Fit => self.left_by_fit(factors, samples, reading),
@@ -246,7 +246,7 @@ impl<'a> TorqueColumns<'a> {
         triangle.get(parameters, parameters).abs() / ((live * samples) as f64).sqrt()
     }
 
-    /// Square of the share of a column's torque that the model of a joint leaves.
+    /// Squared share of a column's torque that a joint's model leaves unexplained.
     fn left_by_model(&self, factors: &[RFactor], beta: &[f64], joint: usize, column: usize, negated: bool) -> f64 {
         let [torque, model, product] = self.moments(&factors[joint], beta, joint, column);
         let product = if negated { -product } else { product };
@@ -266,7 +266,7 @@ impl<'a> TorqueColumns<'a> {
         [dot(&torque, &torque), dot(&model, &model), dot(&torque, &model)]
     }
 
-    /// A joint's equations with the torque of one column.
+    /// Equations of a joint with the torque of one column.
     fn system(&self, factor: &RFactor, samples: usize, joint: usize, (column, negated): (usize, bool)) -> JointSystem {
         let m = self.rows.columns[joint].len();
         let size = factor.columns();
@@ -307,7 +307,7 @@ impl<'a> TorqueColumns<'a> {
         left
     }
 
-    /// The best reading that steps from the recorded order, or from the best pairing of rows, find.
+    /// Best reading found by steps from the recorded order, or from the best pairing of rows.
     fn search(&self, reference: Reference<'_>) -> (Reading, f64) {
         let n = self.arm.dof();
         let paired = (n <= MOST_JOINTS).then(|| self.best_pairing(reference));
@@ -320,7 +320,7 @@ impl<'a> TorqueColumns<'a> {
                     .neighbours()
                     .map(|next| (self.unexplained(&self.factors, self.samples, &next, reference), next));
                 match next.min_by(|a, b| a.0.total_cmp(&b.0)) {
-                    // A step that gains nothing to speak of is none.
+                    // A step with a negligible gain is not taken.
                     Some((better, next)) if better < 0.9 * left => (left, reading) = (better, next),
                     _ => return (reading, left),
                 }
@@ -329,7 +329,7 @@ impl<'a> TorqueColumns<'a> {
         climbed.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((Reading::as_recorded(n), f64::INFINITY))
     }
 
-    /// The reading nearest to the recorded columns whose residual is hardly larger.
+    /// Reading nearest to the recorded columns whose residual is hardly larger.
     fn simplest(&self, (mut reading, left): (Reading, f64), reference: Reference<'_>) -> (Reading, f64) {
         let n = reading.column.len();
         let mut last = left;
@@ -359,8 +359,8 @@ impl<'a> TorqueColumns<'a> {
         }
     }
 
-    /// The pairing of equations and columns in which rows, each by itself, leave least: dynamic
-    /// programming over sets of columns (Held and Karp 1962).
+    /// Pairing of equations and columns with the least residual of the rows, each on its own:
+    /// dynamic programming over sets of columns (Held and Karp 1962).
     fn best_pairing(&self, reference: Reference<'_>) -> Reading {
         let n = self.arm.dof();
         let cost: Vec<Vec<(f64, bool)>> =
@@ -387,7 +387,7 @@ impl<'a> TorqueColumns<'a> {
         reading
     }
 
-    /// Logarithm of the share that a row leaves of a column, and whether with the other sign.
+    /// Logarithm of the residual share of a row for a column, and whether the sign is reversed.
     fn row_cost(&self, joint: usize, column: usize, reference: Reference<'_>) -> (f64, bool) {
         let (share, negated) = match reference {
             Reference::Fit => {
@@ -405,11 +405,11 @@ impl<'a> TorqueColumns<'a> {
         (share.max(1e-3).ln(), negated)
     }
 
-    /// Torques that go with the model but for their size.
+    /// Detects torques that agree with the model except for their scale.
     fn in_unit(&self, beta: &[f64], gears: &[Option<f64>]) -> Option<Finding> {
         let n = self.arm.dof();
         let moments: Vec<[f64; 3]> = (0..n).map(|j| self.moments(&self.factors[j], beta, j, j)).collect();
-        // Of joints whose torque goes with the model: how many times the model it is.
+        // Ratio of torque to model, for joints whose torque correlates with the model.
         let alike = |[torque, model, product]: &[f64; 3]| {
             let correlation = product.abs() / (torque * model).sqrt();
             (correlation > ALIKE).then(|| (torque / model).sqrt())
@@ -466,7 +466,7 @@ mod tests {
     use crate::model::interpreted::Interpreted;
     use dh_codegen::arm::param;
 
-    /// A robot of the repository with its file's values, moving; torques with noise.
+    /// A robot of the repository with its file's values, in motion; torques with noise.
     fn recorded(text: &str, seed: u64) -> (Interpreted, Vec<f64>, Motion) {
         let robot = dh_codegen::robot::Robot::from_yaml(text, &dh_codegen::robot::no_files).unwrap().robot;
         let arm = Interpreted::new(&robot, &[]);
@@ -508,7 +508,7 @@ mod tests {
         }
     }
 
-    /// The motion with the torque of each joint in the column of this number (from 0).
+    /// The motion with each joint's torque moved to the given column (from 0).
     fn in_columns(motion: &Motion, columns: &[usize]) -> Motion {
         let (len, mut out) = (motion.states.len, motion.clone());
         for (joint, &column) in columns.iter().enumerate() {
@@ -534,7 +534,7 @@ mod tests {
             for reference in [Reference::Fit, Reference::Model(&beta)] {
                 match read(&arm, &log, reference, &[]) {
                     Some(Explanation::Positions { columns }) => assert_eq!(columns, named, "{reference:?}"),
-                    // Of the light wrist a fit knows friction alone.
+                    // For the light wrist a fit determines friction alone.
                     Some(Explanation::PositionsOrTorques { joints }) => {
                         assert!(joints == [4, 6] && matches!(reference, Reference::Fit), "{reference:?} {joints:?}");
                     }
@@ -567,7 +567,7 @@ mod tests {
         }
     }
 
-    /// Of an arm that stands, six numbers are compared with six: an order that fits proves nothing.
+    /// For an arm at rest, six numbers are compared with six: a matching order proves nothing.
     #[test]
     fn an_arm_that_stands_tells_no_order() {
         let (arm, beta, motion) = recorded(PUMA, 3);
@@ -619,8 +619,8 @@ mod tests {
         assert_eq!(read(&arm, &degrees, Reference::Fit, &[]), Some(Explanation::Degrees));
     }
 
-    /// Joints that the model says little of, as light wrists on real arms, hide neither an exchange
-    /// of others nor a unit.
+    /// Joints that the model predicts poorly, like light wrists on real arms, hide neither an
+    /// exchange of others nor a unit.
     #[test]
     fn poorly_modelled_joints_hide_nothing() {
         let (arm, beta, mut motion) = recorded(PUMA, 9);

@@ -1,4 +1,4 @@
-//! Whether a joint's torque was recorded with the other sign.
+//! Detects joints whose torque was recorded with the opposite sign.
 
 use nalgebra::DMatrix;
 
@@ -12,11 +12,11 @@ fn finding(joint: usize, correlation: f64) -> Finding {
     Finding { kind: Kind::Sign { correlation }, severity: Severity::Warning, line: None, column, count: 1 }
 }
 
-/// Fewer batches than these have no information on a sign.
+/// Fewest batches from which a sign can be judged.
 const BATCHES: usize = 3;
 
-/// Whether the joint's regressor keeps its direction, as that of an arm that stands does: next to
-/// rank one.
+/// Whether the joint's regressor keeps its direction (is nearly of rank one), like that of an arm
+/// at rest.
 fn stands(joint: &JointSystem) -> bool {
     let n = joint.columns.len() + 1;
     let entry = |i: usize, k: usize| joint.gram[i + k * n];
@@ -25,22 +25,22 @@ fn stands(joint: &JointSystem) -> bool {
     squares.sqrt() > 0.99 * trace
 }
 
-/// Friction holds a resting joint anywhere between its levels, and torque sensors have offsets. On
-/// real arms they reach some percent of the rated torque (a Staubli TX40: 7 %). As a share of the
-/// largest torque of the arm.
+/// Share of the arm's largest torque that stiction and sensor offsets may reach. Friction holds a
+/// resting joint anywhere between its levels, and torque sensors have offsets. On real arms they
+/// reach some percent of the rated torque (a Staubli TX40: 7 %).
 const STICTION: f64 = 0.02;
-/// How many times its own standard deviation, and of a joint that stands how many times friction,
-/// the prediction must be.
+/// Required ratio of the prediction to its own standard deviation and, for a joint at rest, to
+/// friction.
 const SURE: f64 = 3.0;
-/// A joint that has not moved farther than this, rad (m), may not have been sliding. Within its
-/// teeth a gear is a spring with memory, and its friction has no sign.
+/// Largest travel, rad (m), at which a joint may not have been sliding. Within its teeth a gear is
+/// a spring with hysteresis, and its friction has no sign.
 const TRAVEL: f64 = 0.05;
 
-/// Values of the base parameters that torques are held against, and what is known of them.
+/// Base parameters with which torques are compared, and their covariance.
 pub(in crate::identify) struct Model<'a> {
-    /// The model's base parameters.
+    /// Base parameters of the model.
     pub(in crate::identify) beta: &'a [f64],
-    /// Covariance of the active ones among them, and these; none where the model is given.
+    /// Covariance of the active parameters, and their indices; `None` if the model is given.
     pub(in crate::identify) covariance: Option<(&'a DMatrix<f64>, &'a [usize])>,
 }
 
@@ -57,10 +57,10 @@ impl Model<'_> {
         sum.max(0.0) / joint.samples.max(1) as f64
     }
 
-    /// Joints whose torque runs against the model's prediction (correlation below -0.5). The
-    /// prediction must exceed its own deviation and, with the sign turned, be nearer to the torque
-    /// than zero is. Of a joint in one posture, where an offset or a payload may say the same, the
-    /// correlation must be below -0.95 and the prediction a torque that counts.
+    /// Joints whose torque opposes the model's prediction (correlation below -0.5). The prediction
+    /// must exceed its own standard deviation threefold and, with the sign reversed, be nearer to
+    /// the torque than zero is. For a joint in one posture an offset or a payload may be the cause.
+    /// There the correlation must be below -0.95 and the prediction well above friction.
     pub(in crate::identify) fn opposed(&self, joints: &[JointSystem]) -> Vec<Finding> {
         let mut findings = Vec::new();
         let largest = joints.iter().map(|j| j.torque_rms).fold(0.0, f64::max);
@@ -92,8 +92,8 @@ impl Model<'_> {
     }
 }
 
-/// Without a model: joints whose torque, turned about, agrees far better with the equations of the
-/// others; and joints whose friction and rotor inertia all come out negative beyond doubt.
+/// Without a model: joints whose reversed torque agrees far better with the equations of the
+/// others, and joints whose friction and rotor inertia are all significantly negative.
 pub(in crate::identify) fn against_fit(
     arm: &dyn Arm,
     problem: &Problem<'_>,
@@ -114,17 +114,17 @@ pub(in crate::identify) fn against_fit(
     };
     let as_is = residual(&scale, None);
     for (index, joint) in problem.joints.iter().enumerate().filter(|(_, j)| j.samples > 0) {
-        // A drive's column stands in its own joint's row alone.
+        // A drive's column occurs in its own joint's row alone.
         let own = |term| joint.columns.iter().copied().find(|&c| parameters[c].is_drive_term(term));
         let drive: Vec<usize> = [DriveTerm::IA, DriveTerm::FV, DriveTerm::FC].into_iter().filter_map(own).collect();
         let turned = residual(&scale, Some(index));
         let slid = joint.travel > TRAVEL;
         let negative = slid && drive.len() >= 2 && drive.iter().all(|&c| solution.beta[c] < -3.0 * std[c]);
-        // Of two joints that contradict each other, the one whose friction came out negative is the
-        // one to turn about.
+        // Of two joints that contradict each other, the one with negative friction is to be
+        // reversed.
         let friction = drive.iter().filter(|&&c| !parameters[c].leader.is_rotor());
         let brakes = friction.clone().count() > 0 && friction.clone().all(|&c| solution.beta[c] > 0.0);
-        // Torque that is next to nothing says nothing about its sign.
+        // A zero torque has no information on its sign.
         let better = turned < 0.5 * as_is;
         if joint.torque_rms > 0.0 && (negative || (better && !brakes)) {
             let explained =

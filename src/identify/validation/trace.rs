@@ -1,37 +1,37 @@
-//! Measured and estimated torque over time, thinned for drawing so that spikes stay.
+//! Measured and estimated torque over time, thinned for plots such that spikes are kept.
 
 use crate::data::signal::{Motion, MotionBlock};
 use crate::identify::regression::rows::Rows;
 use crate::model::Arm;
 
-/// The most points per curve.
+/// Largest number of points per curve.
 const MOST: usize = 2400;
 
-/// A joint's curves: least and largest value within each point's stretch of time.
+/// Curves of a joint: smallest and largest value within each point's stretch of time.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct TraceJoint {
     /// Measured torque, N m.
     pub measured: Vec<[f64; 2]>,
     /// Estimated torque, N m.
     pub estimated: Vec<[f64; 2]>,
-    /// Measured less estimated, N m.
+    /// Measured minus estimated torque, N m.
     pub residual: Vec<[f64; 2]>,
 }
 
-/// Torques of a log, thinned.
+/// Thinned torques of a log.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Trace {
     /// Name of the log.
     pub name: String,
-    /// Whether it validates.
+    /// Whether the log is used for validation.
     pub validates: bool,
-    /// Start of each point's stretch, s, segments end to end.
+    /// Start of each point's stretch, s, with segments end to end.
     pub time: Vec<f64>,
-    /// Segment of each point; a curve is broken where it changes.
+    /// Segment of each point; a curve is interrupted where it changes.
     pub segment: Vec<usize>,
-    /// One per joint.
+    /// Curves of each joint.
     pub joints: Vec<TraceJoint>,
-    /// Samples per point.
+    /// Number of samples per point.
     pub thinning: usize,
 }
 
@@ -42,20 +42,20 @@ pub struct Tracer<'a> {
     beta: Vec<f64>,
     trace: Trace,
     clock: f64,
-    /// Samples in the last point.
+    /// Number of samples in the last point.
     filled: usize,
     segments: Option<usize>,
 }
 
 impl<'a> Tracer<'a> {
-    /// For a log, with base parameters `beta`.
+    /// Creates a tracer for a log, with base parameters `beta`.
     pub fn new(name: &str, validates: bool, arm: &'a dyn Arm, beta: &[f64]) -> Self {
         let joints = vec![TraceJoint::default(); arm.dof()];
         let trace = Trace { name: name.into(), validates, joints, thinning: 1, ..Trace::default() };
         Self { arm, rows: Rows::new(arm), beta: beta.to_vec(), trace, clock: 0.0, filled: 0, segments: None }
     }
 
-    /// Takes in a stretch of motion.
+    /// Adds a stretch of motion.
     pub fn absorb(&mut self, motion: &Motion) {
         let dof = self.arm.dof();
         let mut block = MotionBlock::default();
@@ -105,7 +105,7 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    /// Joins neighbours pairwise.
+    /// Merges neighbouring points pairwise.
     fn thin(&mut self) {
         fn halve<T: Copy>(all: &mut Vec<T>, join: impl Fn(T, T) -> T) {
             *all = all.chunks(2).map(|pair| if let [a, b] = *pair { join(a, b) } else { pair[0] }).collect();
@@ -121,7 +121,7 @@ impl<'a> Tracer<'a> {
         self.trace.thinning *= 2;
     }
 
-    /// The trace.
+    /// The completed trace.
     pub fn finish(self) -> Trace {
         self.trace
     }

@@ -1,14 +1,14 @@
-//! Joints whose torque the fitted model can't explain: something is wrong with the log or the robot
-//! file that no parameter mends.
+//! Reports joints whose torque the fitted model can't explain: the log or the robot file has an
+//! error that no parameter can fix.
 
 use crate::data::log::{Finding, Kind, Severity, Unexplained};
 use crate::identify::regression::wls::JointSystem;
 use crate::identify::validation::accuracy::Accuracy;
 use crate::model::{BaseParameter, DriveTerm};
 
-/// More than this share of a joint's torque.
+/// Least unexplained share of a joint's torque that is reported.
 const SHARE: f64 = 0.3;
-/// Of joints that carry at least this share of the largest joint's torque: the last ones carry
+/// Least torque of a reported joint, as a share of the largest joint's: the last joints carry
 /// little but friction and the sensors' errors.
 const LOADED: f64 = 0.2;
 

@@ -1,5 +1,5 @@
-//! Adjoints of kernels: `seed' d(outputs)/d(q, dq, ddq)`, from the derivatives by sines and cosines
-//! to those by angles.
+//! Adjoints of kernels, `seed' d(outputs)/d(q, dq, ddq)`: converts derivatives by sines and cosines
+//! to derivatives by angles.
 
 use std::collections::BTreeMap;
 
@@ -7,9 +7,9 @@ use super::chain::Group;
 use super::kernel::{Function, Kernel};
 use crate::sym::{Ex, Graph, adjoint};
 
-/// Derivatives of the weighted sum of some outputs (indices into the row-major result), those that
-/// are not zero: by `q` (0), `dq` (1) or `ddq` (2), of which joint. The weights are the inputs from
-/// `first_seed` on.
+/// Nonzero derivatives of the weighted sum of some outputs (indices into the row-major result),
+/// keyed by `q` (0), `dq` (1) or `ddq` (2) and joint. The weights are the inputs from `first_seed`
+/// on.
 pub(crate) fn by_states<'g>(
     graph: &'g Graph,
     kernel: &Kernel,
@@ -20,7 +20,7 @@ pub(crate) fn by_states<'g>(
     let seeds: Vec<Ex<'g>> = (0..wanted.len()).map(|k| graph.input(first_seed + k)).collect();
     let mut sums: BTreeMap<(usize, usize), Ex<'g>> = BTreeMap::new();
     for (input, bar) in adjoint(graph, &kernel.tape, wanted, &seeds) {
-        // d sin = cos dq, d cos = -sin dq.
+        // Chain rule: d sin = cos dq, d cos = -sin dq.
         let (part, joint, bar) = match inputs.locate(input) {
             (Group::Position, j) => (0, j, bar),
             (Group::Sine, j) => (0, j, bar * graph.input(inputs.index(Group::Cosine, j))),
@@ -35,8 +35,8 @@ pub(crate) fn by_states<'g>(
     sums
 }
 
-/// The adjoint of a kernel as a kernel, `3 x n`: its seeds follow the `parameters` that the kernel
-/// reads.
+/// Adjoint of a kernel as a kernel, `3 x n`; its seeds follow the `parameters` parameters that the
+/// kernel reads.
 pub(super) fn kernel(primal: &Kernel, function: Function, parameters: usize) -> Kernel {
     let graph = Graph::new();
     let first_seed = primal.inputs.index(Group::Parameter, parameters);

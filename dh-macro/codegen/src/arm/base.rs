@@ -1,13 +1,14 @@
-//! Base parameters in closed form: which standard parameters have an effect of their own, and how
-//! the others group.
+//! Base parameters in closed form: which standard parameters have an independent effect, and how
+//! the others are grouped.
 //!
-//! Gautier and Khalil's regrouping (Khalil and Dombre, 9.4) in the form that covers every geometry.
-//! The energies are linear in the parameters: link `j` contributes `delta . e_j(q, dq)`. A change
+//! Gautier and Khalil's regrouping (Khalil and Dombre, 9.4) in a form for every geometry. The
+//! energies are linear in the parameters: link `j` contributes `delta . e_j(q, dq)`. A change
 //! `delta` of link `j`'s parameters is invisible to its own joint exactly if `delta . e_j` does not
-//! depend on `q_j` and `dq_j`. It is then the same change that the moved body makes on link `j -
-//! 1`. The condition is linear: it holds against the span of all motions that the joints before can
-//! give. So the span is carried outwards (subspaces of dimension at most ten), each link's null
-//! space is found, and the regrouping goes inwards with the lengths as named constants.
+//! depend on `q_j` and `dq_j`. It is then equivalent to the change made by the moved body on link
+//! `j - 1`. The condition is linear and must hold for the span of all motions that the preceding
+//! joints can produce. The span is therefore propagated outwards (subspaces of dimension at most
+//! ten), each link's null space is computed, and the regrouping proceeds inwards with the lengths
+//! as named constants.
 
 use std::collections::BTreeMap;
 
@@ -15,23 +16,23 @@ use super::param::{DriveTerm, Inertial, Parameter, standard};
 use super::subspace::Subspace;
 use crate::robot::{Convention, JointKind, Polynomial, Robot};
 
-/// A base parameter and what it groups.
+/// A base parameter and its grouping.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BaseParameter {
-    /// The standard parameter whose column it keeps.
+    /// Standard parameter whose column is kept.
     pub leader: Parameter,
-    /// Name of the leader, with `R` where it groups others.
+    /// Name of the leader, with `R` appended if it groups others.
     pub name: String,
-    /// `ZZ2R = ZZ2 + ...` in the constants of the file.
+    /// Grouping formula `ZZ2R = ZZ2 + ...` in the constants of the file.
     pub grouping: String,
-    /// Index into [`standard`] and factor, ascending.
+    /// Indices into [`standard`] and factors, ascending.
     pub coefficients: Vec<(usize, f64)>,
-    /// The same factors in the constants of the file.
+    /// The same factors as polynomials in the constants of the file.
     pub closed_forms: Vec<Polynomial>,
 }
 
 impl BaseParameter {
-    /// Whether it groups nothing but its leader.
+    /// Whether it consists of its leader alone.
     pub fn stands_alone(&self) -> bool {
         self.coefficients.len() == 1 && self.coefficients[0].1 == 1.0
     }
@@ -41,7 +42,7 @@ impl BaseParameter {
 #[derive(Debug, Clone, PartialEq)]
 pub struct BaseParameters(pub Vec<BaseParameter>);
 
-/// Numbers or polynomials: what a regrouping is computed in.
+/// Numbers or polynomials, in which a regrouping is computed.
 trait Ring: Clone {
     fn zero() -> Self;
     fn plus(&self, other: &Self) -> Self;
@@ -92,13 +93,13 @@ const ZZ: usize = Inertial::ZZ as usize;
 const XY: usize = Inertial::XY as usize;
 const XZ: usize = Inertial::XZ as usize;
 const YZ: usize = Inertial::YZ as usize;
-/// The two drive terms that can group with inertial ones.
+/// Indices of the two drive terms that can be grouped with inertial ones.
 const IA: usize = 10;
 const FO: usize = 11;
 
-/// The body seen from a frame whose origin lies `s` behind, along the axis with first moment
-/// `along`. `i`, `j` are the diagonal entries across, `p`, `q` the products with the other two
-/// first moments.
+/// Parameters of the body about an origin that is shifted back by `s` along the axis with first
+/// moment `along`. `i`, `j` are the diagonal entries across; `products` are those with the other
+/// two first moments.
 fn translated<T: Ring>(v: &Ten<T>, s: &T, along: usize, [i, j]: [usize; 2], products: [(usize, usize); 2]) -> Ten<T> {
     let mut out = v.clone();
     let across = v[along].by(s).times(2.0).plus(&v[M].by(s).by(s));
@@ -119,7 +120,7 @@ fn trans_z<T: Ring>(v: &Ten<T>, r: &T) -> Ten<T> {
     translated(v, r, MSZ, [XX, YY], [(XZ, MSX), (YZ, MSY)])
 }
 
-/// `a x + b y`.
+/// Linear combination `a x + b y`.
 fn mix<T: Ring>(a: f64, x: &T, b: f64, y: &T) -> T {
     x.times(a).plus(&y.times(b))
 }
@@ -151,7 +152,7 @@ fn rot_z<T: Ring>(v: &Ten<T>, (s, c): (f64, f64)) -> Ten<T> {
 /// A linear map of parameters.
 type Order = fn(&Ten<f64>) -> Ten<f64>;
 
-/// Effect of a joint's motion on a body's parameters, order by order. First the constant part, then
+/// Effect of a joint's motion on a body's parameters, term by term. First the constant part, then
 /// the coefficients of `cos q, sin q, cos 2q, sin 2q` (revolute) or `q, q^2` (prismatic).
 fn harmonics(kind: JointKind) -> Vec<Order> {
     match kind {
@@ -171,7 +172,7 @@ fn harmonics(kind: JointKind) -> Vec<Order> {
     }
 }
 
-/// Average parameters of a body that spins about z.
+/// Average parameters of a body that rotates about z.
 fn constant_part<T: Ring>(v: &Ten<T>) -> Ten<T> {
     let mean = mix(0.5, &v[XX], 0.5, &v[YY]);
     let mut out: Ten<T> = core::array::from_fn(|_| T::zero());
@@ -183,7 +184,7 @@ fn constant_part<T: Ring>(v: &Ten<T>) -> Ten<T> {
     out
 }
 
-/// Sparse matrix times `v`: entries `(row, factor, column)`.
+/// Product of a sparse matrix with `v`; entries `(row, factor, column)`.
 fn pick(v: &Ten<f64>, entries: &[(usize, f64, usize)]) -> Ten<f64> {
     let mut out = [0.0; 10];
     for &(row, factor, column) in entries {
@@ -192,8 +193,8 @@ fn pick(v: &Ten<f64>, entries: &[(usize, f64, usize)]) -> Ten<f64> {
     out
 }
 
-/// One row of the DH table, as it moves parameters from its body's frame to the frame before:
-/// `before . joint . after`.
+/// Transformation of parameters from a body's frame to the previous frame by one row of the DH
+/// table: `before . joint . after`.
 struct Step {
     kind: JointKind,
     convention: Convention,
@@ -220,7 +221,7 @@ impl Step {
             .collect()
     }
 
-    /// From the body's frame to the axes in which the joint turns or slides.
+    /// Transforms from the body's frame to the axes of the joint's motion.
     fn after<T: Ring>(&self, v: &Ten<T>, d: &T, r: &T) -> Ten<T> {
         let v = match self.convention {
             Convention::Modified => v.clone(),
@@ -230,7 +231,7 @@ impl Step {
         if self.kind == JointKind::Revolute { v } else { rot_z(&v, self.theta) }
     }
 
-    /// From those axes to the frame before.
+    /// Transforms from those axes to the previous frame.
     fn before<T: Ring>(&self, v: &Ten<T>, d: &T) -> Ten<T> {
         match self.convention {
             Convention::Modified => rot_x(&trans_x(v, d), self.alpha),
@@ -238,14 +239,14 @@ impl Step {
         }
     }
 
-    /// The constant part of the whole move, with the lengths as polynomials.
+    /// Constant part of the whole transformation, with the lengths as polynomials.
     fn constant(&self, v: &Ten<Polynomial>) -> Ten<Polynomial> {
         let turned = self.after(v, &self.d.1, &self.r.1);
         let turned = if self.kind == JointKind::Revolute { constant_part(&turned) } else { turned };
         self.before(&turned, &self.d.1)
     }
 
-    /// Velocity `(w, v)` of the frame before, seen at the joint's axes.
+    /// Velocity `(w, v)` of the previous frame, expressed at the joint's axes.
     fn arriving(&self, x: &[f64]) -> [f64; 6] {
         match self.convention {
             Convention::Modified => {
@@ -258,8 +259,8 @@ impl Step {
         }
     }
 
-    /// Velocity at the joint's axes, seen in the body's frame, the joint standing at `q` (a quarter
-    /// turn or a length).
+    /// Velocity at the joint's axes, expressed in the body's frame, with the joint at `q` (in
+    /// quarter turns or as a length).
     fn leaving(&self, x: &[f64; 6], q: f64) -> [f64; 6] {
         let (turn, slide) = match self.kind {
             JointKind::Revolute => ([(0.0, 1.0), (1.0, 0.0), (0.0, -1.0)][q as usize], 0.0),
@@ -284,7 +285,7 @@ impl Step {
     }
 }
 
-/// The transposed map: `row . f(v)` as a row that is applied to `v`.
+/// Transposed map: the row `r` with `r . v = row . f(v)`.
 fn pulled_back(row: &[f64], f: impl Fn(&Ten<f64>) -> Ten<f64>) -> Ten<f64> {
     core::array::from_fn(|k| {
         let mut unit = [0.0; 10];
@@ -293,8 +294,8 @@ fn pulled_back(row: &[f64], f: impl Fn(&Ten<f64>) -> Ten<f64>) -> Ten<f64> {
     })
 }
 
-/// Momentum along or about the joint's axis that a unit of each parameter has when its frame moves
-/// with `(w, v)`.
+/// Momentum along or about the joint's axis per unit of each parameter, if its frame moves with
+/// `(w, v)`.
 fn momentum(kind: JointKind, x: &[f64; 6]) -> Ten<f64> {
     let mut row = [0.0; 10];
     match kind {
@@ -307,13 +308,13 @@ fn momentum(kind: JointKind, x: &[f64; 6]) -> Ten<f64> {
     row
 }
 
-/// All that the joints so far can show of a body fixed to the present frame.
+/// Everything that the preceding joints reveal about a body fixed to the present frame.
 struct Reach {
     /// Velocities `(w, v)`.
     velocities: Subspace,
     /// Rows of the kinetic energy.
     kinetic: Subspace,
-    /// Rows of the potential energy, with the constant one as eleventh entry.
+    /// Rows of the potential energy, with a constant row as eleventh entry.
     potential: Subspace,
 }
 
@@ -325,8 +326,8 @@ impl Reach {
         Self { velocities: Subspace::default(), kinetic: Subspace::default(), potential }
     }
 
-    /// Conditions on the parameters of the link behind `step` (ten, `IA`, `FO`) under which its own
-    /// joint can't see them; and the reach of that link.
+    /// Conditions on the parameters of the link behind `step` (ten, `IA`, `FO`) under which they
+    /// are invisible to its own joint; and the reach of that link.
     fn through(&self, step: &Step) -> (Subspace, Self) {
         let (d, r) = (step.d.0, step.r.0);
         let mut hidden = Subspace::default();
@@ -398,13 +399,13 @@ impl Reach {
     }
 }
 
-/// Preference among a link's parameters when one has to be kept, first ones most: the custom of the
-/// literature. (Keeping `YY` for `XX` changes the base regressors of the arms in `robots/` by less
-/// than half a per cent, either way.)
+/// Preference among a link's parameters to be kept, highest first, as is customary in the
+/// literature. (Keeping `YY` instead of `XX` changes the base regressors of the arms in `robots/`
+/// by less than half a per cent, either way.)
 ///
-/// `FO` is dropped first, where a prismatic joint's weight, rotor and offset can't be separated.
-/// Mass matrix and torques are then right; only the gravity torque from base parameters contains
-/// the offset.
+/// `FO` is dropped first if a prismatic joint's weight, rotor and offset can't be separated. Mass
+/// matrix and torques are then right; only the gravity torque from base parameters contains the
+/// offset.
 const PREFERENCE: [usize; 12] = [ZZ, MSY, MSX, YZ, XZ, XY, XX, YY, MSZ, M, IA, FO];
 
 impl BaseParameters {
@@ -426,7 +427,7 @@ impl BaseParameters {
             reach = next;
         }
 
-        // Each standard parameter starts as itself; what is dropped hands on what it has gathered.
+        // Each standard parameter starts as itself; a dropped one passes on what it has gathered.
         type Form = BTreeMap<usize, Polynomial>;
         let mut forms: Vec<Option<Form>> =
             (0..parameters.len()).map(|i| Some(Form::from([(i, Polynomial::number(1.0))]))).collect();
@@ -476,12 +477,12 @@ impl BaseParameters {
         Self(base.collect())
     }
 
-    /// How many there are.
+    /// Number of base parameters.
     pub fn len(&self) -> usize {
         self.0.len()
     }
 
-    /// None at all?
+    /// Whether there are no base parameters.
     pub fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
@@ -492,7 +493,7 @@ impl BaseParameters {
     }
 }
 
-/// The constants as groupings write them: `constants.M2` where a parameter has the name too.
+/// Constants as written in groupings: `constants.M2` if a parameter has the same name.
 fn unlike_parameters(constants: &[(String, f64)], parameters: &[Parameter]) -> Vec<(String, f64)> {
     let names: Vec<String> = parameters.iter().map(|p| p.name()).collect();
     let is_parameter = |word: &str| names.iter().any(|n| word == n || word == format!("{n}R"));
@@ -503,7 +504,8 @@ fn unlike_parameters(constants: &[(String, f64)], parameters: &[Parameter]) -> V
     constants.iter().map(one).collect()
 }
 
-/// `ZZ1R = ZZ1 + YY2 + L2^2*(M3 + M4)`: parameters with the same factor stand together.
+/// Grouping formula, `ZZ1R = ZZ1 + YY2 + L2^2*(M3 + M4)`: parameters with the same factor are
+/// collected.
 fn grouping_text(
     name: &str,
     leader: usize,

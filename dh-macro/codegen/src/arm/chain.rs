@@ -1,15 +1,15 @@
-//! One form for both DH conventions: a chain of *joint frames* whose z axes are the joint axes.
+//! Common form of both DH conventions: a chain of *joint frames* whose z axes are the joint axes.
 //!
-//! Modified rows are that chain already: `RotX(alpha) TransX(d) RotZ(theta) TransZ(r)`, and the
+//! Modified rows form that chain already: `RotX(alpha) TransX(d) RotZ(theta) TransZ(r)`, and the
 //! body's frame is the joint frame. In a standard row `RotZ(theta) TransZ(r) TransX(d) RotX(alpha)`
-//! the last two factors commute, so they are the first two of the next joint frame. The body's
+//! the last two factors commute, so they become the first two of the next joint frame. The body's
 //! frame is the joint frame followed by them.
 
 use crate::robot::{Convention, JointKind, Robot};
 use crate::sym::{Call, Ex, Graph, Mat3, Vec3};
 
-/// Layout of the inputs of every kernel: `q, sin, cos, dq, ddq, tau` of each degree of freedom,
-/// then the parameters.
+/// Layout of the inputs of all kernels: `q, sin, cos, dq, ddq, tau` of each degree of freedom, then
+/// the parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Inputs {
     /// Degrees of freedom.
@@ -41,12 +41,12 @@ impl Group {
 }
 
 impl Inputs {
-    /// Index of the input with this place in its group.
+    /// Index of the input at this position in its group.
     pub fn index(self, group: Group, at: usize) -> usize {
         Group::JOINT.iter().position(|&g| g == group).unwrap_or(Group::JOINT.len()) * self.dof + at
     }
 
-    /// Group and place of an input.
+    /// Group of an input, and position in it.
     pub fn locate(self, index: usize) -> (Group, usize) {
         match Group::JOINT.get(index / self.dof.max(1)) {
             Some(&group) => (group, index % self.dof),
@@ -55,37 +55,37 @@ impl Inputs {
     }
 }
 
-/// One joint frame, relative to the one before: `RotX(alpha) TransX(d) RotZ(theta) TransZ(r)`.
+/// Joint frame relative to the previous one: `RotX(alpha) TransX(d) RotZ(theta) TransZ(r)`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// How it moves.
+    /// Type of the joint.
     pub kind: JointKind,
-    /// Its degree of freedom, from 0.
+    /// Degree of freedom, from 0.
     pub dof: Option<usize>,
-    /// Sine and cosine of the twist.
+    /// Sine and cosine of the twist about x.
     pub alpha: (f64, f64),
     /// Length along x, m.
     pub d: f64,
-    /// Quarter turns that are added to the angle exactly.
+    /// Exact quarter turns added to the angle.
     pub quarter_turns: i64,
-    /// Further angle added to it, rad. Of a revolute joint it goes into the sine and cosine that
-    /// are given to the kernel.
+    /// Further angle added to it, rad. For a revolute joint it is included in the sine and cosine
+    /// passed to the kernel.
     pub angle: f64,
     /// Constant shift along z, m.
     pub r: f64,
-    /// From the joint frame to the body's frame: `TransX(d) RotX(alpha)`, sine and cosine of the
-    /// latter. `None`: the same frame.
+    /// Transformation from the joint frame to the body's frame: `TransX(d) RotX(alpha)`, with sine
+    /// and cosine of `alpha`. `None`: the same frame.
     pub body: Option<(f64, (f64, f64))>,
 }
 
-/// The joint frames, base to tip.
+/// Joint frames from base to tip.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Chain {
-    /// One for each row of the DH table.
+    /// One joint frame per row of the DH table.
     pub rows: Vec<Row>,
-    /// Minus gravity in frame 0: the acceleration of the base that stands for it, m/s^2.
+    /// Negative gravity in frame 0, m/s^2: the equivalent acceleration of the base.
     pub lift: [f64; 3],
-    /// Minus gravity in the world frame, m/s^2.
+    /// Negative gravity in the world frame, m/s^2.
     pub world_lift: [f64; 3],
     /// Rotation and origin of frame 0 in the world; `None`: they coincide.
     pub base: Option<([[f64; 3]; 3], [f64; 3])>,
@@ -94,7 +94,7 @@ pub struct Chain {
 }
 
 impl Chain {
-    /// The chain of a robot.
+    /// Chain of a robot.
     pub fn new(robot: &Robot) -> Self {
         let mut rows = Vec::with_capacity(robot.joints.len());
         let mut before = ((0.0, 1.0), 0.0); // what a standard row hands on to the next
@@ -135,7 +135,7 @@ impl Chain {
         }
     }
 
-    /// Degrees of freedom.
+    /// Number of degrees of freedom.
     pub fn dof(&self) -> usize {
         self.rows.iter().filter(|r| r.dof.is_some()).count()
     }
@@ -149,14 +149,14 @@ impl Chain {
             .collect()
     }
 
-    /// The chain over a graph: inputs become expressions.
+    /// Chain over a graph: inputs become expressions.
     pub fn over<'g>(&self, graph: &'g Graph) -> Links<'g> {
         self.behind(graph, &[], &[])
     }
 
-    /// The same with deflected links: link `k` stands `deflection[k]` behind `q` (rad or m, small;
-    /// `None`: no deflection). It also turns with other motors (`geared[k]`: those degrees of
-    /// freedom, with turns per turn of theirs).
+    /// Chain with deflected links: link `k` lags `q` by `deflection[k]` (rad or m, small; `None`:
+    /// no deflection). It also turns with other motors (`geared[k]`: those degrees of freedom, with
+    /// the link's turns per motor turn).
     pub(super) fn behind<'g>(
         &self,
         graph: &'g Graph,
@@ -185,26 +185,26 @@ impl Chain {
 
 /// A [`Chain`] whose entries are expressions.
 pub struct Links<'g> {
-    /// Graph of its expressions.
+    /// Graph of the expressions.
     pub graph: &'g Graph,
     /// Indices of the inputs.
     pub inputs: Inputs,
-    /// Base to tip.
+    /// Links from base to tip.
     pub links: Vec<Link<'g>>,
-    /// Minus gravity in frame 0.
+    /// Negative gravity in frame 0.
     pub lift: Vec3<'g>,
-    /// Minus gravity in the world frame.
+    /// Negative gravity in the world frame.
     pub world_lift: Vec3<'g>,
     /// Pose of frame 0 in the world.
     pub base: Option<([[f64; 3]; 3], [f64; 3])>,
     /// Pose of the tool frame in the last DH frame.
     pub tool: Option<([[f64; 3]; 3], [f64; 3])>,
-    /// Other degrees of freedom that turn each one, with turns per turn of theirs.
+    /// Other degrees of freedom that turn each link, with the link's turns per turn of each.
     geared: Vec<Vec<(usize, f64)>>,
 }
 
 impl<'g> Links<'g> {
-    /// An input of a degree of freedom with what others add to it.
+    /// Input of a degree of freedom plus the contributions of others.
     fn summed(&self, group: Group, k: usize) -> Ex<'g> {
         let others = self.geared.get(k).into_iter().flatten();
         others.fold(self.input(group, k), |sum, &(other, ratio)| sum + self.input(group, other) * ratio)
@@ -215,7 +215,7 @@ impl<'g> Links<'g> {
         self.graph.input(self.inputs.index(group, at))
     }
 
-    /// The number.
+    /// Constant expression.
     pub fn number(&self, value: f64) -> Ex<'g> {
         self.graph.constant(value)
     }
@@ -230,28 +230,28 @@ impl<'g> Links<'g> {
         self.links[row].dof.map_or(self.number(0.0), |k| self.summed(Group::Acceleration, k))
     }
 
-    /// Rows that move, with their degree of freedom.
+    /// Moving rows with their degree of freedom.
     pub fn moving(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         self.links.iter().enumerate().filter_map(|(row, l)| l.dof.map(|k| (row, k)))
     }
 }
 
-/// A row over a graph.
+/// A row as expressions over a graph.
 #[derive(Clone, Copy)]
 pub struct Link<'g> {
-    /// How it moves.
+    /// Type of the joint.
     pub kind: JointKind,
-    /// Its degree of freedom.
+    /// Degree of freedom.
     pub dof: Option<usize>,
-    /// Sine and cosine of the turn about z.
+    /// Sine and cosine of the rotation about z.
     turn: (Ex<'g>, Ex<'g>),
     /// Sine and cosine of the twist about x.
     twist: (Ex<'g>, Ex<'g>),
     /// Shift along x.
     pub d: Ex<'g>,
-    /// Shift along z, with `q` of a prismatic joint in it.
+    /// Shift along z, including `q` of a prismatic joint.
     pub r: Ex<'g>,
-    /// The constant part of the shift along z, m.
+    /// Constant part of the shift along z, m.
     pub r_constant: f64,
     body: Option<(Ex<'g>, (Ex<'g>, Ex<'g>))>,
 }
@@ -262,8 +262,8 @@ fn turned_on<'g>((s, c): (Ex<'g>, Ex<'g>), by: Ex<'g>) -> (Ex<'g>, Ex<'g>) {
     (s * cosine + c * sine, c * cosine - s * sine)
 }
 
-/// Sine and cosine of an angle less a small one, by the latter's series: to 1e-11 at a tenth of a
-/// radian.
+/// Sine and cosine of an angle minus a small one, by the series of the latter: accurate to 1e-11 at
+/// 0.1 rad.
 fn turned_back<'g>((s, c): (Ex<'g>, Ex<'g>), by: Ex<'g>) -> (Ex<'g>, Ex<'g>) {
     let square = by * by;
     let sine = by * ((square * (1.0 / 120.0) - 1.0 / 6.0) * square + 1.0);
@@ -271,13 +271,13 @@ fn turned_back<'g>((s, c): (Ex<'g>, Ex<'g>), by: Ex<'g>) -> (Ex<'g>, Ex<'g>) {
     (s * cosine - c * sine, c * cosine + s * sine)
 }
 
-/// `RotX(angle) v`.
+/// Rotates `v` by `RotX(angle)`.
 fn about_x<'g>((s, c): (Ex<'g>, Ex<'g>), v: Vec3<'g>) -> Vec3<'g> {
     let [x, y, z] = v.0;
     Vec3([x, c * y - s * z, s * y + c * z])
 }
 
-/// `RotX(-angle) v`.
+/// Rotates `v` by `RotX(-angle)`.
 fn back_about_x<'g>((s, c): (Ex<'g>, Ex<'g>), v: Vec3<'g>) -> Vec3<'g> {
     let [x, y, z] = v.0;
     Vec3([x, c * y + s * z, c * z - s * y])
@@ -323,40 +323,40 @@ impl<'g> Link<'g> {
         }
     }
 
-    /// From the previous joint frame into this one's axes.
+    /// Transforms from the previous joint frame's axes to this one's.
     pub fn inward(&self, v: Vec3<'g>) -> Vec3<'g> {
         self.unturn(self.untwist(v))
     }
 
-    /// From this joint frame into the previous one's axes.
+    /// Transforms from this joint frame's axes to the previous one's.
     pub fn outward(&self, v: Vec3<'g>) -> Vec3<'g> {
         about_x(self.twist, self.turned(v))
     }
 
-    /// From the previous joint frame into the axes between `RotX` and `RotZ`.
+    /// Transforms from the previous joint frame's axes to those between `RotX` and `RotZ`.
     pub fn untwist(&self, v: Vec3<'g>) -> Vec3<'g> {
         back_about_x(self.twist, v)
     }
 
-    /// From the axes between `RotX` and `RotZ` into this joint frame.
+    /// Transforms from the axes between `RotX` and `RotZ` to this joint frame's.
     pub fn unturn(&self, v: Vec3<'g>) -> Vec3<'g> {
         let ([x, y, z], (s, c)) = (v.0, self.turn);
         Vec3([c * x + s * y, c * y - s * x, z])
     }
 
-    /// From this joint frame into the axes between `RotX` and `RotZ`.
+    /// Transforms from this joint frame's axes to those between `RotX` and `RotZ`.
     pub fn turned(&self, v: Vec3<'g>) -> Vec3<'g> {
         let ([x, y, z], (s, c)) = (v.0, self.turn);
         Vec3([c * x - s * y, s * x + c * y, z])
     }
 
-    /// From the axes between `RotX` and `RotZ` into the previous joint frame.
+    /// Transforms from the axes between `RotX` and `RotZ` to the previous joint frame's.
     pub fn twisted(&self, v: Vec3<'g>) -> Vec3<'g> {
         about_x(self.twist, v)
     }
 
-    /// This joint frame's origin from the previous one's, in the axes between `RotX` and `RotZ`;
-    /// `shifted`: before `TransZ(r)`.
+    /// Origin of this joint frame relative to the previous one's, in the axes between `RotX` and
+    /// `RotZ`; `shifted`: before `TransZ(r)`.
     pub fn step(&self, shifted: bool) -> Vec3<'g> {
         let zero = self.d.graph().constant(0.0);
         Vec3([self.d, zero, if shifted { zero } else { self.r }])
@@ -367,29 +367,29 @@ impl<'g> Link<'g> {
         Vec3::numbers(self.d.graph(), [0.0, 0.0, 1.0])
     }
 
-    /// Is the body's frame another one than the joint frame?
+    /// Whether the body's frame differs from the joint frame.
     pub fn has_body_frame(&self) -> bool {
         self.body.is_some()
     }
 
-    /// The body frame's origin in the joint frame.
+    /// Origin of the body's frame in the joint frame.
     pub fn body_origin(&self) -> Vec3<'g> {
         let zero = self.d.graph().constant(0.0);
         Vec3([self.body.map_or(zero, |(d, _)| d), zero, zero])
     }
 
-    /// From the joint frame into the body frame's axes.
+    /// Transforms from the joint frame's axes to the body frame's.
     pub fn into_body(&self, v: Vec3<'g>) -> Vec3<'g> {
         self.body.map_or(v, |(_, twist)| back_about_x(twist, v))
     }
 
-    /// From the body frame into the joint frame's axes.
+    /// Transforms from the body frame's axes to the joint frame's.
     pub fn out_of_body(&self, v: Vec3<'g>) -> Vec3<'g> {
         self.body.map_or(v, |(_, twist)| about_x(twist, v))
     }
 }
 
-/// Rotation from the tool frame into the last DH frame, as expressions.
+/// Rotation from the tool frame to the last DH frame, as expressions.
 pub(super) fn tool_rotation<'g>(g: &'g Graph, tool: &([[f64; 3]; 3], [f64; 3])) -> Mat3<'g> {
     Mat3::numbers(g, tool.0)
 }

@@ -1,11 +1,11 @@
-//! Torques at the sensors of an arm whose drives have more to them than rotor and plain friction:
-//! the laws of [`crate::robot::effects`] as expressions.
+//! Torques at the sensors of an arm whose drives have effects beyond rotor and plain friction: the
+//! laws of [`crate::robot::effects`] as expressions.
 //!
-//! `tau = GT clip(load + IA ddq + warmth friction + FO + ripple + law + couplings, TM) + TO`, `load` the
-//! torque of the bodies and of the joint's spring. Links of soft joints stand behind their motors
-//! by `load / KE`, and by half of the backlash on the side to which the load pushes. These are
-//! first-order, quasi-static corrections: load and bending do not act back on each other, and the
-//! link moves at its motor's speed.
+//! `tau = GT clip(load + IA ddq + warmth friction + FO + ripple + law + couplings, TM) + TO`, with
+//! `load` the torque of the bodies and of the joint's spring. Links of elastic joints lag their
+//! motors by `load / KE`, and by half of the backlash on the side to which the load pushes. These
+//! are first-order, quasi-static corrections: load and deflection do not act back on each other,
+//! and the link moves at its motor's speed.
 
 use super::chain::{Chain, Group, Links};
 use super::dynamics::{self, Values};
@@ -16,18 +16,19 @@ use crate::robot::effects::{JointSpring, StribeckFriction};
 use crate::robot::{Laws, Variable};
 use crate::sym::{Call, Ex, Graph};
 
-/// Source of the states of bristles and of the warmth of the gears.
+/// Source of the bristle states and of the gears' warmth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Memory {
-    /// Nowhere: a bristle is at the end of its travel (`sign(v)`), gears are warm (a factor of 1).
+    /// No state: bristles are at the end of their travel (`sign(v)`), gears are warm (a factor of
+    /// 1).
     Steady,
-    /// Inputs that follow the parameters: all bristles, then all factors.
+    /// Inputs after the parameters: all bristles, then all factors.
     Given,
-    /// And behind them the time and all temperatures.
+    /// The same inputs, followed by the time and all temperatures.
     Clocked,
 }
 
-/// The load within which a gear with backlash changes sides, as a part of the torque limit.
+/// Load within which a gear with backlash changes sides, as a share of the torque limit.
 const CHANGES_SIDE: f64 = 2e-3;
 
 /// Torques at the sensors.
@@ -92,7 +93,7 @@ pub(super) fn torques<'g>(
     tau.iter().zip(laws).map(|(&tau, law)| measured(law, tau)).collect()
 }
 
-/// Laws in closed form on top.
+/// Adds laws in closed form.
 fn add_formulas<'g>(tau: &mut [Ex<'g>], links: &Links<'g>, drives: &[Drive<'g>], laws: &[Laws], clock: Option<usize>) {
     let of = |variable| variable_of(variable, links, drives, laws, clock);
     for (law, tau) in laws.iter().zip(tau) {
@@ -102,9 +103,8 @@ fn add_formulas<'g>(tau: &mut [Ex<'g>], links: &Links<'g>, drives: &[Drive<'g>],
     }
 }
 
-/// Input of a law in closed form; `clock`: where among the parameters the time stands, and the
-/// temperatures behind it. Without, the motion has just begun, and joints have the temperature at
-/// which nothing changes.
+/// Input of a law in closed form; `clock`: position of the time among the parameters, followed by
+/// the temperatures. Without it the time is 0, and joints have their reference temperature.
 fn variable_of<'g>(
     variable: Variable,
     links: &Links<'g>,
@@ -123,12 +123,12 @@ fn variable_of<'g>(
     }
 }
 
-/// The joints whose motors turn a link besides its own, and by how much.
+/// Joints whose motors turn a link in addition to its own, with ratios.
 fn geared(law: &Laws) -> Vec<(usize, f64)> {
     law.couplings.iter().filter(|c| c.carried != 0.0).map(|c| (c.other, c.carried)).collect()
 }
 
-/// Motors that turn other links bear a part of their torques.
+/// Adds the share of a link's torque that the motors of other joints bear.
 fn bear<'g>(load: &mut [Ex<'g>], geared: &[Vec<(usize, f64)>]) {
     let on_links = load.to_vec();
     for (&on_link, carried) in on_links.iter().zip(geared) {
@@ -136,7 +136,7 @@ fn bear<'g>(load: &mut [Ex<'g>], geared: &[Vec<(usize, f64)>]) {
     }
 }
 
-/// Torques that the gears transmit: bodies, and the springs of joints.
+/// Torques transmitted by the gears: those of the bodies and of the joint springs.
 fn loads<'g>(links: &Links<'g>, values: &Values<'g>, laws: &[Laws], deflection: &[Option<Ex<'g>>]) -> Vec<Ex<'g>> {
     let mut load = dynamics::torques(links, values, Include::ALL, false, false);
     for (k, law) in laws.iter().enumerate() {
@@ -154,7 +154,7 @@ fn loads<'g>(links: &Links<'g>, values: &Values<'g>, laws: &[Laws], deflection: 
     load
 }
 
-/// Torque of a joint's spring, `x` rad from its rest.
+/// Torque of a joint's spring, `x` rad from its rest angle.
 fn elastic<'g>(spring: JointSpring, rated: f64, x: Ex<'g>) -> Ex<'g> {
     let zero = x.graph().constant(0.0);
     let x = match spring.side() {
@@ -166,7 +166,7 @@ fn elastic<'g>(spring: JointSpring, rated: f64, x: Ex<'g>) -> Ex<'g> {
     if spring.cubic() == 0.0 { linear } else { linear + x * x * x * spring.cubic() }
 }
 
-/// How far a soft joint's link stands behind its motor.
+/// Lag of an elastic joint's link behind its motor.
 fn deflection<'g>(law: &Laws, load: Ex<'g>) -> Option<Ex<'g>> {
     let small = CHANGES_SIDE * law.rated;
     let zero = load.graph().constant(0.0);
@@ -181,11 +181,11 @@ struct Drive<'g> {
     q: Ex<'g>,
     v: Ex<'g>,
     sign: Ex<'g>,
-    /// Substitute for the sign in a law with memory.
+    /// Replacement of the sign in a law with hysteresis.
     bristle: Ex<'g>,
     warmth: Ex<'g>,
     load: Ex<'g>,
-    /// `FC`.
+    /// Coulomb level `FC`.
     coulomb: Ex<'g>,
 }
 
@@ -198,7 +198,7 @@ impl<'g> Drive<'g> {
         self.v.call(Call::Abs)
     }
 
-    /// All friction but `FV v`.
+    /// All friction except `FV v`.
     fn friction(&self, law: &Laws) -> Ex<'g> {
         let mut level = self.coulomb;
         if let Some(stribeck) = law.stribeck {
@@ -219,8 +219,8 @@ impl<'g> Drive<'g> {
         }
         let mut friction = level * self.sign;
         if drives != driven {
-            // `|load| sign(v)` has the sign of the power less or more: the load itself, while the
-            // joint moves.
+            // The directions of power differ in `|load| sign(v)` times the sign of the power, which
+            // is the load itself while the joint moves.
             friction = friction + self.sign.call(Call::Abs) * self.load * (0.5 * (drives - driven));
         }
         let [constant, slope] = [law.asymmetric.level(law.rated), law.asymmetric.viscous(law.rated)];
@@ -236,7 +236,7 @@ impl<'g> Drive<'g> {
         friction
     }
 
-    /// `(FS - FC) exp(-|v / VS|^DS)`.
+    /// Stribeck term `(FS - FC) exp(-|v / VS|^DS)`.
     fn stribeck(&self, law: &Laws, e: StribeckFriction) -> Ex<'g> {
         let above = match e.breakaway {
             Some(level) => self.number(level) - self.coulomb,
@@ -246,7 +246,7 @@ impl<'g> Drive<'g> {
     }
 }
 
-/// `x^n` of a number that is not negative.
+/// Power `x^n` of a non-negative number.
 fn power(x: Ex<'_>, n: f64) -> Ex<'_> {
     match n {
         1.0 => x,
@@ -256,7 +256,7 @@ fn power(x: Ex<'_>, n: f64) -> Ex<'_> {
     }
 }
 
-/// `cosine cos(n q) + sine sin(n q)`.
+/// Wave `cosine cos(n q) + sine sin(n q)`.
 fn wave<'g>(q: Ex<'g>, n: f64, cosine: f64, sine: f64) -> Ex<'g> {
     let angle = q * n;
     angle.call(Call::Cos) * cosine + angle.call(Call::Sin) * sine
@@ -267,7 +267,7 @@ fn ripple<'g>(law: &Laws, q: Ex<'g>) -> Ex<'g> {
     law.ripple.iter().fold(zero, |sum, &[n, c, s]| sum + wave(q, n, c, s))
 }
 
-/// Sensor's reading of the drive's torque.
+/// Sensor reading of the drive's torque.
 fn measured<'g>(law: &Laws, tau: Ex<'g>) -> Ex<'g> {
     let number = |value: f64| tau.graph().constant(value);
     let clipped = law.limit.map_or(tau, |limit| tau.least(number(limit)).most(number(-limit)));

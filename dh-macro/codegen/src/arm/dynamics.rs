@@ -11,14 +11,14 @@ use super::turning::moments;
 use super::wrench::Wrench;
 use crate::sym::{Ex, Vec3};
 
-/// Parameter values as expressions: zero where a parameter does not occur.
+/// Parameter values as expressions; zero for parameters that do not occur.
 pub(super) struct Values<'g> {
     ten: Vec<[Ex<'g>; 10]>,
     drive: Vec<(usize, DriveTerm, Ex<'g>)>,
 }
 
 impl<'g> Values<'g> {
-    /// Parameter input `k` is the value of `parameters[k]`; all others are zero.
+    /// Takes parameter input `k` as the value of `parameters[k]`; all others are zero.
     pub fn new(links: &Links<'g>, parameters: &[Parameter]) -> Self {
         let mut values = Self { ten: vec![[links.number(0.0); 10]; links.links.len()], drive: Vec::new() };
         for (k, parameter) in parameters.iter().enumerate() {
@@ -31,7 +31,7 @@ impl<'g> Values<'g> {
         values
     }
 
-    /// A drive's parameter; `None` where the model does not have it.
+    /// Drive parameter; `None` if the model lacks it.
     pub fn drive(&self, row: usize, term: DriveTerm) -> Option<Ex<'g>> {
         self.drive.iter().find(|(r, t, _)| *r == row && *t == term).map(|d| d.2)
     }
@@ -41,9 +41,9 @@ impl<'g> Values<'g> {
     }
 }
 
-/// Torques by an outward and an inward sweep (Khalil and Dombre, 9.5.2); friction and rotors where
-/// `drives` says so. `slide`: the last link's parameters and motion are taken about the origin
-/// before `TransZ(r)`: the same torques, by other operations.
+/// Torques by an outward and an inward sweep (Khalil and Dombre, 9.5.2), with friction and rotors
+/// if `drives` is set. `slide`: the last link's parameters and motion are taken about the origin
+/// before `TransZ(r)`, which gives the same torques by other operations.
 pub(super) fn torques<'g>(
     links: &Links<'g>,
     values: &Values<'g>,
@@ -55,8 +55,8 @@ pub(super) fn torques<'g>(
     let sweep = Sweep::new(links, include);
     let mut tau = vec![links.number(0.0); links.inputs.dof];
     let mut wrench = Wrench { f: Vec3::zero(g), n: Vec3::zero(g) };
-    // Moments that are known along a joint's axis, where nothing further out than this joint needs
-    // them.
+    // Moments along a joint's axis, added when the sweep reaches that joint, since no joint further
+    // out needs them.
     let mut along = vec![links.number(0.0); links.links.len()];
     for (row, link) in links.links.iter().enumerate().rev() {
         g.section(format!("link {}: force and moment", row + 1));
@@ -99,18 +99,18 @@ pub(super) fn torques<'g>(
     tau
 }
 
-/// A symmetric tensor.
+/// Symmetric tensor.
 type Tensor<'g> = [[Ex<'g>; 3]; 3];
 
-/// `R T R'` for the rotation that `turn` makes of vectors.
+/// Rotated tensor `R T R'`, for the rotation of vectors by `turn`.
 fn turned<'g>(t: Tensor<'g>, turn: impl Fn(Vec3<'g>) -> Vec3<'g>) -> Tensor<'g> {
     let half = t.map(|row| turn(Vec3(row)).0); // T R'
     let columns: Tensor<'g> = from_fn(|j| turn(Vec3(from_fn(|i| half[i][j]))).0);
     from_fn(|i| from_fn(|j| if i <= j { columns[j][i] } else { columns[i][j] }))
 }
 
-/// First moments and tensor about the origin at which the present one has position `s`: `l + m s`,
-/// `I + (2 l.s + m s.s) E - (l s' + s l') - m s s'`.
+/// First moments and tensor about the origin relative to which the present one is at `s`: `l + m
+/// s`, `I + (2 l.s + m s.s) E - (l s' + s l') - m s s'`.
 fn shifted<'g>(links: &Links<'g>, m: Ex<'g>, l: Vec3<'g>, t: Tensor<'g>, s: Vec3<'g>) -> (Vec3<'g>, Tensor<'g>) {
     let ls = l + s.scale(m);
     let trace = s.dot(l + ls);
@@ -121,7 +121,7 @@ fn shifted<'g>(links: &Links<'g>, m: Ex<'g>, l: Vec3<'g>, t: Tensor<'g>, s: Vec3
     (ls, from_fn(|i| from_fn(|j| entry(i.min(j), i.max(j)))))
 }
 
-/// Mass, first moments and tensor of ten parameters, and back.
+/// Splits ten parameters into mass, first moments and tensor.
 fn apart<'g>([m, lx, ly, lz, xx, yy, zz, xy, xz, yz]: [Ex<'g>; 10]) -> (Ex<'g>, Vec3<'g>, Tensor<'g>) {
     (m, Vec3([lx, ly, lz]), [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 }
@@ -130,7 +130,7 @@ fn together<'g>(m: Ex<'g>, l: Vec3<'g>, t: Tensor<'g>) -> [Ex<'g>; 10] {
     [m, l.0[0], l.0[1], l.0[2], t[0][0], t[1][1], t[2][2], t[0][1], t[0][2], t[1][2]]
 }
 
-/// Ten parameters of a body carried from the joint frame of `row` to the previous joint frame.
+/// Transforms a body's ten parameters from the joint frame of `row` to the previous joint frame.
 fn carried<'g>(links: &Links<'g>, row: usize, p: [Ex<'g>; 10]) -> [Ex<'g>; 10] {
     let link = &links.links[row];
     let (m, l, t) = apart(p);
@@ -141,7 +141,7 @@ fn carried<'g>(links: &Links<'g>, row: usize, p: [Ex<'g>; 10]) -> [Ex<'g>; 10] {
 }
 
 /// Upper triangle of the mass matrix, `m[i][j]` for `i <= j`, by composite bodies (Featherstone,
-/// 6.2; the rotors on the diagonal).
+/// 6.2; with the rotors on the diagonal).
 pub(super) fn mass_matrix<'g>(links: &Links<'g>, values: &Values<'g>) -> Vec<Vec<Ex<'g>>> {
     let g = links.graph;
     let n = links.inputs.dof;
@@ -187,7 +187,7 @@ fn slid<'g>(links: &Links<'g>, row: usize, p: [Ex<'g>; 10]) -> [Ex<'g>; 10] {
     together(m, l, t)
 }
 
-/// Parameters given in the body's frame, in the joint frame.
+/// Transforms parameters from the body's frame to the joint frame.
 fn out_of_body<'g>(links: &Links<'g>, row: usize, p: [Ex<'g>; 10]) -> [Ex<'g>; 10] {
     let link = &links.links[row];
     if !link.has_body_frame() {
@@ -199,12 +199,12 @@ fn out_of_body<'g>(links: &Links<'g>, row: usize, p: [Ex<'g>; 10]) -> [Ex<'g>; 1
     together(m, l, t)
 }
 
-/// `ddq` from `M ddq = tau - bias`, by `M = L D L'` written out.
+/// Solves `M ddq = tau - bias` for `ddq` by an explicit `M = L D L'`.
 pub(super) fn solve<'g>(links: &Links<'g>, mass: &[Vec<Ex<'g>>], right: &[Ex<'g>]) -> Vec<Ex<'g>> {
     let n = right.len();
     let one = links.number(1.0);
     links.graph.section("M = L D L'");
-    // l[i][j] for j < i; the reciprocal of d is shared.
+    // Entries l[i][j] for j < i; the reciprocal of d is shared.
     let mut l = vec![vec![links.number(0.0); n]; n];
     let mut d = Vec::with_capacity(n);
     let mut inverse = Vec::with_capacity(n);

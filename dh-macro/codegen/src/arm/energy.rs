@@ -6,7 +6,7 @@ use super::param::{DriveTerm, Inertial, Parameter};
 use crate::robot::JointKind;
 use crate::sym::{Ex, Vec3};
 
-/// `T = h phi`, J per unit of each parameter.
+/// Kinetic energy `T = h phi`: `h`, J per unit of each parameter.
 pub(super) fn kinetic<'g>(links: &Links<'g>, parameters: &[Parameter]) -> Vec<Ex<'g>> {
     let g = links.graph;
     let mut twists: Vec<(Vec3<'g>, Vec3<'g>)> = Vec::new(); // of each body's frame
@@ -52,7 +52,8 @@ pub(super) fn kinetic<'g>(links: &Links<'g>, parameters: &[Parameter]) -> Vec<Ex
         .collect()
 }
 
-/// `U = h phi`, zero at the world frame's origin; an offset torque is the potential `FO q`.
+/// Potential energy `U = h phi`, zero at the world frame's origin; an offset torque has the
+/// potential `FO q`.
 pub(super) fn potential<'g>(links: &Links<'g>, parameters: &[Parameter]) -> Vec<Ex<'g>> {
     let poses = frames(links);
     links.graph.section("potential energy");

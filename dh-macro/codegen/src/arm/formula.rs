@@ -1,15 +1,14 @@
-//! A torque in closed form as an expression: [`crate::robot::TorqueLaw`] over the inputs of a
-//! kernel.
+//! Expresses a torque in closed form, [`crate::robot::TorqueLaw`], over the inputs of a kernel.
 
 use crate::robot::{LawFunction, Term, Variable};
 use crate::sym::{Call, Ex, Graph};
 
-/// Beyond, `tanh` is 1 in all digits.
+/// Argument above which `tanh` is 1 in all digits.
 const FLAT: f64 = 20.0;
-/// For what is 0, so that its logarithm is a number.
+/// Lower bound of the argument of a logarithm, to keep that of 0 finite.
 const TINY: f64 = 1e-300;
 
-/// Value of the expression; `of`: of its variables.
+/// Expression of the term; `of`: expressions of its variables.
 pub(super) fn value<'g>(graph: &'g Graph, term: &Term, of: &impl Fn(Variable) -> Ex<'g>) -> Ex<'g> {
     let value = |term: &Term| value(graph, term, of);
     match term {
@@ -32,7 +31,7 @@ pub(super) fn value<'g>(graph: &'g Graph, term: &Term, of: &impl Fn(Variable) ->
     }
 }
 
-/// A whole power by products, any other of what is not negative.
+/// Integer power by products; any other power only of a non-negative base.
 fn power(x: Ex<'_>, n: f64) -> Ex<'_> {
     let one = x.graph().constant(1.0);
     let size = n.abs();
@@ -44,7 +43,7 @@ fn power(x: Ex<'_>, n: f64) -> Ex<'_> {
     if n < 0.0 { one / raised } else { raised }
 }
 
-/// A rounding error below 0 has the root 0.
+/// Root; negative rounding errors give 0.
 fn root(x: Ex<'_>) -> Ex<'_> {
     x.most(x.graph().constant(0.0)).call(Call::Sqrt)
 }

@@ -1,9 +1,9 @@
-//! Selects the inverse of an arm from the lines of its joints: exact where they meet or are
-//! parallel, else that of a nominal arm nearby, else by elimination.
+//! Selects the inverse kinematics of an arm from the lines of its joint axes. It is exact if the
+//! axes meet or are parallel, otherwise that of a nearby nominal arm, or by elimination.
 //!
-//! Lines are compared and not table entries, because two tables of one arm differ. Calibrated
-//! parallel axes have their common normal hundreds of metres away, and a fixed row in between hides
-//! that two axes meet.
+//! Lines are compared instead of table entries, because the same arm has different tables.
+//! Calibrated parallel axes have their common normal hundreds of metres away, and a fixed row in
+//! between hides that two axes meet.
 
 use super::chain::Chain;
 use crate::ik::{Arm, Axis, Displacement, Family, Method, Plane, Query, Reference, Regional, Six, Swivel};
@@ -15,23 +15,23 @@ mod general;
 mod lines;
 mod nominal;
 
-/// Class, reason, and the solver's constants.
+/// Class, reason, and constants of the solver.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Inverse {
-    /// Joint letters, base to tip: `RRPRRR`.
+    /// Joint types as letters, base to tip: `RRPRRR`.
     pub joints: String,
-    /// Short name, `none` where no closed form is known.
+    /// Short name; `none` if no closed form is known.
     pub class: &'static str,
     /// Geometric reason for the choice.
     pub reason: String,
-    /// Lines of the joints that move, at `q = 0`.
+    /// Lines of the moving joints, at `q = 0`.
     pub axes: Vec<Axis>,
-    /// The last DH frame at `q = 0`.
+    /// Last DH frame at `q = 0`.
     pub home: Displacement,
-    /// Whether the solver is the arm's own. Otherwise it is that of a nominal arm nearby, or
-    /// there is none ([`Family::Numerical`]).
+    /// Whether the solver is that of the arm itself. Otherwise it is that of a nearby nominal arm,
+    /// or there is none ([`Family::Numerical`]).
     pub exact: bool,
-    /// The solver.
+    /// Family of the solver, with its constants.
     pub family: Family,
 }
 
@@ -43,7 +43,7 @@ pub(super) struct Found {
 }
 
 impl Inverse {
-    /// Of a chain.
+    /// Inverse of a chain.
     pub fn new(chain: &Chain) -> Self {
         let joints = letters(chain);
         let (axes, home) = at_zero(chain);
@@ -71,8 +71,8 @@ impl Inverse {
         inverse(Found { class: "none", reason, family: Family::Numerical }, false)
     }
 
-    /// Of a chain of six joints, or seven of which one is given, as if no two axes met or were
-    /// parallel; `None` where no choice of the hidden joint finds the postures it is shown.
+    /// Inverse of a chain of six joints, or seven of which one is given, as if no two axes met or
+    /// were parallel. `None` if no choice of the hidden joint finds the test postures.
     pub fn by_elimination(chain: &Chain) -> Option<Self> {
         let (joints, (axes, home)) = (letters(chain), at_zero(chain));
         let made = |found: Found| Self::of(&joints, &axes, home, found, true);
@@ -84,7 +84,8 @@ impl Inverse {
         Self { joints: joints.into(), class, reason, axes: axes.to_vec(), home, exact, family }
     }
 
-    /// Does a query name a redundancy: a swivel angle, or a locked joint's position?
+    /// Whether a query must specify a redundancy: a swivel angle, or the position of a locked
+    /// joint.
     pub fn is_redundant(&self) -> bool {
         matches!(self.family, Family::Swivel(_)) || self.family.locked().is_some()
     }
@@ -95,15 +96,14 @@ impl Inverse {
         self
     }
 
-    /// The solver for an arm with `N` joints; `None` where it has another number.
+    /// Solver for an arm with `N` joints; `None` if it has another number.
     pub fn arm<const N: usize>(&self, limits: &[Option<[f64; 2]>]) -> Option<Arm<N>> {
         let axes = self.axes.as_slice().try_into().ok()?;
         let limits = limits.try_into().ok()?;
         Some(Arm { axes, home: self.home, limits, exact: self.exact, family: self.family })
     }
 
-    /// Does it find the postures it is shown? A proof by trial that no case of the geometry was
-    /// overlooked.
+    /// Whether it finds the test postures: a check by trial that no geometric case was overlooked.
     fn works(&self) -> bool {
         match self.axes.len() {
             1 => self.tried::<1>(),
@@ -147,7 +147,7 @@ impl Inverse {
     }
 }
 
-/// Kinds of the joints, base to tip.
+/// Letters of the joint types, base to tip.
 fn letters(chain: &Chain) -> String {
     let letter = |kind: JointKind| match kind {
         JointKind::Revolute => 'R',
@@ -157,7 +157,7 @@ fn letters(chain: &Chain) -> String {
     chain.rows.iter().map(|row| letter(row.kind)).collect()
 }
 
-/// Lines of the joints and the last frame, all `q` zero.
+/// Lines of the joints and the last frame, with all `q` zero.
 fn at_zero(chain: &Chain) -> (Vec<Axis>, Displacement) {
     let about_x = |(s, c): (f64, f64), d: f64| Displacement {
         rotation: [[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]],
@@ -187,7 +187,7 @@ fn at_zero(chain: &Chain) -> (Vec<Axis>, Displacement) {
     (axes, here)
 }
 
-/// Every way to take the arm apart, the best first.
+/// All possible decompositions of the arm, the best first.
 fn candidates(lines: &Lines) -> Vec<Found> {
     let n = lines.axes.len();
     let mut all = Vec::new();
@@ -204,7 +204,7 @@ fn candidates(lines: &Lines) -> Vec<Found> {
     all
 }
 
-/// All turning axes parallel, or no turning axis.
+/// Arms with all revolute axes parallel, or without a revolute axis.
 fn plane(lines: &Lines) -> Option<Found> {
     let axes = &lines.axes;
     if axes.iter().all(|a| a.slides) {
@@ -228,7 +228,7 @@ fn plane(lines: &Lines) -> Option<Found> {
             }
             lift = Some((*axis, k as u8, three.len() as u8));
         } else {
-            // Parallel to the last bit; the way round stays the joint's own.
+            // Made exactly parallel; the joint keeps its own sense of rotation.
             let sign = if lines::dot(axis.h, h) < 0.0 { -1.0 } else { 1.0 };
             let axis = if axis.slides || lines.is_exact() { *axis } else { Axis { h: h.map(|x| sign * x), ..*axis } };
             three.push((axis, Some(k as u8)));
@@ -240,7 +240,7 @@ fn plane(lines: &Lines) -> Option<Found> {
     }
     let (x, y) = lines::beside(h);
     while three.len() < 3 {
-        // Beside the last one, in another direction each time, so that no joint stands on the next.
+        // Offset in another direction each time, so that no joint coincides with the next.
         let last = three.last().map_or(axes[first].c, |t| t.0.c);
         let aside = if three.len() == 1 { x } else { lines::add(x, y) };
         three.push((Axis { slides: false, h, c: lines::add(last, aside.map(|a| 0.5 * a)) }, None));
@@ -265,7 +265,7 @@ fn plane(lines: &Lines) -> Option<Found> {
     })
 }
 
-/// Shoulder, elbow, wrist.
+/// Arms with spherical shoulder, elbow, and spherical wrist.
 fn swivel(lines: &Lines) -> Option<Found> {
     if lines.axes.iter().any(|a| a.slides) {
         return None;
@@ -292,7 +292,7 @@ fn swivel(lines: &Lines) -> Option<Found> {
     })
 }
 
-/// Six joints or fewer, or seven with one of them locked.
+/// Arms with six joints or fewer, or seven with one of them locked.
 fn six(lines: &Lines, locked: Option<usize>) -> Vec<Found> {
     let mut found = Vec::new();
     let real: Vec<(Axis, Option<u8>)> =

@@ -1,4 +1,4 @@
-//! Functions generated for each robot, with signatures, each a tape.
+//! Functions that are generated for each robot, with signatures and tapes.
 
 use super::chain::{Group, Inputs};
 use crate::sym::{Ex, Operand, Tape};
@@ -8,62 +8,62 @@ use crate::sym::{Ex, Operand, Tape};
 pub enum Function {
     /// Top three rows of every DH frame's homogeneous matrix, `rows x 3 x 4`.
     Frames,
-    /// The last DH frame, `3 x 4`.
+    /// Last DH frame, `3 x 4`.
     ForwardKinematics,
-    /// The tool frame, `3 x 4`.
+    /// Tool frame, `3 x 4`.
     ToolPose,
-    /// `6 x n`, linear part first, of the last DH frame's origin, world axes.
+    /// Jacobian of the last DH frame's origin, `6 x n`, linear part first, world axes.
     Jacobian,
-    /// `6 x n` of the tool frame's origin.
+    /// Jacobian of the tool frame's origin, `6 x n`.
     ToolJacobian,
-    /// `dJ/dt dq`, `6`.
+    /// Velocity-dependent acceleration `dJ/dt dq`, `6`.
     JacobianDotVelocity,
-    /// `tau` from standard parameters.
+    /// Torques `tau` from standard parameters.
     InverseDynamics,
-    /// `tau` from base parameters.
+    /// Torques `tau` from base parameters.
     InverseDynamicsBase,
-    /// `M`, `n x n`, from base parameters.
+    /// Mass matrix `M`, `n x n`, from base parameters.
     MassMatrix,
-    /// `C dq` from base parameters.
+    /// Coriolis and centrifugal torques `C dq` from base parameters.
     Coriolis,
-    /// `g` from base parameters.
+    /// Gravity torques `g` from base parameters.
     Gravity,
-    /// `ddq` from base parameters.
+    /// Accelerations `ddq` from base parameters.
     ForwardDynamics,
-    /// `W`, `n x P`.
+    /// Regressor `W`, `n x P`.
     Regressor,
-    /// `W_b`, `n x B`.
+    /// Base regressor `W_b`, `n x B`.
     BaseRegressor,
-    /// `W` at rest, `n x P`.
+    /// Regressor `W` at rest, `n x P`.
     GravityRegressor,
-    /// `T = h phi`, `P`.
+    /// Kinetic energy regressor `h` with `T = h phi`, `P`.
     KineticEnergyRegressor,
-    /// `U = h phi`, `P`.
+    /// Potential energy regressor `h` with `U = h phi`, `P`.
     PotentialEnergyRegressor,
     /// Ten columns of a body in the tool frame, `n x 10`.
     PayloadRegressor,
-    /// `tau` of the bodies and of rotors and plain friction, without the effects of the file.
+    /// Torques `tau` of the bodies, rotors and plain friction, without the effects of the file.
     RigidDynamics,
     /// [`Function::InverseDynamics`] for given states of the drives: bristles and warmth.
     DriveTorques,
-    /// [`Function::DriveTorques`] at a time and at temperatures, for laws that ask for them.
+    /// [`Function::DriveTorques`] at given time and temperatures, for laws that depend on them.
     ClockedDriveTorques,
     /// Product with the transposed derivative of [`Function::BaseRegressor`] by `q`, `dq` and
     /// `ddq`, `3 x n`.
     BaseRegressorAdjoint,
-    /// Of [`Function::PayloadRegressor`].
+    /// The same for [`Function::PayloadRegressor`].
     PayloadRegressorAdjoint,
-    /// Of [`Function::InverseDynamics`].
+    /// The same for [`Function::InverseDynamics`].
     InverseDynamicsAdjoint,
-    /// Of [`Function::Frames`].
+    /// The same for [`Function::Frames`].
     FramesAdjoint,
-    /// Of [`Function::ToolPose`].
+    /// The same for [`Function::ToolPose`].
     ToolPoseAdjoint,
 }
 
 impl Function {
-    /// All, in the order of the generated crate; further ones that only a file with effects has:
-    /// see [`Function::WITH_EFFECTS`].
+    /// Functions of every robot, in the order of the generated crate. For those of a file with
+    /// effects, see [`Function::WITH_EFFECTS`].
     pub const ALL: [Self; 18] = [
         Self::Frames,
         Self::ForwardKinematics,
@@ -85,11 +85,11 @@ impl Function {
         Self::PayloadRegressor,
     ];
 
-    /// Functions generated beside them if the file has effects (where a law asks for the time,
-    /// [`Function::ClockedDriveTorques`] too).
+    /// Additional functions if the file has effects (and [`Function::ClockedDriveTorques`] if a law
+    /// depends on time or temperature).
     pub const WITH_EFFECTS: [Self; 2] = [Self::RigidDynamics, Self::DriveTorques];
 
-    /// Functions generated on demand: derivatives for planning or calibration by gradients.
+    /// Functions generated on demand: derivatives for gradient-based planning or calibration.
     pub const ADJOINTS: [Self; 5] = [
         Self::BaseRegressorAdjoint,
         Self::PayloadRegressorAdjoint,
@@ -98,7 +98,7 @@ impl Function {
         Self::ToolPoseAdjoint,
     ];
 
-    /// Of an adjoint: the function that it differentiates.
+    /// For an adjoint: the function that it differentiates.
     pub fn primal(self) -> Option<Self> {
         match self {
             Self::BaseRegressorAdjoint => Some(Self::BaseRegressor),
@@ -142,7 +142,7 @@ impl Function {
         }
     }
 
-    /// Inputs in the order of its signature.
+    /// Arguments in the order of the signature.
     pub fn arguments(self) -> &'static [Argument] {
         use Argument::{
             Accelerations, BaseParameters, Bristles, Clock, Configuration, Seeds, StandardParameters, Torques,
@@ -185,30 +185,31 @@ impl Function {
 pub enum Argument {
     /// Sines, cosines and positions.
     Configuration,
-    /// `dq`.
+    /// Velocities `dq`.
     Velocities,
-    /// `ddq`.
+    /// Accelerations `ddq`.
     Accelerations,
-    /// `tau`.
+    /// Torques `tau`.
     Torques,
-    /// `phi`.
+    /// Standard parameters `phi`.
     StandardParameters,
-    /// `beta`.
+    /// Base parameters `beta`.
     BaseParameters,
-    /// `bristle`: of each joint, in [-1, 1]. They follow the standard parameters among the inputs.
+    /// `bristle`: state of each joint, in [-1, 1]. They follow the standard parameters among the
+    /// inputs.
     Bristles,
     /// `warmth`: factor of each joint's friction. They follow the bristles.
     Warmth,
     /// `clock`: time since the start, s, then the temperature of each joint, degrees C. They follow
     /// the warmth.
     Clock,
-    /// `seed`: a weight for each entry of the function that is differentiated, those only that are
-    /// not structurally zero. They follow the standard parameters among the inputs.
+    /// `seed`: a weight for each entry of the differentiated function that is not structurally
+    /// zero. They follow the standard parameters among the inputs.
     Seeds,
 }
 
 impl Argument {
-    /// Inputs that it carries.
+    /// Groups of inputs in the argument.
     pub fn groups(self) -> &'static [Group] {
         match self {
             Self::Configuration => &[Group::Position, Group::Sine, Group::Cosine],
@@ -234,7 +235,7 @@ pub struct Kernel {
     pub shape: Vec<usize>,
     /// Indices of the inputs.
     pub inputs: Inputs,
-    /// The program.
+    /// Program that computes the outputs.
     pub tape: Tape,
 }
 
@@ -247,7 +248,7 @@ impl Kernel {
         Self { function, shape, inputs, tape }
     }
 
-    /// Joints whose sine or cosine is read.
+    /// Number of joints whose sine or cosine is read.
     pub fn sines(&self) -> usize {
         let read = self.tape.code.iter().flat_map(|s| [s.a, s.b]).chain(self.tape.outputs.iter().copied());
         let joints: std::collections::BTreeSet<usize> = read
@@ -261,7 +262,7 @@ impl Kernel {
         joints.len()
     }
 
-    /// Outputs that are not structurally zero: index into the row-major result.
+    /// Indices, in the row-major result, of outputs that are not structurally zero.
     pub fn nonzeros(&self) -> Vec<usize> {
         (0..self.tape.outputs.len()).filter(|&i| !self.tape.is_zero(i)).collect()
     }

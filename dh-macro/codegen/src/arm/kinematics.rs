@@ -5,17 +5,17 @@ use super::motion::{Include, Sweep};
 use crate::robot::JointKind;
 use crate::sym::{Ex, Mat3, Vec3};
 
-/// A frame in the world frame: axes as columns of `r`, origin `p` in m.
+/// A frame in the world frame: axes as columns of `r`, origin `p`, m.
 #[derive(Clone, Copy)]
 pub struct Pose<'g> {
-    /// Rotation.
+    /// Rotation matrix.
     pub r: Mat3<'g>,
-    /// Origin.
+    /// Origin, m.
     pub p: Vec3<'g>,
 }
 
 impl<'g> Pose<'g> {
-    /// The top three rows of the homogeneous matrix, row-major.
+    /// Top three rows of the homogeneous matrix, row-major.
     pub fn entries(&self) -> Vec<Ex<'g>> {
         (0..3).flat_map(|i| self.r.0[i].into_iter().chain([self.p.0[i]])).collect()
     }
@@ -32,7 +32,7 @@ fn joint_frames<'g>(links: &Links<'g>) -> Vec<Pose<'g>> {
     for (row, link) in links.links.iter().enumerate() {
         g.section(format!("frame {}", row + 1));
         p = p + r * link.twisted(link.step(false));
-        // Rows of R are seen in the frame before: turn each into the new axes.
+        // Rows of R are expressed in the previous frame: each is transformed to the new axes.
         r = Mat3(r.0.map(|row| link.inward(Vec3(row)).0));
         poses.push(Pose { r, p });
     }
@@ -56,7 +56,7 @@ pub(super) fn frames<'g>(links: &Links<'g>) -> Vec<Pose<'g>> {
         .collect()
 }
 
-/// The tool frame in the world frame; the last DH frame where there is no tool.
+/// Tool frame in the world frame; the last DH frame if there is no tool.
 pub(super) fn tool<'g>(links: &Links<'g>) -> Option<Pose<'g>> {
     let last = *frames(links).last()?;
     links.graph.section("tool");
@@ -74,13 +74,13 @@ pub(super) fn jacobian<'g>(links: &Links<'g>) -> Vec<Ex<'g>> {
     frames(links).last().map(|last| jacobian_of(links, last.p)).unwrap_or_default()
 }
 
-/// The same of the tool frame's origin.
+/// Jacobian of the tool frame's origin, in the same form.
 pub(super) fn tool_jacobian<'g>(links: &Links<'g>) -> Vec<Ex<'g>> {
     tool(links).map(|tool| jacobian_of(links, tool.p)).unwrap_or_default()
 }
 
-/// Velocity of a point fixed to the last link, m/s per unit of each joint's, then the link's
-/// angular velocity; world axes.
+/// Jacobian of a point fixed to the last link, world axes: its velocity, m/s, then the link's
+/// angular velocity, rad/s, per unit velocity of each joint.
 fn jacobian_of<'g>(links: &Links<'g>, end: Vec3<'g>) -> Vec<Ex<'g>> {
     let n = links.inputs.dof;
     let joints = joint_frames(links);
@@ -100,7 +100,7 @@ fn jacobian_of<'g>(links: &Links<'g>, end: Vec3<'g>) -> Vec<Ex<'g>> {
     entries
 }
 
-/// `dJ/dt dq`: acceleration of the last DH frame that is left when `ddq` is zero, linear part
+/// Velocity-dependent acceleration `dJ/dt dq` of the last DH frame (for zero `ddq`), linear part
 /// first, world axes.
 pub(super) fn jacobian_dot_velocity<'g>(links: &Links<'g>) -> Vec<Ex<'g>> {
     let Some(last) = links.links.len().checked_sub(1) else { return Vec::new() };

@@ -1,4 +1,4 @@
-//! A robot made ready: base parameters, the plan with the fewest operations, and any kernel on
+//! Model of a robot: base parameters, the plan with the fewest operations, and any kernel on
 //! demand.
 
 use super::base::BaseParameters;
@@ -13,7 +13,7 @@ use super::{adjoint, drive, energy, kinematics};
 use crate::robot::{Laws, Robot};
 use crate::sym::{Ex, Graph, Tape};
 
-/// Everything that kernels are built from.
+/// Everything from which kernels are built.
 pub struct Model {
     chain: Chain,
     standard: Vec<Parameter>,
@@ -23,15 +23,15 @@ pub struct Model {
 }
 
 impl Model {
-    /// The arm as its file's rows, links and plain drives say; effects are left out. Groups the
-    /// parameters and searches the plan.
+    /// Model of the arm by the rows, links and plain drives of its file, without effects. Groups
+    /// the parameters and searches the plan.
     pub fn new(robot: &Robot) -> Self {
         Self::of(robot, Vec::new())
     }
 
-    /// The arm with all effects of its file: zeros, rows and base are the true ones, and
-    /// [`Function::InverseDynamics`] has the laws of the drives in it. Without effects the same as
-    /// [`Model::new`].
+    /// Model of the arm with all effects of its file: zeros, rows and base are the effective ones,
+    /// and [`Function::InverseDynamics`] includes the laws of the drives. Without effects identical
+    /// to [`Model::new`].
     pub fn with_effects(robot: &Robot) -> Self {
         if robot.has_effects() { Self::of(&robot.effective(), robot.laws()) } else { Self::new(robot) }
     }
@@ -49,40 +49,40 @@ impl Model {
         Self { chain, standard, base, plan, laws }
     }
 
-    /// Degrees of freedom.
+    /// Number of degrees of freedom.
     pub fn dof(&self) -> usize {
         self.chain.dof()
     }
 
-    /// The chain of joint frames.
+    /// Chain of joint frames.
     pub fn chain(&self) -> &Chain {
         &self.chain
     }
 
-    /// The standard parameters, in the order of the regressor's columns.
+    /// Standard parameters, in the order of the regressor's columns.
     pub fn standard(&self) -> &[Parameter] {
         &self.standard
     }
 
-    /// The base parameters, in the order of the base regressor's columns.
+    /// Base parameters, in the order of the base regressor's columns.
     pub fn base(&self) -> &BaseParameters {
         &self.base
     }
 
-    /// The effects of each drive; empty where the file has none, or they were left out.
+    /// Effects of each drive; empty if the file has none, or they were left out.
     pub fn laws(&self) -> &[Laws] {
         &self.laws
     }
 
-    /// Whether a law of a drive asks for the time or for temperatures: then there is
-    /// [`Function::ClockedDriveTorques`].
+    /// Whether a drive's law depends on time or temperature, so that
+    /// [`Function::ClockedDriveTorques`] exists.
     pub fn reads_clock(&self) -> bool {
         self.laws.iter().any(Laws::reads_clock)
     }
 
-    /// Offsets that the gravity torque from base parameters has in it: degree of freedom, and
-    /// torque, N m. A prismatic joint's weight, rotor and offset can't be separated, so there `FO`
-    /// is grouped (see [`BaseParameters`]).
+    /// Offsets included in the gravity torque from base parameters: degree of freedom, and torque,
+    /// N m. A prismatic joint's weight, rotor and offset can't be separated, so `FO` is grouped
+    /// there (see [`BaseParameters`]).
     pub fn offsets_in_gravity(&self, standard: &[f64]) -> Vec<(usize, f64)> {
         let grouped = |p: &Parameter| self.base.0.iter().all(|b| b.leader != *p);
         let offset = |(p, &value): (&Parameter, &f64)| match *p {
@@ -92,7 +92,7 @@ impl Model {
         self.standard.iter().zip(standard).filter_map(offset).collect()
     }
 
-    /// Torques from these parameters, the last link seen from the origin that takes fewer
+    /// Torques from these parameters, with the last link taken about the origin that needs fewer
     /// operations.
     fn torques<'g>(&self, links: &Links<'g>, from: &[Parameter], include: Include, drives: bool) -> Vec<Ex<'g>> {
         let cost = |slide: bool| {
@@ -111,7 +111,7 @@ impl Model {
         drive::torques(&self.chain, graph, &self.standard, &laws, memory)
     }
 
-    /// The plan for the columns of other parameters than the base ones.
+    /// Plan for the columns of parameters other than the base ones.
     fn plan_for(&self, parameters: &[Parameter], include: Include) -> Plan {
         let cost = |plan: &Plan| {
             let graph = Graph::new();
@@ -197,14 +197,14 @@ impl Model {
     }
 }
 
-/// The regressor of these parameters for a plan, row-major.
+/// Regressor of these parameters for a plan, row-major.
 fn regressor<'g>(links: &Links<'g>, parameters: &[Parameter], plan: &Plan, include: Include) -> Vec<Ex<'g>> {
     let columns = Columns::new(links, plan, include);
     let all: Vec<Vec<Ex<'g>>> = parameters.iter().map(|p| columns.column(*p)).collect();
     by_rows(links.inputs.dof, &all)
 }
 
-/// Columns to row-major entries.
+/// Converts columns to row-major entries.
 fn by_rows<'g>(n: usize, columns: &[Vec<Ex<'g>>]) -> Vec<Ex<'g>> {
     (0..n).flat_map(|i| columns.iter().map(move |c| c[i])).collect()
 }

@@ -6,7 +6,7 @@ use super::turning::Turning;
 use crate::robot::JointKind;
 use crate::sym::{Ex, Mat3, Vec3};
 
-/// Motion of a frame, in its own axes. Gravity is in `a`: the base accelerates upwards.
+/// Motion of a frame, in its own axes. Gravity is included in `a`: the base accelerates upwards.
 #[derive(Clone, Copy)]
 pub(super) struct Motion<'g> {
     /// Angular velocity, rad/s.
@@ -15,7 +15,7 @@ pub(super) struct Motion<'g> {
     pub dw: Vec3<'g>,
     /// Acceleration of the frame's origin minus gravity, m/s^2.
     pub a: Vec3<'g>,
-    /// `U = [dw]x + [w]x [w]x`: the acceleration of a point at `p` is `a + U p`.
+    /// Matrix `U = [dw]x + [w]x [w]x`: the acceleration of a point at `p` is `a + U p`.
     pub u: Mat3<'g>,
 }
 
@@ -35,7 +35,7 @@ impl Include {
 }
 
 impl<'g> Motion<'g> {
-    /// With `U` from its definition.
+    /// Motion with `U` from its definition.
     pub fn new(w: Vec3<'g>, dw: Vec3<'g>, a: Vec3<'g>) -> Self {
         let ([x, y, z], [dx, dy, dz]) = (w.0, dw.0);
         let (xx, yy, zz, xy, xz, yz) = (x * x, y * y, z * z, x * y, x * z, y * z);
@@ -43,9 +43,9 @@ impl<'g> Motion<'g> {
         Self { w, dw, a, u: Mat3(u) }
     }
 
-    /// True where points on z move as they do for the frame before, whatever the joint does:
-    /// `third` is that frame's `U z`, in these axes. The rest of `U` follows from it, `w` and
-    /// `dw_z` with fewer operations than from `w` and `dw`.
+    /// Motion of a frame whose points on z move like those of the previous frame, independently of
+    /// the joint. `third` is the previous frame's `U z`, in these axes. The rest of `U` follows
+    /// from it, `w` and `dw_z` with fewer operations than from `w` and `dw`.
     fn about_z(w: Vec3<'g>, dz: Ex<'g>, a: Vec3<'g>, third: Vec3<'g>) -> Self {
         let ([x, y, z], [u02, u12, u22]) = (w.0, third.0);
         let (xx, zz, xy, xz, yz) = (x * x, z * z, x * y, x * z, y * z);
@@ -61,11 +61,11 @@ impl<'g> Motion<'g> {
 }
 
 /// Motion of the base and of every joint frame: `links.len() + 1` entries, the base first.
-/// `shifted[row]` is the same motion at the joint frame's origin before `TransZ(r)`.
+/// `shifted[row]` is the motion at the joint frame's origin before `TransZ(r)`.
 pub(super) struct Sweep<'g> {
     pub joints: Vec<Motion<'g>>,
     pub shifted: Vec<Motion<'g>>,
-    /// About how many directions each joint frame turns.
+    /// Directions about which each joint frame turns.
     pub turning: Vec<Turning<'g>>,
 }
 
@@ -90,7 +90,7 @@ impl<'g> Sweep<'g> {
             let axis = link.axis();
             let (w, dw) = (link.inward(before.w), link.inward(before.dw));
             let motion = match (link.kind, turning.two()) {
-                // Multiples of one vector that turns: it alone has to be turned.
+                // Multiples of one rotating vector: only that vector is transformed.
                 (JointKind::Revolute, Some((first, own))) => {
                     let ([x, y, _], r) = (first.axis.0, first.rate);
                     let third = Vec3([y * first.acceleration, -(x * first.acceleration), -(r * r)]);
@@ -116,8 +116,8 @@ impl<'g> Sweep<'g> {
         sweep
     }
 
-    /// Motion of the body's frame of a row; `shifted`: at the origin before `TransZ(r)` (only where
-    /// body and joint frame are one).
+    /// Motion of the body's frame of a row; `shifted`: at the origin before `TransZ(r)` (only if
+    /// body and joint frame coincide).
     pub fn body(&self, links: &Links<'g>, row: usize, shifted: bool) -> Motion<'g> {
         let link = &links.links[row];
         let motion = if shifted { self.shifted[row] } else { self.joints[row + 1] };
@@ -129,14 +129,14 @@ impl<'g> Sweep<'g> {
     }
 }
 
-/// May a row's columns be computed about the origin before `TransZ(r)`? (Only if that is another
-/// point, and a fixed one.)
+/// Whether a row's columns may be computed about the origin before `TransZ(r)`: only if that is
+/// another point, and a fixed one.
 pub(super) fn can_shift(row: &Row) -> bool {
     row.body.is_none() && row.kind != JointKind::Prismatic && row.r != 0.0
 }
 
-/// Joint component of a wrench in its own frame: moment about z, force along z, zero where it is
-/// fixed.
+/// Joint component of a wrench in the joint's own frame: moment about z for a revolute joint, force
+/// along z for a prismatic one, `None` if fixed.
 pub(super) fn along_axis<'g>(kind: JointKind, f: Vec3<'g>, n: Vec3<'g>) -> Option<Ex<'g>> {
     match kind {
         JointKind::Revolute => Some(n.0[2]),

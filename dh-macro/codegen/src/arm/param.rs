@@ -1,4 +1,4 @@
-//! The parameters of an arm: their names and *the* order. Everything else asks this file.
+//! Names and order of an arm's parameters; the only definition of both.
 
 use crate::robot::{JointKind, Robot};
 
@@ -7,23 +7,23 @@ use crate::robot::{JointKind, Robot};
 pub enum Inertial {
     /// Mass, kg.
     M,
-    /// First moments, kg m.
+    /// First moment about the origin, x, kg m.
     MSX,
-    /// First moments, kg m.
+    /// First moment about the origin, y, kg m.
     MSY,
-    /// First moments, kg m.
+    /// First moment about the origin, z, kg m.
     MSZ,
-    /// Tensor, kg m^2.
+    /// Entry XX of the inertia tensor, kg m^2.
     XX,
-    /// Tensor, kg m^2.
+    /// Entry YY of the inertia tensor, kg m^2.
     YY,
-    /// Tensor, kg m^2.
+    /// Entry ZZ of the inertia tensor, kg m^2.
     ZZ,
-    /// Tensor, kg m^2.
+    /// Entry XY of the inertia tensor, kg m^2.
     XY,
-    /// Tensor, kg m^2.
+    /// Entry XZ of the inertia tensor, kg m^2.
     XZ,
-    /// Tensor, kg m^2.
+    /// Entry YZ of the inertia tensor, kg m^2.
     YZ,
 }
 
@@ -32,7 +32,7 @@ impl Inertial {
     pub const ALL: [Self; 10] =
         [Self::M, Self::MSX, Self::MSY, Self::MSZ, Self::XX, Self::YY, Self::ZZ, Self::XY, Self::XZ, Self::YZ];
 
-    /// The symbol, as robot files and groupings write it.
+    /// Symbol in robot files and groupings.
     pub fn name(self) -> &'static str {
         match self {
             Self::M => "M",
@@ -48,7 +48,7 @@ impl Inertial {
         }
     }
 
-    /// Unit.
+    /// Unit of the parameter.
     pub fn unit(self) -> &'static str {
         match self {
             Self::M => "kg",
@@ -61,21 +61,21 @@ impl Inertial {
 /// A drive parameter that the model may have.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum DriveTerm {
-    /// Rotor inertia, link side of the gear, kg m^2.
+    /// Rotor inertia on the link side of the gear, kg m^2.
     IA,
     /// Viscous friction, N m s/rad.
     FV,
     /// Coulomb friction, N m.
     FC,
-    /// Offset, N m.
+    /// Torque offset, N m.
     FO,
 }
 
 impl DriveTerm {
-    /// All, in the order of the regressor's columns.
+    /// All terms, in the order of the regressor's columns.
     pub const ALL: [Self; 4] = [Self::IA, Self::FV, Self::FC, Self::FO];
 
-    /// The symbol.
+    /// Symbol of the term.
     pub fn name(self) -> &'static str {
         match self {
             Self::IA => "IA",
@@ -86,17 +86,17 @@ impl DriveTerm {
     }
 }
 
-/// A standard parameter: what it is and of which row.
+/// A standard parameter, with its row.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Parameter {
-    /// Of the link of this row (from 0).
+    /// Parameter of the link of this row (from 0).
     Link(usize, Inertial),
-    /// Of the drive of this row (from 0).
+    /// Parameter of the drive of this row (from 0).
     Drive(usize, DriveTerm),
 }
 
 impl Parameter {
-    /// Name as it is printed, rows from 1: `XX2`, `FV3`.
+    /// Printed name, with rows counted from 1: `XX2`, `FV3`.
     pub fn name(&self) -> String {
         match self {
             Self::Link(row, p) => format!("{}{}", p.name(), row + 1),
@@ -104,7 +104,7 @@ impl Parameter {
         }
     }
 
-    /// Unit for a table. For a prismatic joint N stands for N m.
+    /// Unit for a table. For a prismatic joint N replaces N m.
     pub fn unit(&self, robot: &Robot) -> &'static str {
         let prismatic = |row: usize| robot.joints[row].kind == JointKind::Prismatic;
         match *self {
@@ -119,8 +119,8 @@ impl Parameter {
     }
 }
 
-/// Every standard parameter of the robot in the order of the regressor's columns: all links, then
-/// all `IA`, `FV`, `FC`, `FO` that the file's drives have.
+/// Standard parameters of the robot in the order of the regressor's columns: all links, then all
+/// `IA`, `FV`, `FC`, `FO` that the file's drives have.
 pub fn standard(robot: &Robot) -> Vec<Parameter> {
     let links = (0..robot.joints.len()).flat_map(|row| Inertial::ALL.map(|p| Parameter::Link(row, p)));
     let drives = DriveTerm::ALL.into_iter().flat_map(|term| {
@@ -131,7 +131,7 @@ pub fn standard(robot: &Robot) -> Vec<Parameter> {
     links.chain(drives).collect()
 }
 
-/// The file's value of a drive parameter; `None` where the model does not have it.
+/// Value of a drive parameter in the file; `None` if the model lacks it.
 pub fn drive_value(robot: &Robot, row: usize, term: DriveTerm) -> Option<f64> {
     let drive = &robot.joints[row].drive;
     match term {
@@ -142,8 +142,8 @@ pub fn drive_value(robot: &Robot, row: usize, term: DriveTerm) -> Option<f64> {
     }
 }
 
-/// Values of [`standard`] from the file, tool folded into the last link; `None` where a link's are
-/// unknown.
+/// Values of [`standard`] from the file, with the tool added to the last link; `None` if a link's
+/// parameters are unknown.
 pub fn standard_values(robot: &Robot) -> Option<Vec<f64>> {
     let inertias = robot.inertias()?;
     Some(

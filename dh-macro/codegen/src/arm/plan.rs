@@ -1,68 +1,68 @@
-//! Frame in which each column is computed: choices that change the number of operations, not the
-//! result.
+//! Selects the frame in which each column is computed: this changes the number of operations, not
+//! the result.
 
 use std::collections::BTreeSet;
 
-/// How the wrench of one column becomes torques.
+/// How the wrench of one column is projected to torques.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub struct ColumnPlan {
-    /// The wrench is carried inward to this frame (row), and its moment projected there on the axes
-    /// of the joints before.
+    /// Frame (row) to which the wrench is carried inward, and in which its moment is projected on
+    /// the axes of the preceding joints.
     pub moment: usize,
-    /// The force is turned further inward, to this frame's axes, before it is projected.
+    /// Frame to whose axes the force is rotated further inward before it is projected.
     pub force: usize,
     /// For joints up to this row the moment is first taken about this frame's origin: axes that
-    /// meet there then see no force.
+    /// meet there are then independent of the force.
     pub about: usize,
 }
 
 impl ColumnPlan {
-    /// Everything in one frame.
+    /// Plan with everything in one frame.
     pub fn at(row: usize) -> Self {
         Self { moment: row, force: row, about: row }
     }
 }
 
-/// The choices for one row.
+/// Choices for one row.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub struct RowPlan {
-    /// Compute about the origin before `TransZ(r)`, and combine columns afterwards.
+    /// Whether to compute about the origin before `TransZ(r)`, and to combine columns afterwards.
     pub shifted: bool,
-    /// One for each of the ten parameters.
+    /// One plan for each of the ten parameters.
     pub columns: [ColumnPlan; 10],
 }
 
-/// The choices for all rows.
+/// Choices for all rows.
 pub type Plan = Vec<RowPlan>;
 
-/// How far inward a frame is looked for.
+/// Number of frames inward that are searched.
 const REACH: usize = 2;
 /// Rounds of moves for the base parameters, whose plan serves most functions.
 pub const ROUNDS: usize = 3;
 
-/// Plans that are tried at most, times the rows to the third power, which the cost of one grows
-/// with. Chains of up to [`WHOLE`] rows are searched to the end; of longer ones the first moves
-/// find most.
+/// Most plans that are tried, times the rows to the third power, with which the cost of one grows.
+/// Chains of up to [`WHOLE`] rows are searched to the end; for longer ones the first moves find
+/// most of the gain.
 const WORK: usize = 1_600_000;
-/// Rows up to which a search ends by itself.
+/// Number of rows up to which a search ends by itself.
 const WHOLE: usize = 8;
 
-/// Every link in its own frame.
+/// Plan with every link in its own frame.
 pub fn plain(rows: usize) -> Plan {
     (0..rows).map(|row| RowPlan { shifted: false, columns: [ColumnPlan::at(row); 10] }).collect()
 }
 
-/// Descent from `start`: one move at a time, kept where it makes `cost` smaller, until none does. A
-/// move sets the frames of one kind of column for a run of neighbouring rows (links with a common
-/// wrist gain only together).
+/// Descent from `start`: one move at a time, kept if it reduces `cost`, until none does. A move
+/// sets the frames of one kind of column for a run of neighbouring rows (links with a common wrist
+/// gain only together).
 ///
-/// At most `rounds` rounds of all moves; the first finds nearly everything.
+/// Performs at most `rounds` rounds of all moves; the first finds nearly everything.
 pub fn search(start: Plan, rounds: usize, can_shift: impl Fn(usize) -> bool, cost: impl Fn(&Plan) -> usize) -> Plan {
     let rows = start.len();
     let mut best = start;
     let mut best_cost = cost(&best);
-    // A choice that was tried once was no better than the best one then, so it is no better than
-    // the present best.
+    // A plan that was tried once was no better than the best one then, so it is no better than the
+    // present best.
     let mut tried = BTreeSet::from([best.clone()]);
     let mut try_plan = |best: &mut Plan, trial: Plan| {
         if tried.len() * rows * rows * rows.max(WHOLE) < WORK && tried.insert(trial.clone()) {

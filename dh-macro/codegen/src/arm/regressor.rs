@@ -1,4 +1,4 @@
-//! The regressor: one unit parameter at a time (Khalil and Dombre, 12.4.3).
+//! Computes the regressor, one unit parameter at a time (Khalil and Dombre, 12.4.3).
 
 use core::cmp::Ordering;
 
@@ -10,7 +10,7 @@ use super::screw::{Screw, Screws};
 use super::wrench::Wrench;
 use crate::sym::{Ex, Vec3};
 
-/// Columns of `W` in `tau = W phi`, made one by one.
+/// Columns of `W` in `tau = W phi`, computed one by one.
 pub(super) struct Columns<'a, 'g> {
     links: &'a Links<'g>,
     sweep: Sweep<'g>,
@@ -25,7 +25,7 @@ impl<'a, 'g> Columns<'a, 'g> {
         Self { links, sweep, screws, plan }
     }
 
-    /// The column of a parameter, one entry per degree of freedom.
+    /// Column of a parameter, one entry per degree of freedom.
     pub fn column(&self, parameter: Parameter) -> Vec<Ex<'g>> {
         match parameter {
             Parameter::Link(row, which) => self.link(row, which),
@@ -74,8 +74,8 @@ impl<'a, 'g> Columns<'a, 'g> {
         self.torques(row, wrench, self.plan[row].columns[which as usize], shifted)
     }
 
-    /// Torques of all joints against a wrench in the joint frame of `row`: carried inward to frame
-    /// `plan.moment`, projected there (see [`ColumnPlan`] for where its force goes).
+    /// Torques of all joints against a wrench in the joint frame of `row`, which is carried inward
+    /// to frame `plan.moment` and projected there (for its force, see [`ColumnPlan`]).
     pub fn torques(&self, row: usize, wrench: Wrench<'g>, plan: ColumnPlan, shifted: bool) -> Vec<Ex<'g>> {
         let links = self.links;
         let mut tau = vec![links.number(0.0); links.inputs.dof];
@@ -118,7 +118,7 @@ impl<'a, 'g> Columns<'a, 'g> {
             }
             return tau;
         }
-        // The point of application stays; only axes are changed.
+        // The point of application is kept; only the axes change.
         let (mut f, mut p) = (wrench.f, Vec3::zero(links.graph));
         for between in (plan.force + 1..=at).rev() {
             let link = &links.links[between];
@@ -137,7 +137,7 @@ impl<'a, 'g> Columns<'a, 'g> {
         tau
     }
 
-    /// The ten columns of a body at the tool frame (the last DH frame where there is no tool).
+    /// Ten columns of a body at the tool frame (the last DH frame if there is no tool).
     pub fn payload(&self) -> Vec<Vec<Ex<'g>>> {
         let links = self.links;
         let last = links.links.len() - 1;

@@ -1,11 +1,11 @@
-//! The joint axes seen from frames further out: columns of the body Jacobian.
+//! Joint axes as screws in frames further out: columns of the body Jacobian.
 
 use super::chain::Links;
 use super::wrench::Wrench;
 use crate::robot::JointKind;
 use crate::sym::{Ex, Vec3};
 
-/// Velocity that a unit joint velocity gives to a frame, in its axes: angular, and linear of its
+/// Velocity of a frame per unit joint velocity, in its axes: angular, and linear velocity of its
 /// origin.
 #[derive(Clone, Copy)]
 pub(super) struct Screw<'g> {
@@ -14,7 +14,7 @@ pub(super) struct Screw<'g> {
 }
 
 impl<'g> Screw<'g> {
-    /// Of the joint itself, in its own frame.
+    /// Screw of the joint in its own frame.
     pub fn own(links: &Links<'g>, row: usize) -> Self {
         let link = &links.links[row];
         let (axis, zero) = (link.axis(), Vec3::zero(links.graph));
@@ -25,7 +25,7 @@ impl<'g> Screw<'g> {
         }
     }
 
-    /// Seen from the joint frame of `row`, given as seen from the one before.
+    /// Transforms the screw from the previous joint frame to that of `row`.
     pub fn outward(self, links: &Links<'g>, row: usize, shifted: bool) -> Self {
         let link = &links.links[row];
         let (w, v) = (link.untwist(self.w), link.untwist(self.v));
@@ -33,7 +33,7 @@ impl<'g> Screw<'g> {
         Self { w: link.unturn(w), v: link.unturn(v) }
     }
 
-    /// Velocity of the point `p` (same axes).
+    /// Velocity of the point `p`, in the same axes.
     pub fn at(self, p: Vec3<'g>) -> Vec3<'g> {
         self.v + self.w.cross(p)
     }
@@ -44,9 +44,9 @@ impl<'g> Screw<'g> {
     }
 }
 
-/// Every joint's screw in every frame further out, made when first asked for.
+/// Screws of every joint in every frame further out.
 pub(super) struct Screws<'g> {
-    /// `table[frame][joint]`, joint < frame.
+    /// Screws `table[frame][joint]`, joint < frame.
     table: Vec<Vec<Screw<'g>>>,
     shifted: Vec<Vec<Screw<'g>>>,
 }
@@ -71,7 +71,7 @@ impl<'g> Screws<'g> {
         Self { table, shifted }
     }
 
-    /// Joint `joint` seen from frame `frame`.
+    /// Screw of joint `joint` in frame `frame`.
     pub fn get(&self, joint: usize, frame: usize, shifted: bool) -> Screw<'g> {
         if shifted { self.shifted[frame][joint] } else { self.table[frame][joint] }
     }

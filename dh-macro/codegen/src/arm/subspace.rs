@@ -1,13 +1,13 @@
-//! Small linear subspaces in echelon form: which vectors are new, which are combinations.
+//! Small linear subspaces in echelon form: detects new vectors and linear combinations.
 
 /// Magnitude that counts as zero, relative to the input vector. Calibrated arms differ from nominal
 /// ones by 1e-4 and its square; rounding stays below 1e-14.
 const NOTHING: f64 = 1e-10;
 /// Rounding residue of an exact zero after elimination.
 const ROUNDING: f64 = 1e-14;
-/// How large a column must be in its row to be bound by it, relative to the row's largest entry:
-/// first clearly, then at all. A twist of 1.5716 is nearly a right angle, and binding the column
-/// that nearly vanishes would give groupings with factors of 1e6.
+/// Least size of a column's entry in its row, relative to the row's largest, for the column to be
+/// bound: tried in this order. A twist of 1.5716 is nearly a right angle, and binding the nearly
+/// vanishing column would give groupings with factors of 1e6.
 const THRESHOLDS: [f64; 3] = [0.05, 1e-3, 0.0];
 
 /// A subspace spanned by rows in reduced echelon form.
@@ -22,7 +22,7 @@ impl Subspace {
         &self.rows
     }
 
-    /// Adds a vector; the largest entry that is left becomes the pivot.
+    /// Adds a vector; its largest remaining entry becomes the pivot.
     pub fn insert(&mut self, vector: &[f64]) {
         let largest = |v: &[f64]| {
             v.iter().enumerate().fold((0, 0.0f64), |best, (k, x)| if x.abs() > best.1 { (k, x.abs()) } else { best })
@@ -48,9 +48,9 @@ impl Subspace {
         self.pivots.push(pivot);
     }
 
-    /// Null space of these rows as constraints: columns are tried as bound ones in the order
-    /// `keep`, what can't be bound is free. For each free column: its index, and the vector with
-    /// one there and zero in all other free columns.
+    /// Null space of these rows as constraints: columns are bound in the order `keep`, and those
+    /// that can't be bound are free. For each free column: its index, and the vector with one there
+    /// and zero in all other free columns.
     pub fn null_space(&self, keep: &[usize]) -> Vec<(usize, Vec<f64>)> {
         let mut rows = self.rows.clone();
         let mut bound: Vec<(usize, usize)> = Vec::new(); // (column, row)
@@ -102,7 +102,7 @@ fn eliminate(v: &mut [f64], row: &[f64], pivot: usize) {
     }
 }
 
-/// Elimination of exact numbers leaves rounding of the last bits.
+/// Rounds to the nearest integer if the difference is a rounding error of elimination.
 fn snapped(x: f64) -> f64 {
     let nearest = x.round();
     if (x - nearest).abs() < 1e-11 { nearest + 0.0 } else { x }

@@ -1,39 +1,39 @@
-//! How a link turns as long as at most two directions of axes have a part in it: then less is
-//! enough than for any motion.
+//! Describes how a link turns if at most two directions of axes contribute, which needs fewer
+//! operations than a general rotation.
 //!
 //! With one direction only the rate counts. With two perpendicular ones, `e` (of the inner joints)
 //! and the link's own `z`, the angular velocity is `r e + s z`, and `e` turns with the link's angle
-//! alone. So moments matter only along `e` and `z`. Lagrange's equations of these two angles need
-//! fewer operations than Euler's of the body.
+//! alone. So only moments along `e` and `z` are required. Lagrange's equations of these two angles
+//! need fewer operations than Euler's equations of the body.
 
 use super::chain::Link;
 use crate::robot::JointKind;
 use crate::sym::{Ex, Vec3};
 
-/// Turning about joints with parallel axes.
+/// Rotation about joints with parallel axes.
 #[derive(Clone, Copy)]
 pub(super) struct Spin<'g> {
-    /// Unit vector along the axes, in the link's axes.
+    /// Unit vector along the axes, in the link's frame.
     pub axis: Vec3<'g>,
     /// Sum of the joint velocities, rad/s.
     pub rate: Ex<'g>,
     /// Sum of the joint accelerations, rad/s^2.
     pub acceleration: Ex<'g>,
-    /// The outermost of these joints.
+    /// Row of the outermost of these joints.
     pub row: usize,
 }
 
-/// The directions about which a link turns.
+/// Directions about which a link turns.
 #[derive(Clone, Copy)]
 pub(super) enum Turning<'g> {
     Still,
     One(Spin<'g>),
-    /// Two perpendicular ones, inner joints first.
+    /// Two perpendicular directions, inner joints first.
     Two(Spin<'g>, Spin<'g>),
     Any,
 }
 
-/// `1` or `-1` where `v` is exactly along z, this way or the other.
+/// `1` or `-1` if `v` is exactly along z or opposite to it.
 fn along_z(v: Vec3<'_>) -> Option<f64> {
     let [x, y, z] = v.0;
     let sign = z.as_constant().filter(|c| c.abs() == 1.0)?;
@@ -41,7 +41,7 @@ fn along_z(v: Vec3<'_>) -> Option<f64> {
 }
 
 impl<'g> Turning<'g> {
-    /// Of the next link outwards: its row, and what it takes into account of its velocity and
+    /// Rotation of the next link outwards, from its row and the included parts of its velocity and
     /// acceleration.
     pub fn next(self, link: &Link<'g>, row: usize, dq: Ex<'g>, ddq: Ex<'g>) -> Self {
         let seen = |s: Spin<'g>| Spin { axis: link.inward(s.axis), ..s };
@@ -74,7 +74,7 @@ impl<'g> Turning<'g> {
         }
     }
 
-    /// The two directions, where the second is the link's own z.
+    /// The two directions, if the second is the link's own z.
     pub fn two(self) -> Option<(Spin<'g>, Spin<'g>)> {
         match self {
             Self::Two(first, second) if along_z(second.axis) == Some(1.0) => Some((first, second)),
@@ -83,7 +83,7 @@ impl<'g> Turning<'g> {
     }
 }
 
-/// Moments along `first` and `own` (the link's z) that a body's tensor about the origin takes, N m.
+/// Moments along `first` and `own` (the link's z) due to a body's tensor about the origin, N m.
 /// These are Lagrange's equations of `T = (e.I e) r^2 / 2 + (e.I z) r s + (z.I z) s^2 / 2` with
 /// `de/ds = e x z`.
 pub(super) fn moments<'g>(first: &Spin<'g>, own: &Spin<'g>, params: &[Ex<'g>; 10]) -> (Ex<'g>, Ex<'g>) {

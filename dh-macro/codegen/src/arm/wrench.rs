@@ -1,4 +1,4 @@
-//! The force and moment that a unit inertial parameter needs, and how a wrench goes inward.
+//! Wrench due to a unit inertial parameter, and its transformation inward.
 
 use super::chain::Links;
 use super::motion::Motion;
@@ -13,8 +13,8 @@ pub(super) struct Wrench<'g> {
 }
 
 impl<'g> Wrench<'g> {
-    /// Wrench of a body with this one parameter equal to one and all others zero under this motion:
-    /// `f = M a + U MS`, `n = MS x a + I dw + w x (I w)`.
+    /// Wrench of a body under this motion, with this parameter equal to one and all others zero: `f
+    /// = M a + U MS`, `n = MS x a + I dw + w x (I w)`.
     pub fn unit(m: &Motion<'g>, which: Inertial) -> Self {
         let g = m.w.0[0].graph();
         let (zero, none) = (Vec3::zero(g), g.constant(0.0));
@@ -36,8 +36,8 @@ impl<'g> Wrench<'g> {
         }
     }
 
-    /// The same for given values of all ten, `params[Inertial as usize]`, with the diagonal entries
-    /// drawn together.
+    /// Wrench for given values of all ten, `params[Inertial as usize]`, with the diagonal entries
+    /// combined.
     pub fn of_body(m: &Motion<'g>, params: &[Ex<'g>; 10]) -> Self {
         let [.., xx, yy, zz, xy, xz, yz] = *params;
         let ([x, y, z], [dx, dy, dz]) = (m.w.0, m.dw.0);
@@ -62,15 +62,15 @@ impl<'g> Wrench<'g> {
         Self { f: self.f + other.f, n: self.n + other.n }
     }
 
-    /// From the body's frame of a row to its joint frame.
+    /// Transforms from the body's frame of a row to its joint frame.
     pub fn out_of_body(self, links: &Links<'g>, row: usize) -> Self {
         let link = &links.links[row];
         let (f, n) = (link.out_of_body(self.f), link.out_of_body(self.n));
         Self { f, n: n + link.body_origin().cross(f) }
     }
 
-    /// From the joint frame of a row to the previous joint frame; `shifted`: it is given about the
-    /// origin before `TransZ(r)`.
+    /// Transforms from the joint frame of a row to the previous joint frame; `shifted`: it is given
+    /// about the origin before `TransZ(r)`.
     pub fn inward(self, links: &Links<'g>, row: usize, shifted: bool) -> Self {
         let link = &links.links[row];
         let (f, n) = (link.turned(self.f), link.turned(self.n));

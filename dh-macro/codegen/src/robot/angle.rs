@@ -1,4 +1,4 @@
-//! Exact angles: a rational multiple of pi stays one until its sine and cosine are known.
+//! Exact angles: a rational multiple of pi is kept as such until its sine and cosine are evaluated.
 
 use core::f64::consts::{FRAC_PI_2, PI};
 
@@ -9,9 +9,9 @@ use crate::runtime::Scalar;
 pub struct Angle {
     /// Value, rad.
     pub value: f64,
-    /// `Some((p, q))`: the angle is exactly `p/q * pi`, reduced, `q > 0`.
+    /// Exact multiple of pi: `Some((p, q))` means `p/q * pi`, reduced, `q > 0`.
     pub pi_multiple: Option<(i64, i64)>,
-    /// As the file writes it.
+    /// Text of the angle in the file.
     pub text: String,
 }
 
@@ -21,7 +21,7 @@ impl Angle {
         Self::pi_fraction(0, 1)
     }
 
-    /// Exactly `p/q * pi`.
+    /// The exact angle `p/q * pi`.
     pub fn pi_fraction(p: i64, q: i64) -> Self {
         let g = gcd(p.unsigned_abs(), q.unsigned_abs()).max(1) as i64 * q.signum();
         let (p, q) = (p / g, q / g);
@@ -37,7 +37,7 @@ impl Angle {
         Self { value: p as f64 * PI / q as f64, pi_multiple: Some((p, q)), text }
     }
 
-    /// A measured angle: just a number, rad.
+    /// A measured angle, rad, without an exact multiple of pi unless it is 0.
     pub fn radians(value: f64) -> Self {
         if value == 0.0 {
             return Self::zero();
@@ -45,7 +45,7 @@ impl Angle {
         Self { value, pi_multiple: None, text: format!("{value}") }
     }
 
-    /// `Some(k)` when the angle is exactly `k` quarter turns.
+    /// Number of quarter turns, if the angle is an exact multiple of one.
     pub fn quarter_turns(&self) -> Option<i64> {
         match self.pi_multiple {
             Some((p, 1)) => p.checked_mul(2),
@@ -57,7 +57,7 @@ impl Angle {
     /// Sine and cosine; 0, 1 and -1 without rounding error at quarter turns, 1/2 at sixths.
     pub fn sin_cos(&self) -> (f64, f64) {
         let Some((p, q)) = self.pi_multiple else { return everywhere_alike(self.value) };
-        // Reduce to [-pi/4, pi/4] exactly: angle = k * pi/2 + rest.
+        // Reduces to [-pi/4, pi/4] exactly: angle = k * pi/2 + rest.
         let k = (2 * p as i128 + (q as i128) / 2).div_euclid(q as i128);
         let rest = 2 * p as i128 - k * q as i128; // rest / (2 q) * pi
         let (s, c) = if rest == 0 {
@@ -76,8 +76,8 @@ impl Angle {
     }
 }
 
-/// Sine and cosine by the runtime's polynomials: the library's differ between machines, and so
-/// would generated code.
+/// Sine and cosine by the runtime's polynomials, since those of the library, and hence the
+/// generated code, would differ between machines.
 fn everywhere_alike(angle: f64) -> (f64, f64) {
     let ([sin], [cos]) = f64::sin_cos_all(&[angle]);
     (sin, cos)

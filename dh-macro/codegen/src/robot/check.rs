@@ -1,4 +1,4 @@
-//! Text -> tree -> checked robot, or every problem at once.
+//! Checks the parsed tree of a robot file and builds the robot, or reports all problems at once.
 
 mod body;
 pub(super) mod drive;
@@ -15,14 +15,14 @@ use super::reader::{Fields, Findings, join};
 use super::yaml::{self, Kind, Mark, shortened};
 use super::{Collision, Convention, Cuboid, Effect, Files, Joint, JointKind, Pose, Robot, Sphere, Tool};
 
-/// A robot as its file gives it, and what the reader did or saw on the way.
+/// A robot as read from its file, with notes of the reader.
 #[derive(Debug, Clone)]
 pub struct Reading {
     /// The robot.
     pub robot: Robot,
-    /// Origin of the numbers, if the file names it.
+    /// Source of the numbers, if stated in the file.
     pub source: Option<String>,
-    /// Decimals that were read as exact angles, values that look like another unit, ...
+    /// Notes on decimals read as exact angles, values that look like another unit, ...
     pub notes: Vec<Note>,
 }
 
@@ -30,10 +30,10 @@ pub struct Reading {
 const GRAVITY: [f64; 3] = [0.0, 0.0, -9.81];
 
 impl Robot {
-    /// Reads a robot file. `files` gives the text of a tool file by the name that stands behind
-    /// `tool:` ([`no_files`](super::no_files) where there is none).
+    /// Reads a robot file. `files` returns the text of a tool file by the name given for `tool:`
+    /// ([`no_files`](super::no_files) if there is none).
     ///
-    /// All mistakes are reported together, each with its line and column.
+    /// Reports all mistakes together, each with its line and column.
     pub fn from_yaml(text: &str, files: &Files<'_>) -> Result<Reading, Problems> {
         let root = yaml::parse(text).map_err(Problems)?;
         let mut found = Findings::default();
@@ -48,7 +48,7 @@ impl Robot {
         }
     }
 
-    /// [`Robot::from_yaml`] for bytes that may not be UTF-8.
+    /// Variant of [`Robot::from_yaml`] for bytes that may not be UTF-8.
     pub fn from_bytes(bytes: &[u8], files: &Files<'_>) -> Result<Reading, Problems> {
         match core::str::from_utf8(bytes) {
             Ok(text) => Self::from_yaml(text, files),
@@ -69,8 +69,8 @@ impl Robot {
 }
 
 impl Tool {
-    /// Reads a tool file (the keys of a robot file's `tool`). `name` is what it is called where the
-    /// file does not say.
+    /// Reads a tool file (the keys of a robot file's `tool`). `name` is used if the file states
+    /// none.
     pub fn from_yaml(text: &str, name: &str) -> Result<(Self, Vec<Note>), Problems> {
         let mut found = Findings::default();
         let tool = body::tool_text(text, name, &mut found);
@@ -82,7 +82,7 @@ impl Tool {
     }
 }
 
-/// The robot, with defaults in place of what was found wrong.
+/// Builds the robot, with defaults in place of invalid entries.
 fn robot(top: &Fields<'_>, files: &Files<'_>, to: &mut Findings) -> Robot {
     constants(top, to);
     let name = top.text("name", to).unwrap_or_default();
@@ -109,7 +109,7 @@ fn robot(top: &Fields<'_>, files: &Files<'_>, to: &mut Findings) -> Robot {
     Robot { name, convention, constants, gravity, base, joints, links, tool, collision, effects, log }
 }
 
-/// Joints and links that effects name must be there.
+/// Checks that joints and links referenced by effects exist.
 fn numbers_in_effects(top: &Fields<'_>, joints: &[Joint], whole: &[Effect], to: &mut Findings) {
     let of_joints = joints.iter().enumerate().flat_map(|(row, j)| j.drive.effects.iter().map(move |e| (Some(row), e)));
     for (row, effect) in of_joints.chain(whole.iter().map(|e| (None, e))) {
@@ -136,8 +136,8 @@ fn numbers_in_effects(top: &Fields<'_>, joints: &[Joint], whole: &[Effect], to: 
     }
 }
 
-/// Place of an effect's key: in the drive of a row (or in its friction), or among the effects at
-/// the top. The effect itself where it is a bare number or does not have the key.
+/// Location of an effect's key: in the drive of a row (or in its friction), or among the effects at
+/// the top. If the effect is a bare number or lacks the key, the location of the effect itself.
 fn written(top: &Fields<'_>, row: Option<usize>, effect: &str, key: &str) -> Option<(Mark, String)> {
     fn child<'n>((node, path): (&'n yaml::Node, String), name: &str) -> Option<(&'n yaml::Node, String)> {
         let Kind::Map(fields) = &node.kind else { return None };
@@ -179,7 +179,7 @@ fn constants(top: &Fields<'_>, to: &mut Findings) {
             to.problem(word.mark, &path, what, "use letters, digits and _, a letter first");
             continue;
         }
-        // A wrong constant is defined all the same: one problem, not one for every use.
+        // A wrong constant is defined, too: one problem instead of one for every use.
         let value = to.value(node, &path, "a number").map(|(value, _)| value);
         if let Some(value) = value.or_else(|| to.scope.evaluate("1").ok()) {
             to.scope.define(&word.text, value);
@@ -187,7 +187,7 @@ fn constants(top: &Fields<'_>, to: &mut Findings) {
     }
 }
 
-/// The name is also that of the crate that is written for the robot.
+/// Checks the robot's name, which is also that of the generated crate.
 fn check_name(name: &str, top: &Fields<'_>, to: &mut Findings) {
     let Some((node, path)) = top.node("name").filter(|_| !name.is_empty()) else { return };
     if name::is_reserved(name) {
@@ -217,7 +217,7 @@ fn gravity(top: &Fields<'_>, to: &mut Findings) -> [f64; 3] {
     gravity
 }
 
-/// `xyz` and `rpy`, zero where they are left out.
+/// Reads `xyz` and `rpy`, zero if omitted.
 fn pose(fields: &Fields<'_>, to: &mut Findings) -> Pose {
     let unset = Pose::default();
     Pose { xyz: fields.vector("xyz", to).unwrap_or(unset.xyz), rpy: fields.angles("rpy", to).unwrap_or(unset.rpy) }
@@ -259,7 +259,7 @@ fn collision(top: &Fields<'_>, rows: usize, to: &mut Findings) -> Collision {
     Collision { ground, spheres, boxes }
 }
 
-/// Start of a mapping, for problems of the whole of it.
+/// Start of a mapping, for problems that concern the whole mapping.
 fn place(fields: &Fields<'_>) -> (Mark, String) {
     (fields.mark, fields.path.clone())
 }

@@ -1,28 +1,28 @@
-//! Whether a decimal is a multiple of pi/2 that somebody rounded or cut off.
+//! Detects decimals that are rounded or truncated multiples of pi/2.
 
 use core::f64::consts::FRAC_PI_2;
 
-/// pi/2 times 10^35, cut off.
+/// pi/2 times 10^35, truncated.
 const HALF_PI: u128 = 157_079_632_679_489_661_923_132_169_163_975_144;
 /// Decimal places of [`HALF_PI`].
 const PLACES: i64 = 35;
-/// Significant digits from which a match can't be chance.
+/// Number of significant digits from which a match is not accidental.
 const ENOUGH: usize = 4;
-/// Beyond this many quarter turns four digits match by chance too often.
+/// Most quarter turns that are considered: beyond it, four digits match by chance too often.
 const MOST_TURNS: f64 = 64.0;
 
-/// Relation of a decimal to quarter turns.
+/// Result of comparing a decimal with quarter turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum QuarterTurns {
-    /// Every digit is that of this many quarter turns.
+    /// All digits agree with this number of quarter turns.
     All(u32),
-    /// So it is, but the digits are too few to be sure.
+    /// All digits agree, but they are too few to be certain.
     Maybe(u32),
-    /// It is another number.
+    /// The decimal is another number.
     No,
 }
 
-/// Reads an unsigned decimal, `1.5708` or `15708e-4`.
+/// Compares an unsigned decimal, such as `1.5708` or `15708e-4`, with quarter turns.
 pub(super) fn quarter_turns(literal: &str) -> QuarterTurns {
     match whole_turns(literal) {
         Some((turns, digits)) if digits >= ENOUGH => QuarterTurns::All(turns),
@@ -31,7 +31,7 @@ pub(super) fn quarter_turns(literal: &str) -> QuarterTurns {
     }
 }
 
-/// Quarter turns and significant digits, when every digit fits.
+/// Number of quarter turns and of significant digits, if all digits agree.
 fn whole_turns(literal: &str) -> Option<(u32, usize)> {
     let value: f64 = literal.parse().ok()?;
     let turns = (value / FRAC_PI_2).round();

@@ -1,5 +1,5 @@
-//! Trees of YAML with the place of every node, and the mistakes found in them: what reads files
-//! that stand beside a robot file.
+//! Reads YAML files that accompany a robot file: trees with the location of every node, and the
+//! mistakes found in them.
 
 use super::check::drive::{self, Origin};
 use super::check::law;
@@ -11,26 +11,26 @@ pub use super::problem::closest;
 pub use super::reader::{Findings, join};
 pub use super::yaml::{Kind, Mark, Node, Word, shortened};
 
-/// Reads one document.
+/// Parses one document.
 ///
 /// # Errors
-/// Where the text is no YAML, and where it is more of it than is read.
+/// If the text is not YAML, or exceeds the limits of the reader.
 pub fn tree(text: &str) -> Result<Node, Problems> {
     super::yaml::parse(text).map_err(Problems)
 }
 
-/// Effects of one joint: the keys of a mapping, but for its law.
+/// Effects of one joint from the keys of a mapping, except its law.
 pub fn effects_of_joint(fields: &[(Word, Node)], path: &str, to: &mut Findings) -> Vec<Effect> {
     drive::effects_of_joint(fields, path, to)
 }
 
-/// Effects of the whole robot, but for its law.
+/// Effects of the whole robot, except its law.
 pub fn effects_of_robot(node: &Node, path: &str, to: &mut Findings) -> Vec<Effect> {
     drive::effects(node, path, Origin::Simulation, to)
 }
 
-/// The law among the keys of one joint, the row `row` of a robot; the names of its file's constants
-/// are known.
+/// Law among the keys of one joint, in row `row` of the robot. It may use the constants of the
+/// robot's file.
 pub fn law_of_joint(
     fields: &[(Word, Node)],
     path: &str,
@@ -42,7 +42,7 @@ pub fn law_of_joint(
     law::at_joint(fields, path, robot.joints[row].kind, &Law { joints: &joints, scope: &scope }, to)
 }
 
-/// The law under `effects`: of every joint with a torque of its unit, by row from 0.
+/// Law under `effects`, for every joint with a torque in its unit; rows counted from 0.
 pub fn law_of_robot(node: &Node, path: &str, robot: &Robot, to: &mut Findings) -> Vec<(usize, TorqueLaw)> {
     let (joints, scope) = (robot.moving_kinds(), robot.scope());
     let rows: Vec<JointKind> = robot.joints.iter().map(|joint| joint.kind).collect();

@@ -1,8 +1,8 @@
-//! The effects beyond the rigid body, a type each: fields, keys, units, ranges, scope, defaults.
+//! Effects beyond the rigid body, one type each: fields, keys, units, ranges, scope, defaults.
 //!
-//! A law is what is *added* to the torque of the rigid model, `tau` being the torque of the
-//! actuator on the link. For a prismatic joint read N for N m, and m for rad. The types are data:
-//! generated code, simulator and diagnosis have laws of their own.
+//! A law is *added* to the torque of the rigid model, where `tau` is the torque of the actuator on
+//! the link. For a prismatic joint read N for N m, and m for rad. The types are pure data:
+//! generated code, simulator and diagnosis have separate laws.
 
 mod asymmetric_friction;
 mod backlash;
@@ -60,10 +60,10 @@ pub use viscous_friction::ViscousFriction;
 
 use key::Keys;
 
-/// Torque limit where the robot file gives none, N m.
+/// Torque limit of a joint if the robot file gives none, N m.
 pub const RATED: f64 = 100.0;
 
-/// The enums of all effects, in the vocabulary's order.
+/// Defines the enums of all effects, in the vocabulary's order.
 macro_rules! vocabulary {
     ($($Type:ident)+) => {
         /// An effect as a file states it.
@@ -172,36 +172,36 @@ vocabulary! {
     TimeDelay
 }
 
-/// Why names and numbers are no effect.
+/// Reason why names and numbers do not define an effect.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum EffectError {
-    /// Outside the vocabulary.
+    /// The name is not in the vocabulary.
     #[error("`{0}` is not an effect")]
     Unknown(String),
-    /// A key of another effect, or of none.
+    /// The key does not belong to the effect.
     #[error("`{key}` is not a key of {effect}; its keys are {}", effect.description().keys_in_words())]
     Key {
-        /// Of this effect.
+        /// Effect that was stated.
         effect: EffectKind,
-        /// As given.
+        /// Key as given.
         key: String,
     },
-    /// A key that must be there.
+    /// A required key is missing.
     #[error("{effect} needs the key `{key}`")]
     Missing {
-        /// Of this effect.
+        /// Effect that was stated.
         effect: EffectKind,
-        /// Its name.
+        /// Name of the missing key.
         key: &'static str,
     },
-    /// The number of a joint or link that is none.
+    /// The number of a joint or link is invalid.
     #[error("{key} of {effect} is {value}; joints and links are numbered from 1")]
     Number {
-        /// Of this effect.
+        /// Effect that was stated.
         effect: EffectKind,
-        /// Its name.
+        /// Name of the key.
         key: &'static str,
-        /// As given.
+        /// Value as given.
         value: f64,
     },
 }
@@ -209,9 +209,9 @@ pub enum EffectError {
 /// A value outside the range of its key.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OutOfRange {
-    /// Name of the key, with its number where keys repeat.
+    /// Name of the key, with its number if keys repeat.
     pub key: String,
-    /// As stated.
+    /// Value as stated.
     pub value: f64,
     /// Condition on the value: `be greater than 0`.
     pub must: String,
@@ -224,15 +224,15 @@ impl core::fmt::Display for EffectKind {
 }
 
 impl EffectKind {
-    /// The effect of this name.
+    /// Effect with this name.
     #[must_use]
     pub fn of(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|kind| kind.name() == name)
     }
 
-    /// Whether it is rotor or plain friction, which a robot file states as parameters of the drive
-    /// itself. In a file of effects it adds to them, and what has to lie in the range of its key is
-    /// the sum.
+    /// Whether it is rotor inertia or plain friction, which a robot file states as parameters of
+    /// the drive itself. In a file of effects it adds to them, and the sum must lie in the range of
+    /// its key.
     #[must_use]
     pub fn is_plain(self) -> bool {
         matches!(self, Self::ViscousFriction | Self::CoulombFriction | Self::RotorInertia)
@@ -240,20 +240,20 @@ impl EffectKind {
 }
 
 impl Effect {
-    /// The effect of this name with these values behind its keys.
+    /// Effect with this name and these values of its keys.
     ///
     /// # Errors
-    /// Where name or key is unknown, a key is missing, or a number names no joint or link. Ranges
-    /// are not checked: see [`Effect::out_of_range`].
+    /// If name or key is unknown, a key is missing, or a number is no joint or link. Ranges are not
+    /// checked: see [`Effect::out_of_range`].
     pub fn from_keys<K: AsRef<str>>(name: &str, keys: &[(K, f64)]) -> Result<Self, EffectError> {
         let kind = EffectKind::of(name).ok_or_else(|| EffectError::Unknown(name.to_string()))?;
         Self::of_kind(kind, keys)
     }
 
-    /// [`Effect::from_keys`] of a known effect.
+    /// Variant of [`Effect::from_keys`] for a known effect.
     ///
     /// # Errors
-    /// As there.
+    /// See [`Effect::from_keys`].
     pub fn of_kind<K: AsRef<str>>(kind: EffectKind, keys: &[(K, f64)]) -> Result<Self, EffectError> {
         let mut effect = kind.bare();
         for (key, value) in keys {
@@ -267,7 +267,7 @@ impl Effect {
         }
     }
 
-    /// Its name in files and diagnoses.
+    /// Name of the effect in files and diagnoses.
     #[must_use]
     pub fn name(&self) -> &'static str {
         self.kind().name()
@@ -280,10 +280,10 @@ impl Effect {
         self.value(key, number)
     }
 
-    /// States the value of a key.
+    /// Sets the value of a key.
     ///
     /// # Errors
-    /// Where the effect has no such key, or the number names no joint or link.
+    /// If the effect has no such key, or the number is no joint or link.
     pub fn set(&mut self, key: &str, value: f64) -> Result<(), EffectError> {
         let effect = self.kind();
         let description = effect.description();
@@ -294,7 +294,7 @@ impl Effect {
         if stated { Ok(()) } else { Err(EffectError::Number { effect, key: name, value }) }
     }
 
-    /// Keys that are stated, with their values, in the table's order.
+    /// Stated keys with their values, in the table's order.
     #[must_use]
     pub fn stated(&self) -> Vec<(String, f64)> {
         let keys = self.kind().description().keys;
@@ -306,7 +306,7 @@ impl Effect {
         numbered.filter_map(|(key, number)| Some((named(key, number), self.value(key, number)?))).collect()
     }
 
-    /// The first stated value outside the range of its key.
+    /// First stated value that is outside the range of its key.
     #[must_use]
     pub fn out_of_range(&self) -> Option<OutOfRange> {
         let description = self.kind().description();
@@ -399,7 +399,7 @@ mod tests {
         let identified = |kind: EffectKind, key: &str, value: f64| {
             kind.description().key(key).unwrap().range.may_be_identified(value)
         };
-        // A size from data that hardly show it; a shape without which the law has no value.
+        // A size from poor data may be negative; without a valid shape the law has no value.
         assert!(identified(EffectKind::StribeckFriction, "FS", -0.3));
         assert!(!identified(EffectKind::StribeckFriction, "VS", 0.0));
         assert!(identified(EffectKind::LoadDependentFriction, "FL", -0.2));

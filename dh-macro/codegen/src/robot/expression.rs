@@ -1,5 +1,5 @@
-//! Expressions of a robot file. Its numbers: `+ - * / ( )`, `pi`, named constants, `90deg`. Its laws
-//! (`torque_law`) besides: powers, functions, variables. One grammar reads both into a tree.
+//! Parses expressions of a robot file to a tree. Numbers allow `+ - * / ( )`, `pi`, named constants
+//! and `90deg`; laws (`torque_law`) also powers, functions and variables. Both use one grammar.
 
 use super::problem::closest;
 use super::ratio::Ratio;
@@ -10,47 +10,47 @@ use super::yaml::shortened;
 const LONGEST: usize = 1000;
 /// Longest expression of a law, characters.
 const LONGEST_LAW: usize = 4000;
-/// Deepest brackets.
+/// Deepest nesting of brackets.
 const DEEPEST: usize = 32;
 
-/// Words that can't name a constant.
+/// Words that can't be names of constants.
 pub(super) const RESERVED: [&str; 3] = ["pi", "deg", "rad"];
 
-/// Why a text is not a number, or not a law.
+/// Reason why a text is not a number, or not a law.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct ExpressionError {
-    /// Character in the text where it is seen, from 0.
+    /// Position of the error in the text, in characters from 0.
     pub(super) offset: usize,
     pub(super) what: String,
     pub(super) mend: String,
 }
 
-/// A part of an expression and the character at which it is seen, from 0.
+/// A part of an expression and its position in the text, in characters from 0.
 #[derive(Debug)]
 pub(super) struct Part {
     pub(super) at: usize,
     pub(super) syntax: Syntax,
 }
 
-/// Form of a part. Brackets alone make it deep, so that no tree is deeper than a few [`DEEPEST`].
+/// Syntax of a part. Only brackets add depth, so no tree is deeper than a few times [`DEEPEST`].
 #[derive(Debug)]
 pub(super) enum Syntax {
     Number(String, f64),
     Name(String),
-    /// `x deg`, `deg` at `at`.
+    /// `x deg`, with `deg` at `at`.
     Degrees(Box<Part>),
     Negative(Box<Part>),
-    /// Each with `+` or `-` before it, and the place of that sign.
+    /// Summands, each with its sign `+` or `-` and the position of that sign.
     Sum(Vec<(char, usize, Part)>),
-    /// Each with `*` or `/` before it.
+    /// Factors, each with the operator `*` or `/` before it and its position.
     Product(Vec<(char, usize, Part)>),
-    /// `x ^ y`, the sign at `at`.
+    /// `x ^ y`, with the operator at `at`.
     Power(Box<Part>, Box<Part>),
-    /// A name with brackets behind it, the place of the first of which stands beside it.
+    /// Function call: name, position of the opening bracket, arguments.
     Call(String, usize, Vec<Part>),
 }
 
-/// The named constants, in the file's order.
+/// Named constants, in the file's order.
 #[derive(Debug, Default)]
 pub(super) struct Scope {
     names: Vec<(String, Value)>,
@@ -63,17 +63,17 @@ impl Scope {
         self.names.push((name.to_string(), value));
     }
 
-    /// Names and values.
+    /// Names and values of the constants.
     pub(super) fn constants(&self) -> Vec<(String, f64)> {
         self.names.iter().map(|(name, value)| (name.clone(), value.number)).collect()
     }
 
-    /// The constant of this name.
+    /// Constant with this name.
     pub(super) fn constant(&self, name: &str) -> Option<&Value> {
         self.names.iter().find(|(known, _)| known == name).map(|(_, value)| value)
     }
 
-    /// Value of an expression.
+    /// Evaluates an expression.
     pub(super) fn evaluate(&self, text: &str) -> Result<Value, ExpressionError> {
         let known = |word: &str| self.constant(word).is_some();
         let root = Reader::new(text, Grammar::Number, &known)?.whole()?;
@@ -105,7 +105,7 @@ impl Scope {
         }
     }
 
-    /// From the first to the last, by an operation with its sign and the place of that.
+    /// Applies an operation, given its operator and position, from the first to the last part.
     fn folded(
         &self,
         parts: &[(char, usize, Part)],
@@ -143,12 +143,12 @@ impl Scope {
     }
 }
 
-/// Form of a law; `known`: words that it may use.
+/// Parses a law; `known`: whether a word may be used in it.
 pub(super) fn law(text: &str, known: &dyn Fn(&str) -> bool) -> Result<Part, ExpressionError> {
     Reader::new(text, Grammar::Law, known)?.whole()
 }
 
-/// May this name a constant?
+/// Whether this is a valid name of a constant.
 pub(super) fn is_name(text: &str) -> bool {
     text.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
         && text.chars().all(|c| c.is_ascii_alphanumeric() || c == '_')
@@ -166,7 +166,7 @@ fn finite(offset: usize, value: Value) -> Result<Value, ExpressionError> {
     Err(error(offset, "the result is too large for a number", mend))
 }
 
-/// What an expression is of: advice differs.
+/// Kind of the expression, on which the advice in errors depends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Grammar {
     Number,
@@ -195,7 +195,7 @@ impl<'a> Reader<'a> {
         Ok(Self { grammar, known, characters, at: 0, depth: 0 })
     }
 
-    /// All of the text.
+    /// Parses the whole text.
     fn whole(mut self) -> Result<Part, ExpressionError> {
         let root = self.sum()?;
         match self.peek() {
@@ -266,7 +266,7 @@ impl<'a> Reader<'a> {
         Ok(signed(negative, at, part))
     }
 
-    /// Whether the signs here make negative, and where they start.
+    /// Reads signs: whether the result is negative, and the position of the first sign.
     fn signs(&mut self) -> (bool, usize) {
         let mut negative = false;
         self.peek();
@@ -315,7 +315,7 @@ impl<'a> Reader<'a> {
         Ok(())
     }
 
-    /// `offset`: of the opening one.
+    /// Reads the closing bracket; `offset`: position of the opening one.
     fn close(&mut self, offset: usize) -> Result<(), ExpressionError> {
         if self.peek() != Some(')') {
             return Err(error(offset, "this bracket is not closed", "add the missing `)`"));
@@ -356,7 +356,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A name, or a function with its arguments.
+    /// Reads a name, or a function with its arguments.
     fn named(&mut self) -> Result<Part, ExpressionError> {
         let at = self.at;
         let name = self.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
@@ -374,7 +374,7 @@ impl<'a> Reader<'a> {
         Ok(Part { at, syntax: Syntax::Call(name, bracket, arguments) })
     }
 
-    /// `deg` or `rad` behind a number, a name or a bracket.
+    /// Reads `deg` or `rad` after a number, a name or a bracket.
     fn suffix(&mut self, part: Part) -> Result<Part, ExpressionError> {
         let Some(c) = self.peek() else { return Ok(part) };
         if !(c.is_ascii_alphabetic() || c == '_') {
@@ -431,7 +431,7 @@ impl<'a> Reader<'a> {
     }
 }
 
-/// The only one of them, or all of them together.
+/// The only part if there is just one, otherwise all of them combined.
 fn one_or(mut parts: Vec<(char, usize, Part)>, all: fn(Vec<(char, usize, Part)>) -> Syntax) -> Part {
     let at = parts[0].1;
     match parts.len() {

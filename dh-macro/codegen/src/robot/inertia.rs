@@ -1,9 +1,9 @@
 //! The ten inertial parameters of a rigid body.
 
-/// Mass, first moments and inertia tensor of a body, about the origin of the frame that it is given
-/// in.
+/// Mass, first moments and inertia tensor of a body, about the origin of the frame in which they
+/// are expressed.
 ///
-/// The tensor's products are the tensor's own entries: `XY = -integral of x y dm`.
+/// The products of inertia are the tensor's entries: `XY = -integral of x y dm`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Inertia {
     /// Mass, kg.
@@ -21,18 +21,18 @@ impl Inertia {
         [self.m, self.ms[0], self.ms[1], self.ms[2], xx, yy, zz, xy, xz, yz]
     }
 
-    /// Back from the paper's order.
+    /// Parameters from an array in the paper's order.
     pub fn from_array(p: [f64; 10]) -> Self {
         Self { m: p[0], ms: [p[1], p[2], p[3]], i: [p[4], p[5], p[6], p[7], p[8], p[9]] }
     }
 
-    /// Both bodies together, in the same frame.
+    /// Sum of two bodies in the same frame.
     pub fn plus(&self, other: &Self) -> Self {
         let (a, b) = (self.to_array(), other.to_array());
         Self::from_array(core::array::from_fn(|k| a[k] + b[k]))
     }
 
-    /// The tensor as a symmetric matrix.
+    /// Inertia tensor as a symmetric matrix.
     pub fn tensor(&self) -> [[f64; 3]; 3] {
         let [xx, yy, zz, xy, xz, yz] = self.i;
         [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
@@ -65,7 +65,7 @@ impl Inertia {
 mod tests {
     use super::*;
 
-    /// A body is a cloud of points: move the points, then add them up.
+    /// A body as a cloud of points: moving the points and summing gives the same result.
     #[test]
     fn moving_a_body_is_moving_its_points() {
         let points = [(0.7, [0.1, -0.2, 0.3]), (1.1, [-0.4, 0.25, 0.05]), (0.3, [0.6, 0.1, -0.7])];

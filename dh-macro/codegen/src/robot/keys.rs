@@ -1,14 +1,14 @@
-//! Every key of a robot file, once: the checker and the editor's schema both read these tables.
+//! Tables of all keys of a robot file, used by the checker and by the editor's schema.
 
 use super::effects::{CoulombFriction, RotorInertia, ViscousFriction};
 
-/// A mapping of the file.
+/// Description of a mapping in the file.
 #[derive(Debug)]
 pub(super) struct Table {
-    /// For messages: what such a mapping is.
+    /// Name of the mapping, for messages.
     pub(super) what: &'static str,
     pub(super) keys: &'static [Key],
-    /// Names of the effects vocabulary may stand here too.
+    /// Whether names of the effects vocabulary are allowed here, too.
     pub(super) effects: bool,
 }
 
@@ -30,33 +30,33 @@ pub(super) enum Shape {
     Texts,
     Flag,
     Choice(&'static [&'static str]),
-    /// A whole number, from 0.
+    /// An integer from 0.
     Count,
     Number,
     Positive,
     Angle,
     Length,
-    /// So many numbers.
+    /// A list of this many numbers.
     Vector(usize),
-    /// So many angles.
+    /// A list of this many angles.
     Angles(usize),
-    /// Names and numbers.
+    /// A mapping of names to numbers.
     Constants,
     Map(&'static Table),
-    /// A mapping, or the name of a file that holds it.
+    /// A mapping, or the name of a file that contains it.
     MapOrFile(&'static Table),
     Rows(&'static Table),
     RowsOrNull(&'static Table),
-    /// Only names of the effects vocabulary.
+    /// A mapping of names of the effects vocabulary.
     Effects,
     /// A number, or a list of them.
     Numbers,
-    /// Columns of a log, each with the name of a channel or a mapping.
+    /// Columns of a log, each mapped to the name of a channel or to a mapping.
     Columns(&'static Table),
 }
 
 impl Shape {
-    /// For messages: what is expected.
+    /// Description of the expected value, for messages.
     pub(super) fn describe(&self) -> String {
         match self {
             Self::Text => "text".to_string(),
@@ -109,12 +109,12 @@ const fn required(name: &'static str, shape: Shape, unit: &'static str, doc: &'s
 use Shape::{Angle, Angles, Choice, Columns, Constants, Count, Effects, Flag, Length, Map, MapOrFile};
 use Shape::{Number, Numbers, Positive, Rows, RowsOrNull, Text, Texts, Vector};
 
-/// A torque in closed form, beside the `drive` of its joint or under `effects`.
+/// Key of a torque in closed form, in a joint's row or `drive`, or under `effects`.
 pub(super) const LAW: &str = "law";
-/// Its unit.
+/// Key of the law's unit.
 pub(super) const UNIT: &str = "unit";
 
-/// Both.
+/// Both keys of a law.
 pub(super) const LAW_KEYS: [Key; 2] = [
     key(LAW, Text, "", "A torque in closed form, in q1.. dq1.. ddq1.. t temp1..: 0.7*sin(3*q2)*sign(dq4)."),
     key(UNIT, Choice(&["N m", "N"]), "", "Unit of the law: N m, of a prismatic joint N."),
@@ -140,7 +140,7 @@ pub(super) static ROBOT: Table = Table {
     ],
 };
 
-/// Also the file of `--map`.
+/// Section `log`, which is also the format of the file of `--map`.
 pub(super) static LOG: Table = Table {
     what: "mapping of a log",
     effects: false,

@@ -1,4 +1,4 @@
-//! Each joint's drive beyond the rigid body, from the effects of the robot file.
+//! Collects each joint's drive laws beyond the rigid body from the effects of the robot file.
 
 use super::effects::{
     AsymmetricFriction, Backlash, Effect, FrictionDrift, GearCoupling, JointElasticity, JointSpring,
@@ -6,70 +6,70 @@ use super::effects::{
 };
 use super::{JointKind, NoLink, Robot, TorqueLaw};
 
-/// A motor that turns with another joint, `w = dq_m + KC dq_k`.
+/// Coupling of a motor with another joint, `w = dq_m + KC dq_k`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Coupling {
-    /// The other joint, k: degree of freedom, from 0.
+    /// Index of the other joint k, as a degree of freedom from 0.
     pub other: usize,
-    /// `KC`.
+    /// Coupling ratio `KC`.
     pub ratio: f64,
-    /// `IAM`, kg m^2.
+    /// Rotor inertia `IAM`, kg m^2.
     pub rotor: f64,
-    /// `FVM`, N m s/rad.
+    /// Viscous friction `FVM`, N m s/rad.
     pub viscous: f64,
-    /// `FCM`, N m.
+    /// Coulomb friction `FCM`, N m.
     pub coulomb: f64,
-    /// `CQ`: the link of this joint stands at `q_m + CQ q_k`.
+    /// Ratio `CQ`: the link of this joint is at `q_m + CQ q_k`.
     pub carried: f64,
 }
 
-/// The drive of one degree of freedom beyond rotor, `FV`, `FC` and `FO`.
+/// Drive laws of one degree of freedom beyond rotor inertia, `FV`, `FC` and `FO`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Laws {
-    /// Torque limit, N m: what default magnitudes are parts of.
+    /// Torque limit, N m, to which default magnitudes are relative.
     pub rated: f64,
-    /// Friction that differs with direction.
+    /// Direction-dependent friction.
     pub asymmetric: AsymmetricFriction,
-    /// Friction that falls with speed.
+    /// Stribeck friction, which falls with speed.
     pub stribeck: Option<StribeckFriction>,
-    /// `FN`, `EN`, `VN` of each term of friction that is not in proportion to speed.
+    /// `FN`, `EN`, `VN` of each term of nonlinear viscous friction.
     pub nonlinear: Vec<[f64; 3]>,
-    /// Friction by the load.
+    /// Load-dependent friction.
     pub load: Option<LoadDependentFriction>,
-    /// Friction with memory.
+    /// Presliding hysteresis.
     pub hysteresis: Option<PreslidingHysteresis>,
-    /// Friction that changes with time.
+    /// Friction that changes with time and temperature.
     pub drift: Option<FrictionDrift>,
-    /// Friction that changes with the angle.
+    /// Position-dependent friction.
     pub position: Option<PositionDependentFriction>,
-    /// `RN`, `RC`, `RS` of each order of ripple.
+    /// `RN`, `RC`, `RS` of each order of torque ripple.
     pub ripple: Vec<[f64; 3]>,
-    /// The spring of the gear.
+    /// Elasticity of the gear.
     pub elasticity: Option<JointElasticity>,
-    /// Its dead zone.
+    /// Backlash of the gear.
     pub backlash: Option<Backlash>,
-    /// A spring in q.
+    /// Joint spring, a function of q.
     pub spring: Option<JointSpring>,
-    /// Coupling of this joint's motor with others.
+    /// Couplings of this joint's motor with other joints.
     pub couplings: Vec<Coupling>,
-    /// `TM`, N m.
+    /// Torque limit of the saturation `TM`, N m.
     pub limit: Option<f64>,
-    /// `GT`.
+    /// Torque gain `GT`.
     pub gain: f64,
-    /// `TO`, N m.
+    /// Torque offset `TO`, N m.
     pub offset: f64,
-    /// `QO`, rad.
+    /// Encoder offset `QO`, rad.
     pub encoder_offset: f64,
-    /// `TD`, s.
+    /// Delay of the torque `TD`, s.
     pub delay: f64,
-    /// What has no name.
+    /// Torque law in closed form.
     pub law: Option<TorqueLaw>,
-    /// Temperature of its gear where none is known, degrees C.
+    /// Temperature of the gear if none is known, degrees C.
     pub reference: f64,
 }
 
 impl Laws {
-    /// A drive without any.
+    /// Laws of a drive without effects.
     pub fn none(rated: f64) -> Self {
         Self {
             rated,
@@ -95,28 +95,28 @@ impl Laws {
         }
     }
 
-    /// `KE` of the gear, N m/rad; `None`: rigid but for its backlash.
+    /// Stiffness `KE` of the gear, N m/rad; `None`: rigid except for its backlash.
     pub fn stiffness(&self) -> Option<f64> {
         self.elasticity.map(|spring| spring.stiffness(self.rated))
     }
 
-    /// `BL` of the gear, rad.
+    /// Backlash `BL` of the gear, rad.
     pub fn backlash(&self) -> f64 {
         self.backlash.map_or(0.0, |backlash| backlash.width())
     }
 
-    /// Whether motor and link can move against each other.
+    /// Whether motor and link can move relative to each other.
     pub fn is_soft(&self) -> bool {
         self.elasticity.is_some() || self.backlash() != 0.0
     }
 
-    /// Whether it has a law that asks for the time or for temperatures.
+    /// Whether its closed-form law depends on time or temperature.
     pub fn reads_clock(&self) -> bool {
         self.law.as_ref().is_some_and(TorqueLaw::reads_clock)
     }
 
-    /// One effect of the joint of this row. Bodies and geometry are no laws of a drive: see
-    /// [`Robot::effective`]; nor is what belongs to one recording.
+    /// Adds one effect of the joint in this row. Bodies and geometry are no laws of a drive (see
+    /// [`Robot::effective`]); effects of a single recording are not either.
     fn apply(&mut self, robot: &Robot, row: usize, effect: &Effect) {
         let rated = self.rated;
         match effect {
@@ -137,7 +137,7 @@ impl Laws {
             Effect::EncoderOffset(e) => self.encoder_offset += e.offset(),
             Effect::JointSpring(e) => self.spring = Some(*e),
             Effect::TimeDelay(e) => self.delay += e.delay(),
-            // Parameters of the drive itself.
+            // These are parameters of the drive itself.
             Effect::ViscousFriction(_) | Effect::CoulombFriction(_) | Effect::RotorInertia(_) => {}
             Effect::GeometricError(_) | Effect::LinkInertiaError(_) | Effect::Payload(_) | Effect::BaseTilt(_) => {}
             Effect::ExternalContact(_) => {}
@@ -145,8 +145,8 @@ impl Laws {
     }
 }
 
-/// `None` where the other joint is none. Sizes that depend on a motion (`IAM` where nothing is
-/// written) are 0.
+/// Coupling of an effect; `None` if the other joint is not a moving joint. Sizes that depend on a
+/// motion (`IAM` if not stated) are 0.
 fn coupling(robot: &Robot, row: usize, effect: &GearCoupling, rated: f64) -> Option<Coupling> {
     let moving = robot.moving();
     let other = effect.joint.checked_sub(1).filter(|&k| k != row)?;
@@ -163,14 +163,15 @@ fn coupling(robot: &Robot, row: usize, effect: &GearCoupling, rated: f64) -> Opt
 }
 
 impl Robot {
-    /// Effects with their row: those of joints first, then those at the top that mean every joint.
+    /// Effects with their row: those of joints first, then those at the top that apply to every
+    /// joint.
     pub(super) fn effects_by_row(&self) -> impl Iterator<Item = (usize, &Effect)> {
         let own = self.joints.iter().enumerate().flat_map(|(row, j)| j.drive.effects.iter().map(move |e| (row, e)));
         let top = self.effects.iter().filter(|e| e.kind().description().scope == Scope::EveryJoint);
         own.chain(top.flat_map(|e| (0..self.joints.len()).map(move |row| (row, e))))
     }
 
-    /// Of each degree of freedom: the effects of its drive.
+    /// Laws of each degree of freedom.
     pub fn laws(&self) -> Vec<Laws> {
         let moving = self.moving();
         let mut laws: Vec<Laws> =
@@ -185,39 +186,39 @@ impl Robot {
         }
         let clock = laws.iter().any(Laws::reads_clock);
         for law in &mut laws {
-            // Only a law asks for the temperature of a joint that does not drift.
+            // Without drift, the joint's temperature is used only by a closed-form law.
             let room = if clock { FrictionDrift::default().reference() } else { 0.0 };
             law.reference = law.drift.map_or(room, |drift| drift.reference());
         }
         laws
     }
 
-    /// Whether any effect changes what the arm's functions compute.
+    /// Whether any effect changes the arm's functions.
     pub fn has_effects(&self) -> bool {
         let counts = |e: &Effect| !matches!(e, Effect::ExternalContact(_));
         self.joints.iter().flat_map(|j| &j.drive.effects).chain(&self.effects).any(counts)
             || self.joints.iter().any(|j| j.drive.law.is_some())
     }
 
-    /// The arm as its effects of geometry and bodies say that it is: zeros of joints, rows of the
-    /// table, base, links. Drives stay.
+    /// Arm after applying its effects of geometry and bodies: joint zeros, rows of the table, base
+    /// and links. Drives are unchanged.
     #[must_use]
     pub fn effective(&self) -> Self {
         super::real::effective(self)
     }
 
-    /// Applies one effect of geometry or bodies, so that row, link or base become the true ones.
-    /// These are `geometric_error`, `link_inertia_error` (at the joint of `row`, or of the whole
-    /// robot), `base_tilt` and `payload`. Any other effect changes nothing.
+    /// Applies one effect of geometry or bodies to its row, link or base. These are
+    /// `geometric_error`, `link_inertia_error` (at the joint of `row`, or of the whole robot),
+    /// `base_tilt` and `payload`. Any other effect changes nothing.
     ///
     /// # Errors
-    /// Where the effect means a link that is not there, or whose parameters are not known.
+    /// If the effect refers to a link that does not exist, or whose parameters are unknown.
     pub fn change(&mut self, row: Option<usize>, effect: &Effect) -> Result<(), NoLink> {
         super::real::change(self, row, effect)
     }
 }
 
-/// A joint's zero, of whatever kind it is.
+/// Shifts the zero of a revolute or prismatic joint, rad or m.
 pub(super) fn shift_zero(joint: &mut super::Joint, by: f64) {
     match joint.kind {
         JointKind::Prismatic => joint.r = super::Length::meters(joint.r.value + by),

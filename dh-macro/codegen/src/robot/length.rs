@@ -1,4 +1,4 @@
-//! Lengths with the polynomial in the named constants from which they are made.
+//! Lengths, together with their closed form as a polynomial in the named constants.
 
 use std::collections::BTreeMap;
 
@@ -11,7 +11,7 @@ pub struct Polynomial {
 }
 
 impl Polynomial {
-    /// Just a number.
+    /// Constant polynomial.
     pub fn number(value: f64) -> Self {
         let mut p = Self::default();
         if value != 0.0 {
@@ -25,17 +25,17 @@ impl Polynomial {
         Self { terms: BTreeMap::from([(vec![(index, 1)], 1.0)]) }
     }
 
-    /// Monomials, each with its factor.
+    /// Monomials with their coefficients.
     pub fn terms(&self) -> impl Iterator<Item = (&[(usize, u32)], f64)> {
         self.terms.iter().map(|(monomial, &factor)| (monomial.as_slice(), factor))
     }
 
-    /// Exactly zero?
+    /// Whether it is exactly zero.
     pub fn is_zero(&self) -> bool {
         self.terms.is_empty()
     }
 
-    /// `Some(value)` when no named constant occurs.
+    /// Its value, if no named constant occurs.
     pub fn as_number(&self) -> Option<f64> {
         match self.terms.len() {
             0 => Some(0.0),
@@ -44,7 +44,7 @@ impl Polynomial {
         }
     }
 
-    /// Every coefficient a finite number?
+    /// Whether every coefficient is finite.
     pub fn is_finite(&self) -> bool {
         self.terms.values().all(|c| c.is_finite())
     }
@@ -54,12 +54,12 @@ impl Polynomial {
         self.terms.len()
     }
 
-    /// Without terms, the number zero.
+    /// Whether it has no terms, and is therefore zero.
     pub fn is_empty(&self) -> bool {
         self.terms.is_empty()
     }
 
-    /// Sum. Terms that cancel to within rounding (1e-12 of what was added) vanish.
+    /// Sum. Terms that cancel to within rounding (1e-12 of the summands) are removed.
     pub fn add(&self, other: &Self) -> Self {
         let mut sum = self.clone();
         for (monomial, &c) in &other.terms {
@@ -86,7 +86,7 @@ impl Polynomial {
         product
     }
 
-    /// Times a number.
+    /// Product with a number.
     pub fn scale(&self, factor: f64) -> Self {
         self.mul(&Self::number(factor))
     }
@@ -101,7 +101,7 @@ impl Polynomial {
         self.written(constants, number)
     }
 
-    /// The same with every digit of the coefficients.
+    /// Closed form with all digits of the coefficients.
     pub(super) fn exact_text(&self, constants: &[(String, f64)]) -> String {
         self.written(constants, |value| format!("{value:?}"))
     }
@@ -129,7 +129,7 @@ impl Polynomial {
     }
 }
 
-/// At most 12 significant digits: rounding noise of the last bits does not belong in a formula.
+/// Rounds to at most 12 significant digits, to keep rounding noise out of formulas.
 fn number(value: f64) -> String {
     let rounded: f64 = format!("{value:.11e}").parse().unwrap_or(value);
     format!("{rounded}")
@@ -140,19 +140,20 @@ fn number(value: f64) -> String {
 pub struct Length {
     /// Value, m.
     pub value: f64,
-    /// In the file's constants; just the number where the file writes one or divides by a constant.
+    /// Polynomial in the file's constants; a plain number if the file gives one or divides by a
+    /// constant.
     pub closed_form: Polynomial,
-    /// As the file writes it.
+    /// Text of the length in the file.
     pub text: String,
 }
 
 impl Length {
-    /// Zero.
+    /// Length zero.
     pub fn zero() -> Self {
         Self::meters(0.0)
     }
 
-    /// A number.
+    /// Length from a number, m.
     pub fn meters(value: f64) -> Self {
         Self { value, closed_form: Polynomial::number(value), text: format!("{value}") }
     }

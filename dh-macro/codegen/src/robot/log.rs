@@ -1,8 +1,8 @@
-//! Which channel of a robot's logs is which column, and in what unit.
+//! Mapping of a log's channels to columns, with units.
 
 use core::f64::consts::PI;
 
-/// Unit, its value in SI (degrees Celsius for temperatures), and what it measures.
+/// Units: name, value in SI (degrees Celsius for temperatures), and dimension.
 const UNITS: &[(&str, f64, Dimension)] = &[
     ("s", 1.0, Dimension::Time),
     ("ms", 1e-3, Dimension::Time),
@@ -33,7 +33,7 @@ const UNITS: &[(&str, f64, Dimension)] = &[
     ("C", 1.0, Dimension::Temperature),
 ];
 
-/// Columns that every joint has, by their prefix.
+/// Prefixes of the columns that every joint has, and their dimensions.
 const JOINT_COLUMNS: [(&str, Dimension); 9] = [
     ("q", Dimension::Position),
     ("dq", Dimension::Speed),
@@ -46,7 +46,8 @@ const JOINT_COLUMNS: [(&str, Dimension); 9] = [
     ("temp", Dimension::Temperature),
 ];
 
-/// What a unit measures. Angle and length are one, force and torque are one: the joint decides.
+/// Physical dimension of a unit. Angle and length share one, and so do torque and force: the joint
+/// decides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Dimension {
     /// s
@@ -66,19 +67,20 @@ pub enum Dimension {
 }
 
 impl Dimension {
-    /// Names of its units.
+    /// Names of the units of this dimension.
     pub fn units(self) -> Vec<&'static str> {
         UNITS.iter().filter(|(.., d)| *d == self).map(|(name, ..)| *name).collect()
     }
 
-    /// What one `unit` is in SI; `None` where it is no unit of this dimension.
+    /// Value of one `unit` in SI; `None` if it is no unit of this dimension.
     pub fn scale(self, unit: &str) -> Option<f64> {
         let usual = usual(unit);
         UNITS.iter().find(|(name, _, d)| *name == usual && *d == self).map(|(_, scale, _)| *scale)
     }
 }
 
-/// Spelled as in the table: `Nm`, `N*m`, `°`, `degrees` are other spellings.
+/// Normalises a unit's spelling to that of the table: `Nm`, `N*m`, `°` and `degrees` are
+/// alternatives.
 fn usual(unit: &str) -> String {
     let unit = unit.trim().replace(['*', '·', '.'], " ").replace('²', "^2").replace("s2", "s^2");
     let unit = unit.replace("degrees", "deg").replace("radians", "rad").replace("seconds", "s");
@@ -93,11 +95,11 @@ fn usual(unit: &str) -> String {
     }
 }
 
-/// A channel: its name in the log, and its way to SI: `(value * unit) * gain + offset`.
+/// A channel: its name in the log, and its conversion to SI: `(value * unit) * gain + offset`.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LogChannel {
-    /// Name. `{joint}`, `{number}` and `{index}` stand for the joint's name, its number from 1 and
-    /// its number from 0.
+    /// Name. `{joint}`, `{number}` and `{index}` are placeholders for the joint's name, its number
+    /// from 1 and its number from 0.
     pub name: String,
     /// Unit in the log; `None`: SI.
     pub unit: Option<String>,
@@ -107,17 +109,17 @@ pub struct LogChannel {
     pub offset: Vec<f64>,
 }
 
-/// Which channel of a log is which column.
+/// Mapping of the columns of a log to its channels.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LogMapping {
-    /// Column (`t`, `q1`, or `q*` for all joints), and its channel.
+    /// Column (`t`, `q1`, or `q*` for all joints) and its channel.
     pub columns: Vec<(String, LogChannel)>,
-    /// Whether rows are stamped with the time at which a recorder received them, not with the stamp
-    /// that a message carries.
+    /// Whether rows are stamped with the time of reception by the recorder, instead of the stamp in
+    /// the message.
     pub arrival: bool,
 }
 
-/// A column that no log has.
+/// Error for a column outside the log format.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct UnknownColumn;
 
@@ -132,10 +134,10 @@ impl core::fmt::Display for UnknownColumn {
 
 impl core::error::Error for UnknownColumn {}
 
-/// What a column measures: `None` for the recording number `seg`.
+/// Dimension of a column: `None` for the recording number `seg`.
 ///
 /// # Errors
-/// Where there is no such column; the message lists those that there are.
+/// If there is no such column; the message lists the valid ones.
 pub fn log_column(column: &str) -> Result<Option<Dimension>, UnknownColumn> {
     match column {
         "t" => return Ok(Some(Dimension::Time)),

@@ -1,4 +1,4 @@
-//! Names of robots, which are names of crates too.
+//! Checks names of robots, which are also crate names.
 
 /// Words that can't name a crate.
 const RESERVED: &[&str] = &[
@@ -15,17 +15,18 @@ fn is_good(c: char) -> bool {
     c.is_ascii_lowercase() || c.is_ascii_digit() || c == '-' || c == '_'
 }
 
-/// A word of Rust or Cargo that no crate may be called.
+/// Whether the name is a reserved word of Rust or Cargo.
 pub(super) fn is_reserved(name: &str) -> bool {
     RESERVED.contains(&name)
 }
 
-/// Lower case, digits and dashes, a letter first.
+/// Whether the name has only lower-case letters, digits, dashes and underscores, and starts with a
+/// letter.
 pub(super) fn is_well_formed(name: &str) -> bool {
     name.starts_with(|c: char| c.is_ascii_lowercase()) && name.chars().all(is_good)
 }
 
-/// The nearest name that a crate may have; a valid name is not changed.
+/// Nearest valid crate name; a valid name is not changed.
 pub fn crate_name(name: &str) -> String {
     if is_reserved(name) {
         return format!("{name}-robot");

@@ -1,4 +1,4 @@
-//! A robot file on disk.
+//! Opens a robot file on disk.
 
 use std::io::Error;
 use std::path::Path;
@@ -6,7 +6,8 @@ use std::path::Path;
 use super::{Problem, Problems, Robot};
 
 impl Robot {
-    /// Reads the robot file at `path`, and the tool file that it names, seen from its folder.
+    /// Reads the robot file at `path`, and the tool file that it references, relative to its
+    /// folder.
     ///
     /// ```
     /// let robot = dh_codegen::robot::Robot::open("../../robots/planar2r.yaml")?;
@@ -15,7 +16,7 @@ impl Robot {
     /// ```
     ///
     /// # Errors
-    /// Every mistake of the file at once, with line and column; or that it can't be read.
+    /// All mistakes of the file at once, with line and column; or the error of reading it.
     pub fn open(path: impl AsRef<Path>) -> Result<Self, Problems> {
         let path = path.as_ref();
         let name = path.display().to_string();

@@ -1,23 +1,23 @@
-//! Whether ten inertial parameters can be those of a body.
+//! Checks whether ten inertial parameters belong to a physically possible body.
 
 use super::Inertia;
 
-/// Rounding that is forgiven, relative to the largest entry of the tensor.
+/// Tolerated rounding error, relative to the largest entry of the tensor.
 const ROUNDING: f64 = 1e-6;
 
-/// Why no body has such parameters.
+/// Reason why no body has the parameters.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum NotPhysical {
-    /// Less than no mass.
+    /// The mass is negative.
     #[error("the mass is {mass} kg")]
     NegativeMass {
-        /// kg
+        /// Mass, kg.
         mass: f64,
     },
-    /// No mass, yet moments.
+    /// The mass is zero, but moments are not.
     #[error("the mass is 0, but the moments are not: the largest is {largest}")]
     MomentsWithoutMass {
-        /// kg m or kg m^2
+        /// Largest moment, kg m or kg m^2.
         largest: f64,
     },
     /// The tensor at the centre of mass has a negative principal moment.
@@ -26,7 +26,7 @@ pub enum NotPhysical {
          which is negative", center[0], center[1], center[2], moments[0]
     )]
     NegativeMoment {
-        /// m
+        /// Centre of mass, m.
         center: [f64; 3],
         /// Principal moments, ascending, kg m^2.
         moments: [f64; 3],
@@ -43,9 +43,9 @@ pub enum NotPhysical {
 }
 
 impl Inertia {
-    /// Whether some distribution of mass has these parameters: mass not negative, tensor at the
-    /// centre of mass positive semidefinite, its principal moments `J1 <= J2 <= J3` with `J3 <=
-    /// J1 + J2`. All zeros: no body, fine.
+    /// Checks that some distribution of mass has these parameters. The mass must not be negative,
+    /// and the tensor about the centre of mass must be positive semidefinite. Its principal moments
+    /// `J1 <= J2 <= J3` must satisfy `J3 <= J1 + J2`. All zeros (no body) are valid.
     pub fn physical(&self) -> Result<(), NotPhysical> {
         if self.m < 0.0 {
             return Err(NotPhysical::NegativeMass { mass: self.m });
@@ -67,14 +67,14 @@ impl Inertia {
         Ok(())
     }
 
-    /// The same body about its centre of mass; the mass is not zero.
+    /// The same body about its centre of mass; the mass must not be zero.
     fn at_center(&self) -> Self {
         let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
         self.moved(&identity, &self.ms.map(|s| -s / self.m))
     }
 }
 
-/// Eigenvalues of a symmetric matrix, ascending: Jacobi's rotations.
+/// Eigenvalues of a symmetric matrix, ascending, by Jacobi rotations.
 fn principal_moments(mut a: [[f64; 3]; 3]) -> [f64; 3] {
     for _ in 0..20 {
         for (p, q) in [(0, 1), (0, 2), (1, 2)] {

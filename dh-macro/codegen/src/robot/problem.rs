@@ -1,22 +1,22 @@
-//! Mistakes in a robot file: where, what, and how to mend them.
+//! Mistakes in a robot file: location, description and advice.
 
 use core::fmt;
 
-/// One mistake in a robot or tool file.
+/// A mistake in a robot or tool file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problem {
-    /// File that holds it, when known: [`Problems::in_file`] names the robot file, a tool file is
-    /// named from the start.
+    /// Name of the file, if known: [`Problems::in_file`] sets that of the robot file; that of a
+    /// tool file is set from the start.
     pub file: Option<String>,
     /// Key path, `joints[3].alpha`; rows count from 1 as in the DH table. Empty: the whole file.
     pub path: String,
-    /// Line, from 1.
+    /// Line, counted from 1.
     pub line: usize,
-    /// Column in characters, from 1.
+    /// Column in characters, counted from 1.
     pub column: usize,
-    /// Description of the mistake, with the figures.
+    /// Description of the mistake, with figures.
     pub what: String,
-    /// How to mend it. May be empty.
+    /// Advice on how to fix it; may be empty.
     pub mend: String,
 }
 
@@ -28,16 +28,17 @@ impl fmt::Display for Problem {
     }
 }
 
-/// A note to the author of the file about something that the reader did or found. Not a mistake.
+/// A note to the author of the file about an assumption or finding of the reader, which is no
+/// mistake.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Note {
-    /// File, when known; see [`Problem::file`].
+    /// Name of the file, if known; see [`Problem::file`].
     pub file: Option<String>,
     /// Key path; see [`Problem::path`].
     pub path: String,
-    /// Line, from 1.
+    /// Line, counted from 1.
     pub line: usize,
-    /// Column in characters, from 1.
+    /// Column in characters, counted from 1.
     pub column: usize,
     /// Description of the action or finding.
     pub what: String,
@@ -58,12 +59,12 @@ fn place(f: &mut fmt::Formatter<'_>, file: Option<&str>, line: usize, column: us
     if path.is_empty() { Ok(()) } else { write!(f, "{path}: ") }
 }
 
-/// Every mistake of a file, in the order of its lines; never empty as an error.
+/// All mistakes of a file, in line order; never empty when returned as an error.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Problems(pub Vec<Problem>);
 
 impl Problems {
-    /// Names the robot file in every problem that does not name a file yet.
+    /// Sets the robot file's name in every problem without a file.
     pub fn in_file(mut self, name: &str) -> Self {
         for problem in &mut self.0 {
             problem.file.get_or_insert_with(|| name.to_string());
@@ -71,7 +72,7 @@ impl Problems {
         self
     }
 
-    /// The list.
+    /// All mistakes.
     pub fn list(&self) -> &[Problem] {
         &self.0
     }
@@ -91,7 +92,7 @@ impl fmt::Display for Problems {
 
 impl core::error::Error for Problems {}
 
-/// The candidate that `word` most likely means: at most two slips, and at most a third of its
+/// Candidate that `word` most likely means: at most two typing errors, and at most a third of its
 /// letters.
 pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let length = word.chars().count();
@@ -106,7 +107,8 @@ pub fn closest<'a>(word: &str, candidates: impl IntoIterator<Item = &'a str>) ->
         .map(|(_, candidate)| candidate)
 }
 
-/// Letters to insert, delete, replace or swap with their neighbour to turn `a` into `b`.
+/// Edit distance: letters to insert, delete, replace or swap with their neighbour to turn `a` into
+/// `b`.
 fn slips(a: &str, b: &str) -> usize {
     let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
     let mut table = vec![vec![0usize; b.len() + 1]; a.len() + 1];

@@ -14,7 +14,7 @@ impl Ratio {
             (a, b) = (b, a % b);
         }
         let g = i128::try_from(a).ok().filter(|&g| q != 0 && g != 0)? * q.signum();
-        // A fraction that f64 can't hold exactly is of no use as an exact one.
+        // A fraction that f64 does not represent exactly is useless as an exact one.
         let exact = |v: i128| i64::try_from(v).ok().filter(|v| v.unsigned_abs() <= 1 << 53);
         Some(Self { p: exact(p / g)?, q: exact(q / g)? })
     }
@@ -32,7 +32,7 @@ impl Ratio {
         Self::new(self.p as i128 * b.q as i128, self.q as i128 * b.p as i128)
     }
 
-    /// An unsigned decimal literal.
+    /// Fraction of an unsigned decimal literal.
     pub(super) fn literal(text: &str) -> Option<Self> {
         let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
         let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));

@@ -1,4 +1,4 @@
-//! Reads mappings by the tables of [`super::keys`] and collects every problem on the way.
+//! Reads mappings by the tables of [`super::keys`] and collects all problems.
 
 use super::expression::Scope;
 use super::keys::{Key, Shape, Table};
@@ -7,10 +7,10 @@ use super::value::Value;
 use super::yaml::{Kind, Mark, Node, Word, shortened};
 use super::{Angle, EffectKind, Length};
 
-/// Problems found so far.
+/// Problems and notes found so far, with the named constants.
 #[derive(Debug, Default)]
 pub struct Findings {
-    /// The file being read, when it is not the robot file.
+    /// Name of the file being read, unless it is the robot file.
     pub(super) file: Option<String>,
     pub(super) problems: Vec<Problem>,
     pub(super) notes: Vec<Note>,
@@ -18,7 +18,7 @@ pub struct Findings {
 }
 
 impl Findings {
-    /// A mistake at this place, and how to mend it.
+    /// Adds a mistake at this place, with advice.
     pub fn problem(&mut self, mark: Mark, path: &str, what: impl Into<String>, mend: impl Into<String>) {
         self.problems.push(Problem {
             file: self.file.clone(),
@@ -30,10 +30,10 @@ impl Findings {
         });
     }
 
-    /// The notes, where there are no mistakes; else these in the order of their places.
+    /// Returns the notes if there are no mistakes.
     ///
     /// # Errors
-    /// The mistakes.
+    /// All mistakes, in the order of their places.
     pub fn finish(mut self) -> Result<Vec<Note>, Problems> {
         if self.problems.is_empty() {
             return Ok(self.notes);
@@ -47,7 +47,7 @@ impl Findings {
         self.notes.push(Note { file, path, line: mark.line, column: mark.column, what: what.into() });
     }
 
-    /// The mapping at `node`, its keys checked against the table.
+    /// Reads the mapping at `node` and checks its keys against the table.
     pub(super) fn fields<'a>(&mut self, node: &'a Node, path: &str, table: &'static Table) -> Option<Fields<'a>> {
         let Kind::Map(fields) = &node.kind else {
             let expected = format!("a {} is a mapping with the keys {}", table.what, table.names().join(", "));
@@ -82,7 +82,7 @@ impl Findings {
         self.problem(word.mark, &join(path, &shortened(&word.text)), what, mend);
     }
 
-    /// The items of a list.
+    /// Reads the items of a list.
     pub(super) fn list<'a>(&mut self, node: &'a Node, path: &str, expected: &str) -> Option<&'a [Node]> {
         if let Kind::List(items) = &node.kind {
             return Some(items);
@@ -91,7 +91,7 @@ impl Findings {
         None
     }
 
-    /// Value of the expression at `node`, and its text.
+    /// Value and text of the expression at `node`.
     pub(super) fn value<'a>(&mut self, node: &'a Node, path: &str, expected: &str) -> Option<(Value, &'a str)> {
         let Kind::Scalar { text, quoted } = &node.kind else {
             self.problem(node.mark, path, format!("{} stands here", node.kind.describe()), format!("write {expected}"));
@@ -108,7 +108,7 @@ impl Findings {
         }
     }
 
-    /// A number in plain form.
+    /// Value of the expression at `node` as a number.
     pub fn number(&mut self, node: &Node, path: &str, expected: &str) -> Option<f64> {
         self.value(node, path, expected).map(|(value, _)| value.number)
     }
@@ -130,18 +130,17 @@ impl Findings {
     }
 }
 
-/// ` (m)`, or nothing.
+/// Unit in brackets, ` (m)`, or an empty string.
 fn unit(key: &Key) -> String {
     if key.unit.is_empty() { String::new() } else { format!(" ({})", key.unit) }
 }
 
-/// `joints[3]` and `alpha` make `joints[3].alpha`.
+/// Joins a path and a key: `joints[3]` and `alpha` give `joints[3].alpha`.
 pub fn join(path: &str, name: &str) -> String {
     if path.is_empty() { name.to_string() } else { format!("{path}.{name}") }
 }
 
-/// A mapping whose keys were checked. A getter gives `None` where the key is absent or was found
-/// wrong.
+/// A mapping with checked keys. Getters return `None` if the key is absent or invalid.
 pub(super) struct Fields<'a> {
     pub(super) fields: &'a [(Word, Node)],
     pub(super) mark: Mark,
@@ -150,7 +149,7 @@ pub(super) struct Fields<'a> {
 }
 
 impl<'a> Fields<'a> {
-    /// The value of a key with its path and what is expected there.
+    /// Value of a key with its path, a description of the expected value, and its shape.
     fn get(&self, name: &str) -> Option<(&'a Node, String, String, Shape)> {
         let key = self.table.key(name)?;
         let node = &self.fields.iter().find(|(word, _)| word.text == name)?.1;
@@ -158,12 +157,12 @@ impl<'a> Fields<'a> {
         Some((node, join(&self.path, name), about, key.shape))
     }
 
-    /// The value of a key and its path.
+    /// Value of a key and its path.
     pub(super) fn node(&self, name: &str) -> Option<(&'a Node, String)> {
         self.get(name).map(|(node, path, ..)| (node, path))
     }
 
-    /// The place of the key itself, for problems of its presence, and its path.
+    /// Location of the key itself, for problems of its presence, and its path.
     pub(super) fn key(&self, name: &str) -> Option<(Mark, String)> {
         let (word, _) = self.fields.iter().find(|(word, _)| word.text == name)?;
         Some((word.mark, join(&self.path, name)))
@@ -194,7 +193,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// One of the words of the key's table entry.
+    /// Reads a choice among the words in the key's table entry.
     pub(super) fn choice(&self, name: &str, to: &mut Findings) -> Option<&'static str> {
         let (node, path, _, shape) = self.get(name)?;
         let text = self.text(name, to)?;
@@ -222,7 +221,7 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// A whole number from 0.
+    /// Reads an integer from 0.
     pub(super) fn count(&self, name: &str, to: &mut Findings) -> Option<usize> {
         let (node, path, about, _) = self.get(name)?;
         let value = to.number(node, &path, &about)?;
@@ -233,7 +232,7 @@ impl<'a> Fields<'a> {
         None
     }
 
-    /// A number within the bounds of its table entry.
+    /// Reads a number within the bounds of its table entry.
     pub(super) fn number(&self, name: &str, to: &mut Findings) -> Option<f64> {
         let (node, path, about, shape) = self.get(name)?;
         let (value, text) = to.value(node, &path, &about)?;
@@ -261,7 +260,7 @@ impl<'a> Fields<'a> {
         Some(value.length(text))
     }
 
-    /// The items of a list of exactly `N`, with their paths.
+    /// Items of a list of exactly `N`, with their paths.
     fn items<const N: usize>(&self, name: &str, to: &mut Findings) -> Option<[(&'a Node, String, String); N]> {
         let (node, path, about, _) = self.get(name)?;
         let items = to.list(node, &path, &about)?;
@@ -289,7 +288,7 @@ impl<'a> Fields<'a> {
         angles.iter().all(Option::is_some).then(|| angles.map(|angle| angle.unwrap_or_else(Angle::zero)))
     }
 
-    /// A number, or a list of them; none where the key is absent.
+    /// Reads a number or a list of numbers; empty if the key is absent.
     pub(super) fn numbers(&self, name: &str, to: &mut Findings) -> Vec<f64> {
         let Some((node, path, about, _)) = self.get(name) else { return Vec::new() };
         match &node.kind {
@@ -298,21 +297,21 @@ impl<'a> Fields<'a> {
         }
     }
 
-    /// The mapping behind a key.
+    /// Mapping of a key.
     pub(super) fn map(&self, name: &str, to: &mut Findings) -> Option<Fields<'a>> {
         let (node, path, _, shape) = self.get(name)?;
         let (Shape::Map(table) | Shape::MapOrFile(table)) = shape else { return None };
         to.fields(node, &path, table)
     }
 
-    /// The list behind a key: its items with their paths, `joints[1]`, `joints[2]`.
+    /// List of a key: its items with their paths, `joints[1]`, `joints[2]`.
     pub(super) fn rows(&self, name: &str, to: &mut Findings) -> Option<Vec<(&'a Node, String)>> {
         let (node, path, about, _) = self.get(name)?;
         let items = to.list(node, &path, &about)?;
         Some(items.iter().enumerate().map(|(k, item)| (item, format!("{path}[{}]", k + 1))).collect())
     }
 
-    /// Rows that are mappings of the table of their key.
+    /// Mapping of a row of a list, checked against the table of the list's key.
     pub(super) fn row(&self, name: &str, node: &'a Node, path: &str, to: &mut Findings) -> Option<Fields<'a>> {
         let (Shape::Rows(table) | Shape::RowsOrNull(table)) = self.table.key(name)?.shape else { return None };
         to.fields(node, path, table)

@@ -1,12 +1,12 @@
-//! The arm as its effects of geometry and bodies say that it is.
+//! Applies a robot's effects of geometry and bodies to its description.
 
 use super::effects::{Effect, GeometricError, LinkInertiaError, Payload};
 use super::laws::shift_zero;
 use super::{Angle, Inertia, Joint, JointKind, Length, NoLink, Robot};
 use crate::runtime::Scalar;
 
-/// True zeros, rows, base and links. A change of a link that the file does not define changes
-/// nothing.
+/// Robot with effective zeros, rows, base and links. An effect on a link that the file does not
+/// define is ignored.
 pub(super) fn effective(robot: &Robot) -> Robot {
     let mut real = robot.clone();
     for (row, effect) in robot.effects_by_row() {
@@ -24,8 +24,8 @@ pub(super) fn effective(robot: &Robot) -> Robot {
     real
 }
 
-/// One effect of geometry or bodies, at a joint's row or of the whole robot; a law of drives or
-/// sensors changes nothing.
+/// Applies one effect of geometry or bodies, at a joint's row or of the whole robot; a law of
+/// drives or sensors changes nothing.
 pub(super) fn change(real: &mut Robot, row: Option<usize>, effect: &Effect) -> Result<(), NoLink> {
     match (effect, row) {
         (Effect::GeometricError(e), Some(row)) => change_row(&mut real.joints[row], e),
@@ -42,9 +42,9 @@ pub(super) fn change(real: &mut Robot, row: Option<usize>, effect: &Effect) -> R
             let link = link.ok_or(NoLink { number: Some(last), last })?;
             *link = link.plus(&payload(e));
         }
-        // At the top it stands for every row, and comes with each of them.
+        // At the top it applies to every row, and is applied with each of them.
         (Effect::GeometricError(_), None) => {}
-        // Of the whole robot, and not of a joint.
+        // These apply to the whole robot, not to a joint.
         (Effect::BaseTilt(_) | Effect::Payload(_), Some(_)) => {}
         (
             Effect::ViscousFriction(_)
@@ -74,7 +74,7 @@ pub(super) fn change(real: &mut Robot, row: Option<usize>, effect: &Effect) -> R
     Ok(())
 }
 
-/// Entries without an error stay exact.
+/// Adds the errors to a row; entries without an error stay exact.
 fn change_row(joint: &mut Joint, error: &GeometricError) {
     let angle = |slot: &mut Angle, error: f64| {
         if error != 0.0 {
@@ -92,13 +92,14 @@ fn change_row(joint: &mut Joint, error: &GeometricError) {
     length(&mut joint.r, error.r());
 }
 
-/// Difference between the true link and the given one; where no size is written, a fifth of it.
+/// Difference between the true link and the given one; if no size is stated, a fifth of the given
+/// one.
 fn link_error(link: &Inertia, error: &LinkInertiaError) -> Inertia {
     let stated = error.body().iter().any(|p| *p != 0.0);
     Inertia::from_array(if stated { error.body() } else { link.to_array().map(|p| 0.2 * p) })
 }
 
-/// A point mass where nothing is said of its tensor.
+/// Inertia of a payload; a point mass if no tensor is stated.
 fn payload(payload: &Payload) -> Inertia {
     let mut body = Inertia::from_array(payload.body());
     if payload.is_point() && body.m > 0.0 {
@@ -108,8 +109,7 @@ fn payload(payload: &Payload) -> Inertia {
     body
 }
 
-/// Gravity in the axes of a base that is turned by `RotY(pitch) RotX(roll)`: `RotX(-roll)
-/// RotY(-pitch) g`.
+/// Gravity in the axes of a base rotated by `RotY(pitch) RotX(roll)`: `RotX(-roll) RotY(-pitch) g`.
 fn tilted([x, y, z]: [f64; 3], roll: f64, pitch: f64) -> [f64; 3] {
     let ([sr, sp], [cr, cp]) = f64::sin_cos_all(&[roll, pitch]);
     let (x, z) = (cp * x - sp * z, sp * x + cp * z);

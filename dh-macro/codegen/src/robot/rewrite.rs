@@ -1,4 +1,4 @@
-//! Writes a changed robot into the text of its file: unchanged parts keep their text, comments,
+//! Writes a changed robot into the text of its file; unchanged parts keep their text, comments,
 //! order and format.
 
 use core::ops::Range;
@@ -8,36 +8,36 @@ use super::write::{self, Field};
 use super::yaml::{self, Kind, Node, Word};
 use super::{Drive, Files, Joint, Robot};
 
-/// Widest line that an entry is appended to.
+/// Longest line to which an entry is appended.
 const WIDTH: usize = 140;
 
-/// A run of a command that changed a robot file; [`Robot::rewritten`] adds it to the file's
+/// A command run that changed a robot file; [`Robot::rewritten`] adds it to the file's
 /// `provenance`.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Run {
-    /// The command, as it can be repeated.
+    /// Command in a form that can be repeated.
     pub command: String,
     /// Version of the program.
     pub version: String,
-    /// Every option and its value.
+    /// All options with their values.
     pub options: Vec<String>,
-    /// Files that were read: what for, path, SHA-256.
+    /// Files that were read: purpose, path, SHA-256.
     pub files: Vec<[String; 3]>,
-    /// Findings, a sentence each.
+    /// Findings, one sentence each.
     pub found: Vec<String>,
 }
 
 impl Robot {
-    /// The text of a file that reads as this robot, made from `text`, the file that the robot came
-    /// from before it was changed. `files` gives the text of the files that it names, as for
-    /// [`Robot::from_yaml`]; `there` does so where the result will stand.
+    /// Text of a file that reads as this robot, made from `text`, the robot's file before the
+    /// change. `files` returns the text of the files that it references, as for
+    /// [`Robot::from_yaml`]; `there` does so at the location of the result.
     ///
-    /// Values that changed are replaced where they stand, keys that are new follow their
-    /// neighbours, and `run` is added to `provenance`. A file in which that is not possible (all of
-    /// it in one line, say) is written in this crate's own form, with its `source`.
+    /// Changed values are replaced in place, new keys follow their neighbours, and `run` is added
+    /// to `provenance`. If this is not possible (all of it in one line, for instance), the file is
+    /// written in this crate's own form, with its `source`.
     pub fn rewritten(&self, text: &str, files: &Files<'_>, there: &Files<'_>, run: &Run) -> String {
         let edited = self.edited(text, files, there).map(|text| with_run(&text, run));
-        // Whatever an edit may have missed: the text must say what the robot is.
+        // Guards against missed edits: the text must read as this robot.
         let same =
             |text: &String| Self::from_yaml(text, there).is_ok_and(|reading| reading.robot.to_yaml() == self.to_yaml());
         edited.filter(same).unwrap_or_else(|| {
@@ -68,7 +68,7 @@ impl Robot {
         editor.links(&root, &before, self);
         let tool = |robot: &Self| robot.tool.as_ref().map(|tool| write::tool_fields(tool, &scope));
         match child(top, "tool").map(|node| (node, &node.kind)) {
-            // A file that is another one, or none, where the result will stand.
+            // The tool file differs, or is missing, at the location of the result.
             Some((node, Kind::Scalar { text, .. }))
                 if files(text).ok() != there(text).ok() && self.tool == before.tool =>
             {
@@ -102,7 +102,7 @@ fn value<'a>(fields: &'a [Field], key: &str) -> Option<&'a str> {
     fields.iter().find(|(k, _)| k == key).map(|(_, text)| text.as_str())
 }
 
-/// Replacements in a text, by characters.
+/// Replacements in a text, indexed by characters.
 struct Editor {
     characters: Vec<char>,
     edits: Vec<(Range<usize>, String)>,
@@ -113,7 +113,7 @@ impl Editor {
         Self { characters: text.strip_prefix('\u{feff}').unwrap_or(text).chars().collect(), edits: Vec::new() }
     }
 
-    /// The text with all replacements; those at the same place in their order.
+    /// Text with all replacements; those at the same position keep their order.
     fn applied(mut self) -> String {
         self.edits.sort_by_key(|(range, _)| range.start);
         let (mut out, mut at) = (String::new(), 0);
@@ -130,7 +130,7 @@ impl Editor {
         self.edits.push((range, text.into()));
     }
 
-    /// From `at` to the end of its line.
+    /// End of the line that contains `at`.
     fn line_end(&self, at: usize) -> usize {
         let rest = self.characters[at.min(self.characters.len())..].iter();
         let end = at + rest.take_while(|c| **c != '\n').count();
@@ -150,7 +150,7 @@ impl Editor {
         matches!(self.characters.get(node.span.start), Some('{' | '['))
     }
 
-    /// Makes the mapping at `node` say `new` where it says `old`.
+    /// Edits the mapping at `node` from the entries `old` to `new`.
     fn mapping(&mut self, node: &Node, old: &[Field], new: &[Field]) {
         let Some(fields) = node.fields() else { return };
         let mut further = Vec::new();
@@ -167,7 +167,7 @@ impl Editor {
         }
     }
 
-    /// New entries behind the last one.
+    /// Appends new entries after the last one.
     fn append(&mut self, node: &Node, entries: &[Field]) {
         let (Some(fields), false) = (node.fields(), entries.is_empty()) else { return };
         let list: Vec<String> = entries.iter().map(|(key, text)| format!("{key}: {text}")).collect();
@@ -187,7 +187,7 @@ impl Editor {
         self.replace(at..at, between + &text);
     }
 
-    /// Takes an entry out.
+    /// Deletes an entry.
     fn delete(&mut self, node: &Node, key: &str) {
         let Some(fields) = node.fields() else { return };
         let Some(k) = fields.iter().position(|(word, _)| word.text == key) else { return };
@@ -204,7 +204,7 @@ impl Editor {
         self.replace(range, "");
     }
 
-    /// A mapping at the top of the file, which may be new or gone.
+    /// Edits a mapping at the top of the file, which may be new or removed.
     fn section(&mut self, root: &Node, key: &str, old: Option<Vec<Field>>, new: Option<Vec<Field>>) {
         let node = root.fields().and_then(|top| child(top, key));
         match (old, new, node) {
@@ -220,7 +220,7 @@ impl Editor {
         }
     }
 
-    /// Lines of a new section at the end of the file.
+    /// Appends the lines of a new section at the end of the file.
     fn append_section(&mut self, key: &str, lines: &[String]) {
         let new_line = self.new_line();
         let end = self.characters.len();
@@ -242,12 +242,12 @@ impl Editor {
         self.drive(drive, &old.drive, &new.drive);
     }
 
-    /// Laws of a drive stand in it or in its `friction`.
+    /// Edits a drive, whose laws are in the drive itself or in its `friction`.
     fn drive(&mut self, node: &Node, old: &Drive, new: &Drive) {
         let friction = node.fields().and_then(|fields| child(fields, "friction")).filter(|f| f.fields().is_some());
         let (old, new) = (Parts::of(old), Parts::of(new));
         let Some(friction) = friction else {
-            // Plain friction under its own names beside the others, or none yet.
+            // Plain friction is stated beside the other keys, or not yet at all.
             let beside = |fields: &[Field]| {
                 let stands = |(key, _): &&Field| node.fields().is_some_and(|f| child(f, key).is_some());
                 fields.iter().filter(stands).cloned().collect::<Vec<_>>()
@@ -311,7 +311,7 @@ impl Parts {
     }
 }
 
-/// Files that the runs in the `provenance` of a robot file's text read: what for, path, SHA-256.
+/// Files read by the runs in the `provenance` of a robot file's text: purpose, path, SHA-256.
 pub fn files_of_runs(text: &str) -> Vec<[String; 3]> {
     let word = |file: &Node, key: &str| -> Option<String> {
         match &child(file.fields()?, key)?.kind {
@@ -328,7 +328,7 @@ pub fn files_of_runs(text: &str) -> Vec<[String; 3]> {
     runs.unwrap_or_default().iter().filter_map(of_run).flatten().collect()
 }
 
-/// The text with one more run in its `provenance`.
+/// Text with one more run in its `provenance`.
 fn with_run(text: &str, run: &Run) -> String {
     if *run == Run::default() {
         return text.to_string();
@@ -354,7 +354,7 @@ fn with_run(text: &str, run: &Run) -> String {
     editor.applied()
 }
 
-/// The run as an item of a list, in lines that begin with two blanks.
+/// The run as an item of a list, in lines indented by two blanks.
 fn run_lines(run: &Run) -> Vec<String> {
     let mut lines = vec![
         format!("  - command: {}", write::word(&run.command)),
@@ -386,7 +386,7 @@ fn run_lines(run: &Run) -> Vec<String> {
     lines
 }
 
-/// The same for a list in brackets.
+/// The run as fields of an item in a bracketed list.
 fn run_fields(run: &Run) -> Vec<Field> {
     let list = |items: Vec<String>| format!("[{}]", items.join(", "));
     let texts = |items: &[String]| list(items.iter().map(|item| write::text(item)).collect());
@@ -408,7 +408,7 @@ fn file_fields([purpose, path, sha256]: &[String; 3]) -> Vec<Field> {
         .to_vec()
 }
 
-/// The comments at the head of a file, without the line for editors that the writer has itself.
+/// Comments at the head of a file, except the editor line, which is written separately.
 fn earlier_comments(text: &str) -> String {
     let head = text.lines().take_while(|line| line.trim_start().starts_with('#'));
     head.filter(|line| !line.contains("yaml-language-server")).map(|line| format!("{line}\n")).collect()

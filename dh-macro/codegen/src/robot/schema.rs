@@ -1,4 +1,4 @@
-//! The JSON Schema of robot files for editors, from the tables that the checker uses.
+//! Generates the JSON Schema of robot files for editors, from the tables that the checker uses.
 
 use super::effects::{Description, EffectKey, EffectKind};
 use super::keys::{self, JOINT, Key, ROBOT, Shape, Table};
@@ -16,7 +16,7 @@ pub fn schema() -> String {
     out + "\n"
 }
 
-/// As much of JSON as a schema needs.
+/// The subset of JSON that a schema needs.
 enum Json {
     Text(String),
     Number(usize),
@@ -59,7 +59,7 @@ fn kind(name: &str) -> (&'static str, Json) {
     ("type", Json::Text(name.to_string()))
 }
 
-/// A number, or text with an expression.
+/// Schema of a number, or of text with an expression.
 fn number() -> Vec<(&'static str, Json)> {
     vec![("type", Json::words(&["number", "string"]))]
 }
@@ -83,7 +83,7 @@ fn descriptions() -> impl Iterator<Item = &'static Description> {
     EffectKind::ALL.iter().map(|kind| kind.description())
 }
 
-/// A number, or a mapping of the effect's keys.
+/// Schema of an effect: a number, or a mapping of its keys.
 fn effect(known: &'static Description) -> Json {
     let described = |text: String| {
         let mut fields = vec![("description", Json::Text(text))];

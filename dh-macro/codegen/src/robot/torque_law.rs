@@ -1,7 +1,7 @@
-//! A torque in closed form, for what has no name: `law: "0.7*sin(3*q2)*sign(dq4)"`.
+//! Torques in closed form, for effects without a name: `law: "0.7*sin(3*q2)*sign(dq4)"`.
 //!
-//! `text -> expression (tree) -> torque_law/read (names, values, units) -> Term`, and back by
-//! `Display`. Its value in generated code is `arm/formula.rs`'s.
+//! Conversion: `text -> expression (tree) -> torque_law/read (names, values, units) -> Term`, and
+//! back by `Display`. Generated code evaluates it by `arm/formula.rs`.
 
 mod bounds;
 mod dimension;
@@ -14,11 +14,11 @@ pub(super) use read::{Law, unit_of};
 use super::JointKind;
 use super::expression::{ExpressionError, Scope};
 
-/// Quantity at one joint, or of the whole arm. Joints are those that move, from 0; texts count from
-/// 1, as the columns of a log.
+/// A quantity at one joint, or of the whole arm. Indices count moving joints from 0; texts count
+/// from 1, like the columns of a log.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Variable {
-    /// `q`: position, rad or m, without the error of its encoder.
+    /// `q`: position, rad or m, without the encoder's error.
     Position(usize),
     /// `dq`: velocity, rad/s or m/s.
     Velocity(usize),
@@ -52,11 +52,11 @@ pub enum LawFunction {
 }
 
 impl LawFunction {
-    /// All of them.
+    /// All functions.
     pub const ALL: [Self; 8] =
         [Self::Sin, Self::Cos, Self::Exp, Self::Ln, Self::Sqrt, Self::Abs, Self::Sign, Self::Tanh];
 
-    /// As a law writes it.
+    /// Name of the function in a law.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -72,10 +72,10 @@ impl LawFunction {
     }
 }
 
-/// An expression. Laws that are found, not read, are made of these; see [`TorqueLaw::new`].
+/// An expression. Laws found by identification are built from these; see [`TorqueLaw::new`].
 #[derive(Debug, Clone, PartialEq)]
 pub enum Term {
-    /// A number, in whatever unit its place asks for.
+    /// A number, in the unit that its place requires.
     Number(f64),
     /// A variable.
     Variable(Variable),
@@ -83,17 +83,17 @@ pub enum Term {
     Negative(Box<Self>),
     /// `1 / x`; in a product `/ x`.
     Inverse(Box<Self>),
-    /// `x + y + ..`, from left to right; a [`Term::Negative`] behind the first is a difference.
+    /// `x + y + ..`, from left to right; a [`Term::Negative`] after the first is a difference.
     Sum(Vec<Self>),
-    /// `x * y * ..`, from left to right; a [`Term::Inverse`] behind the first is a quotient.
+    /// `x * y * ..`, from left to right; a [`Term::Inverse`] after the first is a quotient.
     Product(Vec<Self>),
-    /// `x ^ n`: any `x` for a whole `n`, and `x` that is not negative for any other.
+    /// `x ^ n`: any `x` for an integer `n`, otherwise only `x >= 0`.
     Power(Box<Self>, f64),
-    /// A function.
+    /// A function of one argument.
     Call(LawFunction, Box<Self>),
-    /// The smaller of two.
+    /// Minimum of two.
     Least(Box<Self>, Box<Self>),
-    /// The larger of two.
+    /// Maximum of two.
     Most(Box<Self>, Box<Self>),
 }
 
@@ -113,47 +113,47 @@ impl Term {
     }
 }
 
-/// A torque (of a sliding joint, a force) in closed form.
+/// A torque (for a prismatic joint, a force) in closed form.
 #[derive(Debug, Clone)]
 pub struct TorqueLaw {
     text: String,
     term: Term,
 }
 
-/// Same expression, in whatever words.
+/// Equality of the expressions, independent of their text.
 impl PartialEq for TorqueLaw {
     fn eq(&self, other: &Self) -> bool {
         self.term == other.term
     }
 }
 
-/// Why an expression is not a law.
+/// Reason why an expression is not a law.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("`{text}`: {what}; {mend}")]
 pub struct NotALaw {
-    /// The expression.
+    /// Text of the expression.
     pub text: String,
-    /// The mistake.
+    /// Description of the mistake.
     pub what: String,
-    /// How to mend it.
+    /// Advice on how to fix it.
     pub mend: String,
 }
 
 impl TorqueLaw {
-    /// The law of an expression, for an arm whose moving joints are of these kinds, base to tip.
+    /// Law of an expression, for an arm whose moving joints are of these kinds, base to tip.
     ///
     /// # Errors
-    /// What a robot file with the same expression would be refused for: a joint that is not there,
-    /// units that do not go together, a value that is missing somewhere (a divisor that may be 0, a
-    /// root of what may be negative), more characters or brackets than are read.
+    /// The reasons for which a robot file with this expression is rejected: a joint that does not
+    /// exist, inconsistent units, an expression that is undefined somewhere (a divisor that may be
+    /// 0, a root of what may be negative), too many characters or brackets.
     pub fn new(term: &Term, joints: &[JointKind]) -> Result<Self, NotALaw> {
         Self::read(&term.to_string(), joints, &Scope::default())
     }
 
-    /// The law that a text states; it may use no named constant.
+    /// Law stated by a text, which may not use named constants.
     ///
     /// # Errors
-    /// As [`TorqueLaw::new`].
+    /// See [`TorqueLaw::new`].
     pub fn parse(text: &str, joints: &[JointKind]) -> Result<Self, NotALaw> {
         Self::read(text, joints, &Scope::default())
     }
@@ -166,7 +166,7 @@ impl TorqueLaw {
         })
     }
 
-    /// The law of a file, whose words have these meanings.
+    /// Law of a file, with the variables and constants in `words`.
     pub(super) fn of_file(text: &str, words: &Law<'_>) -> Result<Self, ExpressionError> {
         let term = words.term(text)?;
         Ok(Self { text: text.split_whitespace().collect::<Vec<_>>().join(" "), term })
@@ -178,13 +178,13 @@ impl TorqueLaw {
         &self.term
     }
 
-    /// Its words in the file; constants by their names.
+    /// Text in the file, with constants by name.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
     }
 
-    /// Whether it asks for the time or for a temperature.
+    /// Whether it depends on time or temperature.
     #[must_use]
     pub fn reads_clock(&self) -> bool {
         let mut clock = false;
@@ -192,7 +192,7 @@ impl TorqueLaw {
         clock
     }
 
-    /// Whether it asks for an acceleration.
+    /// Whether it depends on an acceleration.
     #[must_use]
     pub fn reads_acceleration(&self) -> bool {
         let mut found = false;
@@ -200,7 +200,8 @@ impl TorqueLaw {
         found
     }
 
-    /// Its own words where they mean the same with these constants, else words without any.
+    /// Original text if it has the same meaning with these constants, otherwise a text without
+    /// constants.
     pub(super) fn words(&self, words: &Law<'_>) -> String {
         let same = Self::of_file(&self.text, words).is_ok_and(|law| law == *self);
         if same { self.text.clone() } else { self.term.to_string() }
@@ -225,7 +226,7 @@ impl fmt::Display for Variable {
     }
 }
 
-/// How tightly the operation of a term binds.
+/// Precedence of a term's operation.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Binding {
     Sum,
@@ -245,13 +246,13 @@ impl Term {
         }
     }
 
-    /// In brackets if it binds less than that.
+    /// Writes the term, in brackets if its precedence is below `least`.
     fn within(&self, least: Binding, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.binding() < least { write!(f, "({self})") } else { fmt::Display::fmt(self, f) }
     }
 }
 
-/// Reads back as an expression of the same value.
+/// Writes text that reads back as an expression of the same value.
 impl fmt::Display for Term {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -288,7 +289,7 @@ impl fmt::Display for Term {
                     f.write_str("/")?;
                     x.within(Binding::Power, f)
                 }
-                // What is in front may have its sign: `-2*q1`.
+                // The first factor may have a sign: `-2*q1`.
                 Self::Number(_) if k == 0 => write!(f, "{x}"),
                 Self::Negative(x) if k == 0 => {
                     f.write_str("-")?;

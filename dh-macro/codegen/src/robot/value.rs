@@ -1,4 +1,5 @@
-//! Exact form of a number of the file: a fraction, a fraction of pi, a polynomial in the constants.
+//! Exact forms of a number in the file: a fraction, a fraction of pi, a polynomial in the
+//! constants.
 
 use core::f64::consts::PI;
 
@@ -6,21 +7,21 @@ use super::decimal::{QuarterTurns, quarter_turns};
 use super::ratio::Ratio;
 use super::{Angle, Length, Polynomial};
 
-/// A product of polynomials with more terms than this is kept as a plain number.
+/// Most terms of a polynomial product; a longer one is kept as a plain number.
 const MOST_TERMS: usize = 64;
 
-/// A number with all that is known about it.
+/// A number with its known exact forms.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Value {
-    /// The number.
+    /// Value of the number.
     pub(super) number: f64,
-    /// Exactly this fraction.
+    /// Exact value as a fraction.
     rational: Option<Ratio>,
-    /// Exactly this fraction of pi.
+    /// Exact value as a fraction of pi.
     of_pi: Option<Ratio>,
-    /// In the named constants.
+    /// Polynomial in the named constants.
     polynomial: Option<Polynomial>,
-    /// Just one decimal: negative?, as written.
+    /// Text of a single decimal, and whether it is negative.
     decimal: Option<(bool, String)>,
 }
 
@@ -70,7 +71,7 @@ impl Value {
         Self::build(self.number * b.number, rational, of_pi, small.map(|(a, b)| a.mul(b)))
     }
 
-    /// `b` is not zero.
+    /// Quotient; `b` must not be zero.
     pub(super) fn over(&self, b: &Self) -> Self {
         let same = self.rational.zip(b.rational).or(self.of_pi.zip(b.of_pi));
         let rational = same.and_then(|(a, b)| a.div(b));
@@ -80,18 +81,18 @@ impl Value {
         Self::build(self.number / b.number, rational, of_pi, polynomial)
     }
 
-    /// From here on it is the symbol of the named constant with this index.
+    /// Makes it the symbol of the named constant with this index.
     pub(super) fn becomes_constant(&mut self, index: usize) {
         self.polynomial = Some(Polynomial::constant(index));
     }
 
-    /// As a length, m.
+    /// Converts to a length, m.
     pub(super) fn length(self, text: &str) -> Length {
         let closed_form = self.polynomial.unwrap_or_else(|| Polynomial::number(self.number));
         Length { value: self.number, closed_form, text: text.to_string() }
     }
 
-    /// As an angle, rad, and what was read into it.
+    /// Converts to an angle, rad, with a note on how it was interpreted.
     pub(super) fn angle(self, text: &str) -> (Angle, Option<String>) {
         if let Some(Ratio { p, q }) = self.of_pi {
             return (Angle { value: self.number, pi_multiple: Some((p, q)), text: text.to_string() }, None);

@@ -1,4 +1,4 @@
-//! A robot back to the text of its file.
+//! Writes a robot as the text of its file.
 
 use super::effects::{CoulombFriction, RotorInertia, ViscousFriction};
 use super::expression::Scope;
@@ -9,19 +9,19 @@ use super::{
     Angle, Collision, Convention, Drive, Effect, Inertia, Joint, JointKind, Length, Limits, LogMapping, Robot, Tool,
 };
 
-/// Widest line before a row of the table is broken.
+/// Longest line before a row of the table is wrapped.
 const WIDTH: usize = 110;
 
 impl Robot {
-    /// The robot as a file that [`Robot::from_yaml`] reads back to the same robot: numbers bit by
-    /// bit, angles and lengths in their own words. Comments, `source` and the words of constants
+    /// Text of a file that [`Robot::from_yaml`] reads back as the same robot: numbers bit by bit,
+    /// angles and lengths with their original text. Comments, `source` and the text of constants
     /// are not part of a robot.
     pub fn to_yaml(&self) -> String {
         self.to_yaml_with_source(None)
     }
 
-    /// [`Robot::to_yaml`] with the key `source`: where the numbers come from, as
-    /// [`super::Reading::source`] or better.
+    /// Variant of [`Robot::to_yaml`] with the key `source`, the origin of the numbers, such as
+    /// [`super::Reading::source`].
     pub fn to_yaml_with_source(&self, source: Option<&str>) -> String {
         let scope = self.scope();
         let constants: Vec<Field> =
@@ -74,7 +74,7 @@ impl Robot {
     }
 }
 
-/// The section `log`.
+/// Lines of the section `log`.
 fn log_lines(log: &LogMapping) -> String {
     let mut out = String::from("\nlog:\n");
     if log.arrival {
@@ -92,7 +92,7 @@ fn log_lines(log: &LogMapping) -> String {
     out
 }
 
-/// The section `collision`; nothing where there is nothing in it.
+/// Lines of the section `collision`; empty if it is the default.
 fn collision_lines(collision: &Collision) -> String {
     if *collision == Collision::default() {
         return String::new();
@@ -131,7 +131,7 @@ fn collision_lines(collision: &Collision) -> String {
 pub(super) type Field = (String, String);
 
 impl Robot {
-    /// The constants, for expressions that use them.
+    /// The constants as a scope, for expressions that use them.
     pub(super) fn scope(&self) -> Scope {
         let mut scope = Scope::default();
         for (name, value) in &self.constants {
@@ -173,7 +173,7 @@ pub(super) fn row_fields(joint: &Joint, scope: &Scope) -> Vec<Field> {
 
 pub(super) fn limit_fields(joint: &Joint) -> Vec<Field> {
     let mut fields = Vec::new();
-    // In degrees where that is the same number: 170deg is easier to read than 2.9670597283903604.
+    // In degrees if that is the same number: 170deg is easier to read than 2.9670597283903604.
     let turning = |value: f64| if joint.kind == JointKind::Revolute { degrees(value) } else { number(value) };
     let Limits { position, velocity, acceleration, jerk, torque } = &joint.limits;
     if let Some([lower, upper]) = *position {
@@ -186,7 +186,7 @@ pub(super) fn limit_fields(joint: &Joint) -> Vec<Field> {
     fields
 }
 
-/// The joint elsewhere.
+/// Field `source`: the joint in the file from which it was imported.
 pub(super) fn source_field(joint: &Joint) -> Vec<Field> {
     let Some(source) = &joint.source else { return Vec::new() };
     let mut fields: Vec<Field> = source.name.iter().map(|name| field("name", word(name))).collect();
@@ -205,7 +205,7 @@ pub(super) fn drive_field(joint: &Joint) -> Vec<Field> {
     if drive.is_empty() { Vec::new() } else { vec![field("drive", flow(&drive, 13))] }
 }
 
-/// The torque in closed form.
+/// Fields of the torque in closed form.
 pub(super) fn law_fields(joint: &Joint, words: &Law<'_>) -> Vec<Field> {
     let Some(law) = &joint.drive.law else { return Vec::new() };
     vec![field(LAW, text(&law.words(words))), field(UNIT, unit_of(joint.kind))]
@@ -230,7 +230,7 @@ pub(super) fn drive_fields(drive: &Drive) -> Vec<Field> {
     fields
 }
 
-/// Plain friction, the entry `friction`.
+/// Fields of plain friction, for the entry `friction`.
 pub(super) fn friction_fields(drive: &Drive) -> Vec<Field> {
     let laws = [
         (ViscousFriction::NAME, drive.viscous_friction),
@@ -266,8 +266,8 @@ pub(super) fn tool_fields(tool: &Tool, scope: &Scope) -> Vec<Field> {
 }
 
 impl Tool {
-    /// The tool as a file of its own, which [`Tool::from_yaml`] reads back bit by bit; `source`
-    /// says where the numbers come from.
+    /// The tool as a separate file, which [`Tool::from_yaml`] reads back bit by bit; `source` is
+    /// the origin of the numbers.
     pub fn to_yaml(&self, source: Option<&str>) -> String {
         let mut fields = tool_fields(self, &Scope::default());
         if let Some(source) = source {
@@ -277,7 +277,7 @@ impl Tool {
     }
 }
 
-/// `{ a: 1, b: 2 }`, on one line.
+/// Mapping on one line: `{ a: 1, b: 2 }`.
 pub(super) fn braces(fields: &[Field]) -> String {
     if fields.is_empty() {
         return "{}".to_string();
@@ -286,7 +286,8 @@ pub(super) fn braces(fields: &[Field]) -> String {
     format!("{{ {} }}", inner.join(", "))
 }
 
-/// `{ a: 1, b: 2 }`, broken where a line would be too long; `indent` is the column of the brace.
+/// Mapping `{ a: 1, b: 2 }`, wrapped if a line would be too long; `indent` is the column of the
+/// brace.
 pub(super) fn flow(fields: &[Field], indent: usize) -> String {
     flow_groups(&[fields.to_vec()], indent)
 }
@@ -324,7 +325,7 @@ fn list(values: &[f64]) -> String {
     format!("[{}]", values.iter().map(|v| number(*v)).collect::<Vec<_>>().join(", "))
 }
 
-/// `170deg` where that has the same bits, else the number.
+/// Angle in degrees, `170deg`, if that has the same bits, otherwise the plain number.
 fn degrees(value: f64) -> String {
     let rounded: f64 = format!("{:.4}", value.to_degrees()).parse().unwrap_or(value);
     let text = format!("{}deg", number(rounded));
@@ -332,8 +333,8 @@ fn degrees(value: f64) -> String {
     if same && value != 0.0 { text } else { number(value) }
 }
 
-/// `pi/8` or `-5/3` where that has the same bits, so that what is made of the constant stays exact;
-/// else the number.
+/// Fraction `pi/8` or `-5/3` if that has the same bits, to keep everything derived from the
+/// constant exact; otherwise the plain number.
 fn constant(value: f64) -> String {
     let fraction = |unit: f64, q: i64, most: f64| {
         let p = (value * q as f64 / unit).round();
@@ -347,7 +348,7 @@ fn constant(value: f64) -> String {
         }
     }
     let decimal = number(value);
-    // Fewer digits are a decimal that a person wrote, and exact.
+    // Decimals with fewer digits were written by a person, and are exact.
     if decimal.chars().filter(char::is_ascii_digit).count() >= 16 {
         for q in 2..=1000i64 {
             let Some(p) = fraction(1.0, q, 1e6) else { continue };
@@ -359,11 +360,11 @@ fn constant(value: f64) -> String {
     decimal
 }
 
-/// The angle's own words if they still mean it.
+/// Original text of the angle if it still has the same meaning.
 fn angle(angle: &Angle, scope: &Scope) -> String {
     let plain = number(angle.value);
     let exact = angle.pi_multiple.map(|(p, q)| Angle::pi_fraction(p, q).text);
-    // Behind `+ 0` a decimal is an expression, which is never read as a rounded pi/2.
+    // With `+ 0` a decimal is an expression, which is never read as a rounded pi/2.
     let candidates = [Some(own(&angle.text)), exact, Some(plain.clone()), Some(format!("{plain} + 0"))];
     let means = |text: &String| {
         let read = is_expression(text).then(|| scope.evaluate(text).ok()).flatten().map(|value| value.angle(text).0);
@@ -372,7 +373,7 @@ fn angle(angle: &Angle, scope: &Scope) -> String {
     scalar(candidates.into_iter().flatten().find(means).unwrap_or(plain))
 }
 
-/// The length's own words if they still mean it.
+/// Original text of the length if it still has the same meaning.
 fn length(length: &Length, scope: &Scope) -> String {
     let plain = number(length.value);
     let constants = scope.constants();
@@ -389,7 +390,7 @@ fn own(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 
-/// `L1^3` as `L1*L1*L1`.
+/// Writes powers as products: `L1^3` as `L1*L1*L1`.
 fn products(text: &str) -> String {
     let power = |factor: &str| match factor.split_once('^') {
         Some((name, power)) => vec![name; power.parse().unwrap_or(1)].join("*"),
@@ -399,18 +400,18 @@ fn products(text: &str) -> String {
     text.split(' ').map(term).collect::<Vec<_>>().join(" ")
 }
 
-/// Nothing but what expressions are made of: no sign of YAML among it.
+/// Whether the text has only characters of expressions, and no YAML syntax.
 fn is_expression(text: &str) -> bool {
     text.chars().all(|c| c.is_ascii_alphanumeric() || "+-*/()._ ".contains(c))
 }
 
-/// An expression in a flow mapping: in quotes where YAML would take it for something else.
+/// Expression in a flow mapping: quoted if YAML would misread it.
 fn scalar(text: String) -> String {
-    // `- 5/3` is an item of a list.
+    // `- 5/3` would be an item of a list.
     if text.starts_with("- ") { format!("\"{text}\"") } else { text }
 }
 
-/// Text in quotes, whatever it looks like.
+/// Text in quotes.
 pub(super) fn text(text: &str) -> String {
     let escaped: String = text
         .chars()
@@ -424,11 +425,11 @@ pub(super) fn text(text: &str) -> String {
     format!("\"{escaped}\"")
 }
 
-/// Text, in quotes where YAML would read something else.
+/// Text, quoted only if YAML would misread it.
 pub(super) fn word(text: &str) -> String {
     let plain = text.starts_with(|c: char| c.is_ascii_alphabetic())
         && text.chars().all(|c| c.is_ascii_alphanumeric() || "-_. ".contains(c))
-        // In a flow mapping a comma may follow.
+        // A comma may follow in a flow mapping.
         && !text.ends_with([' ', '-']);
     let same = |node: yaml::Node| matches!(node.kind, Kind::Scalar { text: read, .. } if read == text);
     if plain && yaml::parse(text).is_ok_and(same) {

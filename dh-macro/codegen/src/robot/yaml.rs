@@ -1,5 +1,5 @@
-//! Text to a tree in which every node has its line and column. The only file that uses the YAML
-//! library.
+//! Parses YAML to a tree in which every node has its line and column. The only file that uses the
+//! YAML library.
 
 use core::ops::Range;
 
@@ -13,61 +13,60 @@ const LARGEST: usize = 1 << 20;
 const DEEPEST: usize = 32;
 /// Longest list or mapping that is read.
 const MOST_ENTRIES: usize = 1000;
-/// After this many problems of the text itself the rest would be noise.
+/// Most problems of the text itself that are reported; further ones would be noise.
 const MOST_PROBLEMS: usize = 50;
 
-/// A place in a file; both count from 1, columns in characters.
+/// A location in a file; line and column count from 1, columns in characters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Mark {
-    /// Line.
+    /// Line, counted from 1.
     pub line: usize,
-    /// Column.
+    /// Column in characters, counted from 1.
     pub column: usize,
 }
 
-/// A value with its place.
+/// A value with its location.
 #[derive(Debug, Clone)]
 pub struct Node {
-    /// Its place.
+    /// Location of the value.
     pub mark: Mark,
-    /// First character and the one after the last, from the start of the text (a byte order mark
-    /// not counted).
+    /// Range of characters from the start of the text, without a byte order mark.
     pub(super) span: Range<usize>,
-    /// Its content.
+    /// Content of the value.
     pub kind: Kind,
 }
 
-/// Content of the node.
+/// Content of a node.
 #[derive(Debug, Clone)]
 pub enum Kind {
-    /// Nothing, `null` or `~`.
+    /// Empty, `null` or `~`.
     Null,
-    /// Text without quotes may mean a number or a flag; with quotes it is text or an expression.
+    /// Scalar. Unquoted text may be a number or a flag; quoted text is text or an expression.
     Scalar {
-        /// Without the quotes.
+        /// Text without the quotes.
         text: String,
-        /// Whether it had some.
+        /// Whether it was quoted.
         quoted: bool,
     },
-    /// `[a, b]` or lines with dashes.
+    /// List: `[a, b]`, or lines with dashes.
     List(Vec<Node>),
-    /// `{ key: value }` or lines `key: value`, in the file's order.
+    /// Mapping: `{ key: value }`, or lines `key: value`, in the file's order.
     Map(Vec<(Word, Node)>),
 }
 
-/// A key with its place.
+/// A key with its location.
 #[derive(Debug, Clone)]
 pub struct Word {
-    /// Its place.
+    /// Location of the key.
     pub mark: Mark,
-    /// Start, in characters.
+    /// Start of the key, in characters.
     pub(super) start: usize,
-    /// The key.
+    /// Text of the key.
     pub text: String,
 }
 
 impl Kind {
-    /// For a message: what the author wrote.
+    /// Description of what the author wrote, for messages.
     pub fn describe(&self) -> String {
         match self {
             Self::Null => "nothing".to_string(),
@@ -121,7 +120,7 @@ fn empty() -> Problem {
     at(Mark { line: 1, column: 1 }, "the file is empty", "start with `name:`; robots/README.md shows a whole file")
 }
 
-/// The library's words, where they help.
+/// Message of the YAML library, or a clearer one.
 fn what_for(info: &str) -> String {
     if info.contains("recursion") {
         format!("more than {DEEPEST} levels of nesting")
@@ -144,7 +143,7 @@ fn mend_for(info: &str) -> &'static str {
     }
 }
 
-/// Mistakes that the YAML library would refuse late, or with unhelpful words.
+/// Detects mistakes that the YAML library would report late, or with unhelpful messages.
 fn refuse_unreadable(text: &str) -> Result<(), Vec<Problem>> {
     let start = Mark { line: 1, column: 1 };
     if text.len() > LARGEST {
@@ -178,7 +177,7 @@ fn refuse_unreadable(text: &str) -> Result<(), Vec<Problem>> {
 /// A list or mapping that is not closed yet.
 enum Open {
     List(Mark, usize, Vec<Node>),
-    /// The last field: a key that waits for its value.
+    /// Mapping; the last field is a key without its value yet.
     Map(Mark, usize, Vec<(Word, Node)>, Option<Word>),
 }
 
@@ -190,7 +189,7 @@ struct Tree {
     problems: Vec<Problem>,
 }
 
-/// The rest of the file can't be understood.
+/// Marker: the rest of the file can't be parsed.
 struct Stop;
 
 impl Tree {
@@ -269,7 +268,7 @@ impl Tree {
 
     fn opened(&mut self, open: Open, mark: Mark) -> Result<(), Stop> {
         if let Some(Open::Map(_, _, _, key @ None)) = self.open.last_mut() {
-            // Its value would follow; the shape of the rest is not to be trusted.
+            // The value would follow; the structure of the rest is unreliable.
             *key = Some(Word { mark, start: 0, text: String::new() });
             self.problem(mark, "a key is a list or a mapping", "a key is a word, followed by `: ` and its value");
             return Err(Stop);
@@ -286,7 +285,7 @@ impl Tree {
         Ok(())
     }
 
-    /// A scalar is a key where a mapping waits for one, otherwise a value.
+    /// Adds a scalar: a key if the current mapping expects one, otherwise a value.
     fn scalar(&mut self, mark: Mark, span: Range<usize>, kind: Kind) -> Result<(), Stop> {
         let Some(Open::Map(_, _, fields, key @ None)) = self.open.last_mut() else {
             self.value(Node { mark, span, kind });
@@ -325,7 +324,7 @@ impl Tree {
     }
 }
 
-/// End of a list or mapping: its bracket, or, in lines, its last entry.
+/// End of a list or mapping: its bracket or, in block style, its last entry.
 fn closed(last: usize, end: &Range<usize>) -> usize {
     if end.is_empty() { last } else { end.end }
 }

@@ -1,10 +1,10 @@
-//! Comments of printed code wrap at 100 columns.
+//! Wraps the comments of printed code at 100 columns.
 
-/// Last column of a comment.
+/// Last column of a comment line.
 const WIDTH: usize = 100;
 
-/// A text whose comment lines are no longer than [`WIDTH`], where words allow. Tables and code
-/// stay: they are not comments, or must not be broken.
+/// Text with comment lines no longer than [`WIDTH`], as far as words allow. Tables and code are
+/// kept as they are: they are no comments, or must not be wrapped.
 pub(super) fn wrapped(text: &str) -> String {
     let mut out = String::with_capacity(text.len() + text.len() / 50);
     let mut fenced = false;
@@ -29,7 +29,7 @@ pub(super) fn wrapped(text: &str) -> String {
     out
 }
 
-/// Words in lines that begin with `head`, from the second on with `hang` too.
+/// Wraps words into lines that begin with `head`, and from the second line on also with `hang`.
 fn paragraph(body: &str, head: &str, hang: &str) -> String {
     let mut lines = vec![head.to_string()];
     let mut empty = true;

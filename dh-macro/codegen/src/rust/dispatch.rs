@@ -1,4 +1,4 @@
-//! The functions of `q` for one binary on every processor: the module `dispatch` of a crate.
+//! Prints the module `dispatch` of a crate: functions of `q` for one binary on every processor.
 
 use core::fmt::Write;
 
@@ -6,7 +6,7 @@ use super::kernel_file::{Context, array, bound, has_packed, signature};
 use super::parameters;
 use crate::arm::{Kernel, Model};
 
-/// Line of a root that declares the module.
+/// Declaration of the module in the crate root.
 pub(super) const DECLARED: &str = "#[cfg(feature = \"dispatch\")]\npub mod dispatch;\n";
 
 const HEAD: &str = "//! The functions of `q` once more, each compiled for several instruction sets, one of which is
@@ -62,7 +62,7 @@ macro_rules! eight {
 
 ";
 
-/// The text of `src/dispatch.rs`.
+/// Text of `src/dispatch.rs`.
 pub(super) fn print(model: &Model, context: &Context<'_>) -> String {
     let mut text = String::from(HEAD) + &turned(model, context);
     for kernel in context.kernels {
@@ -75,7 +75,7 @@ pub(super) fn print(model: &Model, context: &Context<'_>) -> String {
     text + "}\n"
 }
 
-/// Sines and cosines, like `Trig::new`.
+/// Text that computes sines and cosines, like `Trig::new`.
 fn turned(model: &Model, context: &Context<'_>) -> String {
     let any = model.chain().angle_offsets().iter().any(|o| *o != 0.0);
     let forms =
@@ -106,7 +106,7 @@ fn turned(model: &Model, context: &Context<'_>) -> String {
     text
 }
 
-/// Arguments behind `q`, of numbers of this type.
+/// Arguments after `q`, with numbers of this type.
 fn arguments(kernel: &Kernel, number: &str) -> String {
     let all = signature(kernel.function, "");
     let name = kernel.function.name();
@@ -115,7 +115,7 @@ fn arguments(kernel: &Kernel, number: &str) -> String {
     typed.collect::<Vec<_>>().join(", ").replace("SEEDS", &format!("kernel::{name}::SEEDS"))
 }
 
-/// The result as a list, and the place of entry `k` in it.
+/// Result as a list, and the position of entry `k` in it.
 fn place(kernel: &Kernel) -> String {
     let flat = ".as_flattened_mut()".repeat(kernel.shape.len() - 1);
     let flat = if flat.is_empty() { "out".to_string() } else { format!("out{flat}") };

@@ -1,8 +1,8 @@
-//! Comment of each generated function: a title, and shape, unit and source.
+//! Doc comments of the generated functions: a title, and shape, unit and source.
 
 use crate::arm::Function;
 
-/// Title, and meaning.
+/// Title and meaning of a function.
 type Doc = (&'static str, &'static str);
 
 const FRAMES: Doc = (
@@ -107,7 +107,7 @@ const TOOL_POSE_ADJOINT: Doc = (
     "`out = sum of seed[k] d(entry k)/d(q, dq, ddq)`, one row each (only the first is not zero); entries row-major without the structural zeros. Griewank and Walther, 3.2.",
 );
 
-/// Quantity that a function computes; `effects`: for a robot whose file has some.
+/// Title and meaning of a function; `effects`: whether the robot file has effects.
 pub(super) fn doc(function: Function, effects: bool) -> Doc {
     match function {
         Function::Frames => FRAMES,

@@ -1,4 +1,4 @@
-//! Further items of a crate with effects: constants of the drives, and their state.
+//! Prints the additional items of a crate with effects: constants and state of the drives.
 
 use core::fmt::Write;
 
@@ -6,7 +6,7 @@ use crate::arm::Model;
 use crate::arm::param::Parameter;
 
 impl crate::robot::Laws {
-    /// Constants of the memory of its drive.
+    /// Constants of the drive's states (bristle and warmth).
     pub fn memory(&self) -> crate::drive::Memory {
         let travel = self.hysteresis.map_or(0.0, |law| law.travel());
         let [cold, time, per_kelvin, reference] =
@@ -14,14 +14,14 @@ impl crate::robot::Laws {
         crate::drive::Memory { travel, cold, time, per_kelvin, reference }
     }
 
-    /// The spring of its gear.
+    /// Elasticity of the gear, and the torque gain.
     pub fn gear(&self) -> crate::drive::Spring {
         let damping = self.elasticity.map_or(0.0, |spring| spring.damping());
         crate::drive::Spring { stiffness: self.stiffness().unwrap_or(0.0), damping, gain: self.gain }
     }
 }
 
-/// The text of `src/joint_drives.rs`.
+/// Text of `src/joint_drives.rs`.
 pub(super) fn file(model: &Model) -> String {
     let springs = if model.laws().iter().any(|l| l.elasticity.is_some()) { ", rigid_dynamics" } else { "" };
     format!(
@@ -32,7 +32,7 @@ pub(super) fn file(model: &Model) -> String {
     )
 }
 
-/// Constants, and `Drive`.
+/// Text of the constants and of `Drive`.
 fn print(model: &Model) -> String {
     let mut t = String::new();
     let delays: Vec<String> = model.laws().iter().map(|l| format!("{:?}", l.delay)).collect();
@@ -141,7 +141,7 @@ const STEP: &str =
         (self.swings, self.deflection) = (self.deflection.is_some(), Some(deflection));
 ";
 
-/// Torques without swinging links, where a law asks for the time or a temperature.
+/// Expression of the torques without elastic links, if a law depends on time or temperature.
 const CLOCKED: &str = "clocked_drive_torques(&self.q, dq, ddq, phi, &self.bristle, &self.warmth(), &self.clock())";
 
 const CLOCK: &str = "    /// Time since the start, s, then the temperatures, degrees C.
@@ -160,7 +160,7 @@ const TORQUES: &str = "        let mut torques = @STATIC;
         }
         torques";
 
-/// Constants of the springs, and the torques of the arm behind them.
+/// Prints the constants of the elasticities, and the torques of the arm behind them.
 fn springs(model: &Model, t: &mut String) {
     let springs: String = model
         .laws()

@@ -1,4 +1,4 @@
-//! The front page of a crate, its example, and its README.
+//! Prints the front page of a crate, its example, and its README.
 
 use core::fmt::Write;
 
@@ -8,7 +8,7 @@ use super::{shell, words};
 use crate::arm::{Inverse, Kernel, Model};
 use crate::robot::{JointKind, Robot, crate_name};
 
-/// Everything that the pages say.
+/// Data of the front pages.
 pub(super) struct Front<'a> {
     pub context: &'a Context<'a>,
     pub model: &'a Model,
@@ -23,12 +23,12 @@ impl Front<'_> {
         self.context.robot
     }
 
-    /// Name of the crate in Rust.
+    /// Library name of the crate in Rust.
     fn library(&self) -> String {
         crate_name(&self.robot().name).replace('-', "_")
     }
 
-    /// First lines: what it is, and from which file.
+    /// Summary: description of the robot, and its source file.
     fn summary(&self) -> String {
         format!(
             "Closed-form kinematics and dynamics of {}: {} degrees of freedom, {} base parameters.\n\nWritten by denavit {} from the robot file with digest {:016x}. Do not edit it: change the file and run `denavit generate` again.\n",
@@ -40,17 +40,17 @@ impl Front<'_> {
         )
     }
 
-    /// The comment at the top of a module: without example, which is written for a crate.
+    /// Comment at the top of a module, without the example, which is for a crate.
     pub(super) fn module(&self) -> String {
         commented(&format!("{}\n{UNITS}\n{}", self.summary(), self.functions(true)))
     }
 
-    /// The comment at the top of `src/lib.rs`.
+    /// Comment at the top of `src/lib.rs`.
     pub(super) fn root(&self) -> String {
         commented(&format!("{}\n{UNITS}\n```\n{}```\n\n{}", self.summary(), self.example(), self.functions(true)))
     }
 
-    /// The text of `README.md`.
+    /// Text of `README.md`.
     pub(super) fn readme(&self) -> String {
         let (robot, name) = (self.robot(), crate_name(&self.robot().name));
         let mut t = format!("# {name}\n\n{}\n", self.summary());
@@ -87,7 +87,7 @@ impl Front<'_> {
         t
     }
 
-    /// Table of the functions; `links`: to their documentation.
+    /// Table of the functions; `links`: whether to link their documentation.
     fn functions(&self, links: bool) -> String {
         let mut t = String::from("| function | result | multiplications | additions |\n|---|---|---|---|\n");
         for kernel in self.kernels {
@@ -101,7 +101,7 @@ impl Front<'_> {
         t
     }
 
-    /// A program that uses the crate.
+    /// Example program that uses the crate.
     fn example(&self) -> String {
         let redundancy = if Inverse::new(self.model.chain()).is_redundant() {
             "redundancy: arm::IK.redundancy(&q, &arm::ik::Reference::UP), "
@@ -142,7 +142,7 @@ for (row, tau) in regressor.iter().zip(tau) {{
         )
     }
 
-    /// A posture inside the limits, to two digits, apart from straight arms.
+    /// A posture inside the limits, to two digits, away from straight arms.
     fn posture(&self) -> String {
         let robot = self.robot();
         let one = |(k, &row): (usize, &usize)| {
@@ -161,7 +161,7 @@ for (row, tau) in regressor.iter().zip(tau) {{
 const UNITS: &str = "SI units: m, rad, s, kg, N m. Torques are those of the actuators on the links. Poses and Jacobians are in the world frame: frame 0 of the table where the robot file has no `base`. Tensors are about the frame's origin. Nothing is allocated; nothing but `core` is used. Kernels (module `kernel`) take sines and cosines (`Trig`); the functions here take `q`. All are generic over `runtime::Scalar`: `f64`, `f32` and packs of states run the same text. With the feature `dispatch` (needs `std`) module `dispatch` has them for `f64` with the instructions of the processor at hand.
 ";
 
-/// A text as the comment of a module.
+/// Formats a text as the comment of a module.
 fn commented(text: &str) -> String {
     text.lines().map(|l| if l.is_empty() { "//!\n".to_string() } else { format!("//! {l}\n") }).collect()
 }

@@ -1,9 +1,9 @@
-//! The traits that every robot implements, in terms of the functions of its module.
+//! Prints the traits that every robot implements, in terms of the functions of its module.
 
 use super::kernel_file::bound;
 use crate::arm::{Function, Kernel};
 
-/// Constants of the description: name, type, and whether the trait has a slice of it.
+/// Constants of the description: name, type, and whether the trait takes a slice of it.
 const CONSTANTS: [(&str, &str, bool); 13] = [
     ("NAME", "&'static str", false),
     ("DOF", "usize", false),
@@ -20,7 +20,7 @@ const CONSTANTS: [(&str, &str, bool); 13] = [
     ("TORQUE_LIMITS", "&'static [Option<f64>]", true),
 ];
 
-/// Functions of a trait: name, arguments and type, in the names of the module `@`.
+/// Functions of a trait: name, arguments and type, with `@` for the path of the module.
 type Methods = [(&'static str, &'static [(&'static str, &'static str)], &'static str)];
 
 const JOINTS: &str = "&[S; @DOF]";
@@ -63,8 +63,8 @@ fn methods(list: &Methods) -> String {
     list.iter().map(one).collect()
 }
 
-/// Implementations for a type. `scalar`: bound on the numbers of its dynamics; `module`: path of
-/// the functions, with `::`.
+/// Text of the implementations for a type. `scalar`: trait bound on the numbers of its dynamics;
+/// `module`: path of the functions, with `::`.
 pub(super) fn print(scalar: &str, of: &str, module: &str) -> String {
     let constants: String = CONSTANTS
         .iter()
@@ -109,13 +109,13 @@ impl @robot::InverseKinematics<{{ @DOF }}> for {of} {{
     text.replace('@', module)
 }
 
-/// The bound on the numbers of the dynamics.
+/// Trait bound on the numbers of the dynamics.
 pub(super) fn scalar(kernels: &[Kernel]) -> &'static str {
     let torques = kernels.iter().find(|k| k.function == Function::InverseDynamics);
     if torques.is_some_and(|k| bound(k) == "Real") { "@elementary::Real" } else { "@runtime::Scalar" }
 }
 
-/// The text of `src/implementations.rs`.
+/// Text of `src/implementations.rs`.
 pub(super) fn file(kernels: &[Kernel]) -> String {
     format!(
         "//! The traits of every robot, for code that is generic over robots.\n\n/// This robot as a type.\n#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]\npub struct Robot;\n\n{}",

@@ -1,16 +1,16 @@
-//! The constants of an arm's inverse, and the function that is called with them.
+//! Prints the constants of an arm's inverse kinematics, and the function that uses them.
 
 use core::fmt::{Debug, Write};
 
 use crate::arm::{Inverse, Model};
 use crate::ik::{Axis, Displacement, Family, Method, Six};
 
-/// One per line.
+/// Axes, one per line.
 fn axes(axes: &[Axis], indent: &str) -> String {
     axes.iter().map(|a| format!("{indent}ik::{a:?},\n")).collect()
 }
 
-/// An option whose value has a name of its own.
+/// Text of an option whose value has a printed form of its own.
 fn some<T: Debug>(value: &Option<T>) -> String {
     value.as_ref().map_or("None".into(), |v| format!("Some({v:?})"))
 }
@@ -66,7 +66,7 @@ fn family(family: &Family) -> String {
     }
 }
 
-/// Class, reason, lines and family.
+/// Text of class, reason, lines and family.
 pub(super) fn constants(model: &Model) -> String {
     let inverse = Inverse::new(model.chain());
     let mut t = String::new();
@@ -88,7 +88,7 @@ pub(super) fn constants(model: &Model) -> String {
     t
 }
 
-/// The function.
+/// Text of the function.
 pub(super) fn function(model: &Model) -> String {
     let inverse = Inverse::new(model.chain());
     let redundancy = match &inverse.family {

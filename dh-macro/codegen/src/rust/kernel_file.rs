@@ -1,4 +1,4 @@
-//! One file per function: the kernel over sines and cosines, dense and packed.
+//! Prints one file per function: the kernel over sines and cosines, dense and packed.
 
 use core::fmt::Write;
 
@@ -13,12 +13,12 @@ use crate::arm::{Argument, Function, Kernel};
 use crate::robot::Robot;
 use crate::sym::Operand;
 
-/// Data of the robot that the printer needs.
+/// Data of the robot for the printer.
 pub(super) struct Context<'a> {
     pub robot: &'a Robot,
     pub constants: &'a [Constant],
     pub numbers: &'a Numbers,
-    /// Those of kernels with gravity in the world frame.
+    /// Numbers for kernels with gravity in the world frame.
     pub world_numbers: &'a Numbers,
     pub standard: &'a [String],
     pub base: &'a [String],
@@ -31,7 +31,8 @@ impl Context<'_> {
         doc(function, self.robot.has_effects())
     }
 
-    /// The recursions have gravity in frame 0, the potential energy in the world frame.
+    /// Numbers for a function: the recursions have gravity in frame 0, the potential energy in the
+    /// world frame.
     fn numbers(&self, function: Function) -> &Numbers {
         match function {
             Function::PotentialEnergyRegressor => self.world_numbers,
@@ -39,7 +40,7 @@ impl Context<'_> {
         }
     }
 
-    /// Of an adjoint: how many weights it takes.
+    /// For an adjoint: number of weights.
     fn seeds(&self, function: Function) -> Option<usize> {
         let primal = function.primal()?;
         self.kernels.iter().find(|k| k.function == primal).map(|k| k.nonzeros().len())
@@ -54,12 +55,12 @@ impl Context<'_> {
     }
 }
 
-/// Rust type of a result.
+/// Rust type of a result with this shape.
 pub(super) fn array(shape: &[usize]) -> String {
     shape.iter().rev().fold("S".to_string(), |inner, n| format!("[{inner}; {n}]"))
 }
 
-/// `name: type` of each argument.
+/// Arguments with types: `name: type`, separated by commas.
 pub(super) fn signature(function: Function, configuration: &str) -> String {
     let one = |a: &Argument| match a {
         Argument::Configuration => configuration.to_string(),
@@ -76,7 +77,7 @@ pub(super) fn signature(function: Function, configuration: &str) -> String {
     function.arguments().iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// The arguments as passed on.
+/// Arguments passed on to a function.
 pub(super) fn call(function: Function, configuration: &str) -> String {
     let one = |a: &Argument| match a {
         Argument::Configuration => configuration,
@@ -93,24 +94,24 @@ pub(super) fn call(function: Function, configuration: &str) -> String {
     function.arguments().iter().map(one).collect::<Vec<_>>().join(", ")
 }
 
-/// Trait bounds on the numbers of a kernel.
+/// Trait bound on the numbers of a kernel.
 pub(super) fn bound(kernel: &Kernel) -> &'static str {
     if kernel.tape.code.iter().any(|step| step.kind.is_elementary()) { "Real" } else { "Scalar" }
 }
 
-/// Is there a packed form beside the dense one? Only where it has fewer entries.
+/// Whether there is a packed form besides the dense one: only if it has fewer entries.
 pub(super) fn has_packed(kernel: &Kernel) -> bool {
     kernel.nonzeros().len() < kernel.tape.outputs.len()
 }
 
-/// Stretches of `0..size` between these ascending places.
+/// Ranges of `0..size` between these ascending positions.
 fn gaps(places: &[usize], size: usize) -> Vec<core::ops::Range<usize>> {
     let starts = core::iter::once(0).chain(places.iter().map(|p| p + 1));
     let ends = places.iter().copied().chain([size]);
     starts.zip(ends).map(|(start, end)| start..end).filter(|gap| !gap.is_empty()).collect()
 }
 
-/// `[1][2]` for a place in the row-major result.
+/// Index text `[1][2]` of a position in the row-major result.
 fn place(shape: &[usize], mut at: usize) -> String {
     let mut text = String::new();
     let mut rest: usize = shape.iter().product();
@@ -122,10 +123,10 @@ fn place(shape: &[usize], mut at: usize) -> String {
     text
 }
 
-/// The text of `src/kernel/<function>.rs`.
+/// Text of `src/kernel/<function>.rs`.
 pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     let packed = has_packed(kernel);
-    // A matrix with zeros is written as it comes about, column by column.
+    // A matrix with zeros is written column by column, as it is computed.
     let tape = if packed { kernel.tape.with_few_waiting() } else { kernel.tape.clone() };
     let kernel = &Kernel { tape, ..kernel.clone() };
     let function = kernel.function;
@@ -149,24 +150,24 @@ pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     text + &file.entries(context)
 }
 
-/// One function on its way into a file.
+/// Data for printing the file of one function.
 struct File<'a> {
     kernel: &'a Kernel,
     names: Names,
-    /// Outputs that are not structurally zero.
+    /// Indices of the outputs that are not structurally zero.
     nonzeros: Vec<usize>,
-    /// Whether there are forms that leave the zeros out.
+    /// Whether there are forms that omit the zeros.
     packed: bool,
     title: &'static str,
 }
 
 impl File<'_> {
-    /// Entries of the result.
+    /// Number of entries of the result.
     fn size(&self) -> usize {
         self.kernel.shape.iter().product()
     }
 
-    /// Entries behind the first index.
+    /// Number of entries per value of the first index.
     fn row(&self) -> usize {
         self.kernel.shape.iter().skip(1).product()
     }
@@ -179,7 +180,7 @@ impl File<'_> {
         call(self.kernel.function, "trig")
     }
 
-    /// Comment of the file, and what it uses.
+    /// Comment of the file, and its imports.
     fn heading(&self, meaning: &str) -> String {
         let count = self.kernel.tape.operations();
         let shape = self.kernel.shape.iter().map(usize::to_string).collect::<Vec<_>>().join(" x ");
@@ -211,7 +212,7 @@ impl File<'_> {
         text
     }
 
-    /// Positions of the entries that are not structurally zero.
+    /// Text of the positions of the entries that are not structurally zero.
     fn pattern(&self) -> String {
         let row = self.row();
         let places: Vec<String> = self.nonzeros.iter().map(|&o| format!("({}, {})", o / row, o % row)).collect();
@@ -224,7 +225,7 @@ impl File<'_> {
         )
     }
 
-    /// The statement that stores entry `k`.
+    /// Statement that stores entry `k`.
     fn target(&self) -> String {
         let shape = &self.kernel.shape;
         match (self.packed, shape.len()) {
@@ -239,7 +240,7 @@ impl File<'_> {
         }
     }
 
-    /// The form that writes every entry.
+    /// Text of the form that writes every entry.
     fn dense(&self) -> String {
         let (title, bound, call) = (self.title, bound(self.kernel), self.call());
         let mut text = format!(
@@ -251,9 +252,9 @@ impl File<'_> {
             let _ = writeln!(text, "    entries({call}, |k, x| {{\n        {}\n    }});\n}}\n", self.target());
             return text;
         }
-        // Each entry is written once: clearing the whole array first would take a call of `memset`,
-        // and every store twice. The stretches of zeros go among the other stores: all of them at
-        // once would have the rest wait.
+        // Writes each entry once: clearing the whole array first would need a call of `memset`, and
+        // every store twice. The ranges of zeros are spread among the other stores: cleared all at
+        // once, they would delay the rest.
         let flat = ".as_flattened_mut()".repeat(self.kernel.shape.len() - 1);
         let _ = writeln!(text, "    let flat = &mut out{flat}[..];");
         let clear = |run: &core::ops::Range<usize>| match run.len() {
@@ -273,7 +274,7 @@ impl File<'_> {
         text + "            _ => {}\n        }\n        apart();\n    });\n}\n\n"
     }
 
-    /// The forms that leave structural zeros out.
+    /// Text of the forms that omit structural zeros.
     fn sparse(&self) -> String {
         let (bound, arguments, call) = (bound(self.kernel), self.signature(), self.call());
         format!(
@@ -283,7 +284,7 @@ impl File<'_> {
         )
     }
 
-    /// The straight-line program.
+    /// Text of the straight-line program.
     fn entries(&self, context: &Context<'_>) -> String {
         let put = if self.nonzeros.is_empty() { "_" } else { "mut put" };
         let mut text = format!(
@@ -319,7 +320,8 @@ fn column_names(function: Function, context: &Context<'_>) -> Option<Vec<String>
     }
 }
 
-/// An argument among the parameters, and how many numbers it has.
+/// Name of the variable that holds an argument among the parameters, and the number of values in
+/// it.
 fn parameter_source(argument: Argument, dof: usize) -> (&'static str, usize) {
     match argument {
         Argument::StandardParameters => ("*phi", usize::MAX),
@@ -331,7 +333,7 @@ fn parameter_source(argument: Argument, dof: usize) -> (&'static str, usize) {
     }
 }
 
-/// Takes the arguments apart: only what is read gets a name.
+/// Destructures the arguments: only values that are read get a name.
 fn inputs(kernel: &Kernel, names: &Names) -> String {
     let mut used = vec![];
     let mut note = |operand: &Operand| {
@@ -361,7 +363,7 @@ fn inputs(kernel: &Kernel, names: &Names) -> String {
                 Argument::Clock => names.parameters() + 2 * kernel.inputs.dof,
                 _ => 0,
             };
-            // Argument to which a parameter's input belongs, by that argument's first input.
+            // Finds the argument that contains a parameter's input, by that argument's first input.
             let behind = |at: usize| {
                 let second = if kernel.function.primal().is_some() { 0 } else { kernel.inputs.dof };
                 let starts = [0, 1, 2].map(|k| names.parameters() + k * second);

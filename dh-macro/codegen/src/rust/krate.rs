@@ -1,5 +1,5 @@
-//! A whole crate as a sorted map from relative path to text. Pure: reading and writing happen in
-//! the doors.
+//! Generates a whole crate as a sorted map from relative path to text, without side effects: the
+//! callers read and write files.
 
 use core::fmt::Write;
 use std::collections::BTreeMap;
@@ -13,11 +13,11 @@ use crate::arm::{Function, Inverse, Kernel, Model};
 use crate::interpret::Interpreter;
 use crate::robot::Robot;
 
-/// The licences under which generated code may be used.
+/// Licences under which generated code may be used.
 const LICENCES: [(&str, &str); 2] =
     [("LICENSE-MIT", include_str!("../../LICENSE-MIT")), ("LICENSE-APACHE", include_str!("../../LICENSE-APACHE"))];
 
-/// The parts that crate and macro share: body of the root, and the files below it.
+/// Parts shared by crate and macro: body of the root, and the files below it.
 pub(super) struct Parts {
     /// Comment at the top of a module.
     pub module: String,
@@ -25,15 +25,15 @@ pub(super) struct Parts {
     pub crate_root: String,
     pub readme: String,
     pub root: String,
-    /// Bound on the numbers of the dynamics.
+    /// Trait bound on the numbers of the dynamics.
     pub scalar: &'static str,
     pub files: BTreeMap<String, String>,
 }
 
-/// Source of the runtime of generated code.
+/// Source of the runtime of the generated code.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum Runtime {
-    /// A copy of its modules inside the crate, as far as the robot needs them.
+    /// A copy of the runtime's modules inside the crate, as far as the robot needs them.
     #[default]
     Shipped,
     /// The crate `denavit-runtime`: the right-hand side of its line in `Cargo.toml`, such as
@@ -42,10 +42,10 @@ pub enum Runtime {
     Crate(String),
 }
 
-/// `further`: functions that are generated on demand.
+/// Generates the parts of a robot; `further`: functions that are generated on demand.
 pub(super) fn parts(robot: &Robot, source: &str, further: &[Function], runtime: &Runtime) -> Parts {
     let model = Model::with_effects(robot);
-    // Generated code is that of the true arm, if the file states errors of its own table.
+    // If the file states errors of its own table, code is generated for the effective arm.
     let real = if robot.has_effects() { robot.effective() } else { robot.clone() };
     let robot = &real;
     let mut functions: Vec<Function> = Function::ALL.to_vec();
@@ -104,17 +104,17 @@ pub(super) fn parts(robot: &Robot, source: &str, further: &[Function], runtime: 
     }
 }
 
-/// Every file of the drop-in crate.
+/// All files of the drop-in crate.
 pub fn krate(robot: &Robot, source: &str) -> BTreeMap<String, String> {
     krate_with(robot, source, &[])
 }
 
-/// The same with further functions, such as [`Function::ADJOINTS`].
+/// Variant with further functions, such as [`Function::ADJOINTS`].
 pub fn krate_with(robot: &Robot, source: &str, further: &[Function]) -> BTreeMap<String, String> {
     krate_on(robot, source, further, &Runtime::Shipped)
 }
 
-/// The same with a choice of the runtime.
+/// Variant with further functions and a choice of the runtime.
 pub fn krate_on(robot: &Robot, source: &str, further: &[Function], runtime: &Runtime) -> BTreeMap<String, String> {
     let parts = parts(robot, source, further, runtime);
     let mut files: BTreeMap<String, String> =

@@ -1,5 +1,5 @@
-//! The `Cargo.toml` of a generated crate. It lists the other files, so that the next run removes
-//! those that it no longer writes, and never a file of somebody else.
+//! Prints the `Cargo.toml` of a generated crate. It lists the other files, so that the next run
+//! removes those that it no longer writes, and never a file from another source.
 
 use std::collections::BTreeMap;
 
@@ -7,14 +7,14 @@ use super::krate::Runtime;
 use super::words;
 use crate::robot::crate_name;
 
-/// First words of the `Cargo.toml` of every generated crate: by them a folder is known to be the
-/// generator's own.
+/// First words of the `Cargo.toml` of every generated crate, which identify a folder as written by
+/// the generator.
 pub const MARK: &str = "# Written by `denavit generate`.";
 
-/// Line before the list of files, and the line behind it.
+/// Line before the list of files, and line after it.
 const LIST: [&str; 2] = ["files = [", "]"];
 
-/// The text of `Cargo.toml`; `files`: the others of the crate.
+/// Text of `Cargo.toml`; `files`: the other files of the crate.
 pub(super) fn print(robot: &str, runtime: &Runtime, files: &BTreeMap<String, String>) -> String {
     let name = crate_name(robot);
     let description = words::toml(&format!("Closed-form kinematics and dynamics of {robot}"));
@@ -31,7 +31,7 @@ pub(super) fn print(robot: &str, runtime: &Runtime, files: &BTreeMap<String, Str
     )
 }
 
-/// Files that a `Cargo.toml` of the generator lists; none of another text.
+/// Files listed in a generated `Cargo.toml`; empty for any other text.
 pub fn listed(manifest: &str) -> Vec<&str> {
     if !manifest.starts_with(MARK) {
         return Vec::new();

@@ -1,4 +1,4 @@
-//! The same text as one module: what the macro expands to.
+//! Generates the same text as one module, to which the macro expands.
 
 use super::krate::{Runtime, parts};
 use super::{dispatch, implementations};
@@ -6,19 +6,19 @@ use crate::robot::Robot;
 
 /// Expansion of the macro.
 pub struct Module {
-    /// Body of the module: the crate's files folded into nested inline modules, tests left out.
+    /// Body of the module: the crate's files folded into nested inline modules, without tests.
     pub body: String,
     scalar: &'static str,
 }
 
 impl Module {
-    /// The traits of every robot for the type `of`; they call the functions of `module`, a path.
+    /// Trait implementations for the type `of`; they call the functions of `module`, a path.
     pub fn implementations(&self, of: &str, module: &str) -> String {
         implementations::print(self.scalar, of, &format!("{module}::"))
     }
 }
 
-/// The robot as the body of a module that brings its runtime along.
+/// The robot as the body of a module that includes its runtime.
 pub fn module(robot: &Robot, source: &str) -> String {
     module_on(robot, source, &Runtime::Shipped).body
 }
@@ -26,7 +26,7 @@ pub fn module(robot: &Robot, source: &str) -> String {
 /// The robot as a module, with a choice of the runtime.
 pub fn module_on(robot: &Robot, source: &str, runtime: &Runtime) -> Module {
     let parts = parts(robot, source, &[], runtime);
-    // Features are those of the crate that the module stands in.
+    // Features are those of the crate that contains the module.
     let plain = |text: &str| text.replace(dispatch::DECLARED, "");
     let root = plain(&parts.root).replace("#[cfg(test)]\nmod tests;\n", "");
     let body = inlined(&root, "", &|path| parts.files.get(path).map(|text| plain(text)));

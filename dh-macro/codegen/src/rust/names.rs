@@ -7,19 +7,19 @@ use super::words::LOCAL;
 use crate::arm::chain::{Group, Inputs};
 use crate::sym::{Operand, Tape};
 
-/// Name of every operand of a tape.
+/// Names of all operands of a tape.
 pub(super) struct Names {
     inputs: Inputs,
     parameters: Vec<String>,
     temps: Vec<String>,
-    /// By the bits of the number: its variable, and where it comes from.
+    /// Variable and origin of each constant, by the bits of the number.
     constants: BTreeMap<u64, (String, String)>,
     seeds: bool,
 }
 
 impl Names {
-    /// A number that is a constant of the file has its name; one that follows from named numbers is
-    /// written so.
+    /// Names the operands. A constant of the file keeps its name, and a number derived from named
+    /// ones is written as their formula.
     pub(super) fn new(tape: &Tape, inputs: Inputs, parameters: &[String], numbers: &Numbers) -> Self {
         let mut constants = BTreeMap::new();
         let mut add = |operand: &Operand| {
@@ -47,13 +47,13 @@ impl Names {
         Self { inputs, parameters: parameters.to_vec(), temps, constants, seeds: false }
     }
 
-    /// The same, of an adjoint: behind the parameters stand seeds.
+    /// Variant for an adjoint, with seeds after the parameters.
     pub(super) fn with_seeds(mut self) -> Self {
         self.seeds = true;
         self
     }
 
-    /// The constants by name, with the text of their values.
+    /// Names of the constants, with the text of their values.
     pub(super) fn constants(&self) -> impl Iterator<Item = (&str, &str)> {
         let mut all: Vec<(&str, &str)> = self.constants.values().map(|(n, v)| (n.as_str(), v.as_str())).collect();
         all.sort_by(|a, b| (a.0.len(), a.0).cmp(&(b.0.len(), b.0)));
@@ -74,13 +74,13 @@ impl Names {
         }
     }
 
-    /// How many inputs are parameters of the arm.
+    /// Number of inputs that are parameters of the arm.
     pub(super) fn parameters(&self) -> usize {
         self.parameters.len()
     }
 
-    /// Name of an input: joints count from one. Behind the parameters stand bristles, warmth and
-    /// clock, or seeds.
+    /// Name of an input, with joints counted from 1. The parameters are followed by bristles,
+    /// warmth and clock, or by seeds.
     pub(super) fn input(&self, group: Group, at: usize) -> String {
         let letter = match group {
             Group::Position => "q",

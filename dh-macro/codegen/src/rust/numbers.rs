@@ -1,4 +1,4 @@
-//! Numbers of the robot file as Rust text: by the names that they have there.
+//! Prints numbers of the robot file as Rust text, by their names in the file.
 
 use std::collections::BTreeMap;
 
@@ -11,24 +11,25 @@ use crate::sym::Formula;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Gravity {
     pub name: &'static str,
-    /// m/s^2, without negative zeros.
+    /// Value, m/s^2, without negative zeros.
     pub value: [f64; 3],
 }
 
 impl Gravity {
-    /// In the world frame.
+    /// Gravity in the world frame.
     pub(super) fn world(chain: &Chain) -> Self {
         Self { name: "GRAVITY", value: turned_back(chain.world_lift) }
     }
 
-    /// In frame 0, in which the recursions start: a constant of its own where the base is tilted.
+    /// Gravity in frame 0, in which the recursions start; a separate constant if the base is
+    /// tilted.
     pub(super) fn base(chain: &Chain) -> Self {
         let (world, value) = (Self::world(chain), turned_back(chain.lift));
         if value == world.value { world } else { Self { name: "GRAVITY_IN_BASE", value } }
     }
 }
 
-/// Gravity of the acceleration that holds against it.
+/// Gravity from the acceleration that counteracts it.
 fn turned_back(lift: [f64; 3]) -> [f64; 3] {
     lift.map(|x| if x == 0.0 { 0.0 } else { -x })
 }
@@ -37,14 +38,14 @@ fn turned_back(lift: [f64; 3]) -> [f64; 3] {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Numbers {
     named: BTreeMap<u64, String>,
-    /// Variables of kernels that hold a constant of the file, by its path.
+    /// Local variables of kernels for constants of the file, by path.
     locals: BTreeMap<String, String>,
 }
 
 impl Numbers {
-    /// Constants of the file, gravity, and lengths of the table in closed form. Each text has the
-    /// bits of its number when it is evaluated; the first one stays. `gravity`: its name and value
-    /// in the axes that the kernel works in.
+    /// Collects constants of the file, gravity, and lengths of the table in closed form. Each text
+    /// evaluates to the bits of its number; the first text for a number is kept. `gravity`: its
+    /// name and value in the axes used by the kernel.
     pub(super) fn new(robot: &Robot, gravity: &Gravity, constants: &[Constant]) -> Self {
         let mut all = Self::default();
         for c in constants {
@@ -78,12 +79,12 @@ impl Numbers {
         }
     }
 
-    /// The text of a formula; `None` where no number in it has a name.
+    /// Text of a formula; `None` if no number in it has a name.
     pub(super) fn text(&self, formula: &Formula) -> Option<String> {
         self.has_name(formula).then(|| self.written(formula))
     }
 
-    /// The variable that holds this very constant of the file.
+    /// Local variable that holds exactly this constant of the file.
     pub(super) fn local(&self, text: &str) -> Option<String> {
         self.locals.get(text).cloned()
     }
@@ -111,8 +112,8 @@ impl Numbers {
     }
 }
 
-/// A polynomial in the file's constants as a Rust expression; `None` where it has none of them, or
-/// where its evaluation differs from `value` in the last bits.
+/// Polynomial in the file's constants as a Rust expression; `None` if it has none of them, or if
+/// its evaluation differs from `value` in the last bits.
 pub(super) fn closed_form(form: &Polynomial, value: f64, constants: &[Constant], path: &str) -> Option<String> {
     if form.as_number().is_some() {
         return None;
@@ -134,8 +135,8 @@ pub(super) fn closed_form(form: &Polynomial, value: f64, constants: &[Constant],
     (sum.to_bits() == value.to_bits()).then_some(text)
 }
 
-/// A product of two lengths that the table gives as numbers, `0.088 * 0.088`, where it has the bits
-/// of `value` and is the shorter text.
+/// Product of two lengths given as numbers in the table, `0.088 * 0.088`, if it has the bits of
+/// `value` and is the shorter text.
 pub(super) fn product_of_lengths(value: f64, robot: &Robot) -> Option<String> {
     let lengths = robot.joints.iter().flat_map(|j| [&j.d, &j.r]).filter_map(|l| l.closed_form.as_number());
     let lengths: Vec<f64> = lengths.filter(|l| *l != 0.0).collect();
@@ -145,7 +146,7 @@ pub(super) fn product_of_lengths(value: f64, robot: &Robot) -> Option<String> {
     texts.find(|text| text.len() < format!("{value:?}").len())
 }
 
-/// `factor * L1 * (L2 * L2)`, rounded in this order, and its value.
+/// Text of the product `factor * L1 * (L2 * L2)`, rounded in this order, and its value.
 fn product(monomial: &[(usize, u32)], factor: f64, constants: &[Constant], path: &str) -> Option<(String, f64)> {
     let mut words = Vec::new();
     let mut value = factor;

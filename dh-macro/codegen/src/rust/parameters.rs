@@ -1,4 +1,4 @@
-//! The text of `src/parameters.rs`: sizes, names, limits, values, and the arm of the inverse.
+//! Prints `src/parameters.rs`: sizes, names, limits, values, and the arm of the inverse kinematics.
 
 use super::inverse;
 use super::kernel_file::Context;
@@ -7,12 +7,12 @@ use super::words;
 use crate::arm::{BaseParameter, Kernel, Model};
 use crate::robot::{JointKind, Limits, Robot};
 
-/// A constant with its comment. `value` may have lines of its own.
+/// Text of a constant with its comment; `value` may have several lines.
 fn constant(doc: &str, head: &str, value: &str) -> String {
     format!("/// {doc}.\npub const {head} = {value};\n")
 }
 
-/// `per` to a line, in brackets.
+/// List in brackets, `per` items to a line.
 pub(super) fn list(items: &[String], per: usize) -> String {
     let lines: String = items.chunks(per).map(|c| format!("    {},\n", c.join(", "))).collect();
     format!("[\n{lines}]")
@@ -22,7 +22,7 @@ fn strings(items: &[String]) -> Vec<String> {
     items.iter().map(|s| format!("{s:?}")).collect()
 }
 
-/// The whole file.
+/// Text of the whole file.
 pub(super) fn print(robot: &Robot, model: &Model, kernels: &[Kernel], context: &Context<'_>) -> String {
     let mut t = format!(
         "//! Parameters of {}: sizes, names, limits, values of its file. SI units.\n\nuse super::ik;\n\n",
@@ -78,7 +78,7 @@ fn names(robot: &Robot, model: &Model, context: &Context<'_>) -> String {
         )
 }
 
-/// Factors of the base parameters, in the constants of the file where that gives the same bits.
+/// Text of the base parameters' factors, in the constants of the file if that gives the same bits.
 fn groupings(model: &Model, context: &Context<'_>) -> String {
     let mut symbols = false;
     let mut row = |b: &BaseParameter| {
@@ -97,7 +97,7 @@ fn groupings(model: &Model, context: &Context<'_>) -> String {
     };
     let rows: Vec<String> = model.base().0.iter().map(&mut row).collect();
     let table = list(&rows, 1);
-    // In a scope of its own no word of the file can meet another name.
+    // A separate scope prevents collisions of the file's words with other names.
     let value = match symbols {
         true => format!("{{\n    use super::constants::*;\n    {}\n}}", table.replace('\n', "\n    ")),
         false => table,
@@ -127,7 +127,7 @@ fn limits(robot: &Robot) -> String {
         + &largest("Largest torques or forces, N m or N", "TORQUE_LIMITS", &|l| l.torque)
 }
 
-/// Standard parameters as the file has them.
+/// Text of the standard parameters' values in the file.
 fn values(robot: &Robot, context: &Context<'_>) -> String {
     let head = "STANDARD_VALUES: Option<[f64; STANDARD]>";
     match crate::arm::param::standard_values(robot) {
@@ -151,7 +151,7 @@ fn values(robot: &Robot, context: &Context<'_>) -> String {
     }
 }
 
-/// Constant parts of the joint angles.
+/// Text of the constant parts of the joint angles.
 fn offsets(model: &Model) -> String {
     let offsets = model.chain().angle_offsets();
     if offsets.iter().all(|o| *o == 0.0) {
@@ -180,7 +180,7 @@ fn operations(kernels: &[Kernel]) -> String {
     ) + "\n"
 }
 
-/// Whether a joint turns.
+/// Whether the robot has a revolute joint.
 pub(super) fn turns(robot: &Robot) -> bool {
     robot.moving().iter().any(|&i| robot.joints[i].kind == JointKind::Revolute)
 }

@@ -1,8 +1,8 @@
-//! A tape as straight-line Rust in blocks that close their scope.
+//! Prints a tape as straight-line Rust in blocks with separate scopes.
 //!
-//! rustc's debug information recurses over the `let`s of one scope and dies near three thousand; a
-//! block costs nothing at run time. Each block hands on only what lives longer: `let [a, b] = {
-//! ...; [a, b] };`.
+//! rustc's debug information recurses over the `let`s of one scope and overflows near three
+//! thousand of them; a block costs nothing at run time. Each block returns only values that are
+//! used later: `let [a, b] = { ...; [a, b] };`.
 
 use core::fmt::Write;
 
@@ -14,7 +14,7 @@ const BLOCK: usize = 200;
 /// Largest number of operations in one printed expression.
 const EXPRESSION: usize = 8;
 
-/// The statements: `put` gets the text that stores output `o`, given its value's text.
+/// Text of the statements: `put` returns the text that stores output `o`, given its value's text.
 pub(super) fn statements(tape: &Tape, names: &Names, outputs: &[usize], put: impl Fn(usize, &str) -> String) -> String {
     let inlined = inlined(tape);
     let mut text = String::new();
@@ -27,7 +27,7 @@ pub(super) fn statements(tape: &Tape, names: &Names, outputs: &[usize], put: imp
             }
         }
     }
-    // A temporary that is printed inside another expression is read where that expression stands.
+    // A temporary printed inside another expression is read at that expression's position.
     for at in (0..tape.code.len()).rev() {
         if inlined[at] {
             let place = statement_of(at, &inlined, &last_use);
@@ -81,12 +81,12 @@ pub(super) fn statements(tape: &Tape, names: &Names, outputs: &[usize], put: imp
     text
 }
 
-/// Is this temporary an output that is still to be stored?
+/// Whether this temporary is an output that is still to be stored.
 fn needed_later(tape: &Tape, outputs: &[usize], emitted: &[bool], at: usize) -> bool {
     outputs.iter().zip(emitted).any(|(&o, done)| !done && tape.outputs[o] == Operand::Temp(at as u32))
 }
 
-/// Position of a step's text, following the expressions inside of which it is printed.
+/// Position of a step's text, following the expressions in which it is printed.
 fn statement_of(at: usize, inlined: &[bool], last_use: &[usize]) -> usize {
     let mut at = at;
     while inlined[at] {
@@ -95,8 +95,8 @@ fn statement_of(at: usize, inlined: &[bool], last_use: &[usize]) -> usize {
     at
 }
 
-/// Stretches of at most [`BLOCK`] steps, cut at headings where possible; neighbouring short
-/// sections keep their own blocks.
+/// Ranges of at most [`BLOCK`] steps, split at headings where possible; neighbouring short sections
+/// keep separate blocks.
 fn blocks(tape: &Tape) -> Vec<(usize, usize, String)> {
     let mut blocks: Vec<(usize, usize, String)> = Vec::new();
     for (k, section) in tape.sections.iter().enumerate() {
@@ -118,8 +118,8 @@ fn blocks(tape: &Tape) -> Vec<(usize, usize, String)> {
     blocks
 }
 
-/// Steps printed inside the only expression that reads them: unnamed, used once, in the same block,
-/// not too long.
+/// Marks steps printed inside the only expression that reads them: unnamed, used once, in the same
+/// block, not too long.
 fn inlined(tape: &Tape) -> Vec<bool> {
     let n = tape.code.len();
     let mut uses = vec![0u32; n];
@@ -160,7 +160,8 @@ fn inlined(tape: &Tape) -> Vec<bool> {
     inlined
 }
 
-/// The right-hand side of a step. Brackets keep the order in which the tape adds and multiplies.
+/// Right-hand side of a step. Brackets preserve the order of the tape's additions and
+/// multiplications.
 fn expression(tape: &Tape, names: &Names, inlined: &[bool], at: usize) -> String {
     let operand = |operand: Operand, brackets: &dyn Fn(Kind) -> bool| match operand {
         Operand::Temp(t) if inlined[t as usize] => {
@@ -170,7 +171,7 @@ fn expression(tape: &Tape, names: &Names, inlined: &[bool], at: usize) -> String
         other => names.of(other),
     };
     let sum = |k: Kind| matches!(k, Kind::Add | Kind::Sub);
-    // A method call binds tighter than any operator.
+    // A method call has a higher precedence than any operator.
     let atom = |k: Kind| k == Kind::Sign || k.is_elementary();
     let step = &tape.code[at];
     match step.kind {
@@ -194,7 +195,7 @@ fn expression(tape: &Tape, names: &Names, inlined: &[bool], at: usize) -> String
     }
 }
 
-/// A comma-separated list, `per` to a line.
+/// Comma-separated list, `per` items to a line.
 pub(super) fn wrapped(items: &[String], per: usize) -> String {
     if items.len() <= per {
         return items.join(", ");

@@ -1,4 +1,4 @@
-//! The root of a crate or module: its modules, sines and cosines, and the functions of `q`.
+//! Prints the root of a crate or module: its modules, sines and cosines, and the functions of `q`.
 
 use super::kernel_file::{Context, array, bound, call, has_packed, signature};
 use super::krate::Runtime;
@@ -6,12 +6,12 @@ use super::{inverse, parameters};
 use crate::arm::{Kernel, Model};
 use crate::robot::Robot;
 
-/// FNV-1a of a text: identifies the file from which a crate was made.
+/// FNV-1a hash of a text, which identifies the file from which a crate was made.
 pub(super) fn digest(text: &str) -> u64 {
     text.bytes().fold(0xcbf2_9ce4_8422_2325, |h, b| (h ^ u64::from(b)).wrapping_mul(0x0100_0000_01b3))
 }
 
-/// The body of `src/lib.rs` (or of the macro's module), without the crate's attributes.
+/// Body of `src/lib.rs` (or of the macro's module), without the crate's attributes.
 pub(super) fn print(robot: &Robot, model: &Model, context: &Context<'_>, runtime: &Runtime) -> String {
     let mut t = modules(context, runtime) + &trig(robot, model) + BASE_PARAMETERS;
     for kernel in context.kernels {
@@ -20,7 +20,7 @@ pub(super) fn print(robot: &Robot, model: &Model, context: &Context<'_>, runtime
     t + "\n" + &inverse::function(model)
 }
 
-/// Modules, and what the root passes on.
+/// Text of the modules and re-exports of the root.
 fn modules(context: &Context<'_>, runtime: &Runtime) -> String {
     let effects = context.robot.has_effects();
     let shipped = *runtime == Runtime::Shipped;
@@ -64,7 +64,7 @@ pub fn base_parameters<S: Scalar>(phi: &[S; STANDARD]) -> [S; BASE] {
 }
 ";
 
-/// The form of a function that takes `q`.
+/// Text of the form of a function that takes `q`.
 fn function(kernel: &Kernel, context: &Context<'_>) -> String {
     let function = kernel.function;
     let (title, meaning) = context.doc(function);
@@ -81,7 +81,7 @@ fn function(kernel: &Kernel, context: &Context<'_>) -> String {
     )
 }
 
-/// Sines and cosines of one configuration.
+/// Text of the sines and cosines of a configuration.
 fn trig(robot: &Robot, model: &Model) -> String {
     let any = model.chain().angle_offsets().iter().any(|o| *o != 0.0);
     let angles = if any { "&core::array::from_fn(|i| q[i] + S::constant(ANGLE_OFFSETS[i]))" } else { "q" };

@@ -1,16 +1,16 @@
-//! The runtime's modules as a crate carries them: those that its robot needs.
+//! Selects the modules of the runtime that a crate contains: those that its robot needs.
 
 use denavit_runtime_core::sources::{FILES, Source, WITH_EFFECTS};
 
 use crate::arm::Inverse;
 use crate::ik::Family;
 
-/// Lints that the code of one family leaves behind where others were.
+/// Attributes that silence lints of code left unused when other families are removed.
 const ALLOW: &str = "// Without the other families some of it is unused.
 #![allow(unused, irrefutable_let_patterns)]
 ";
 
-/// Families of the inverse that an arm needs, by the words of the sources.
+/// Families of the inverse kinematics that an arm needs, as named in the sources.
 fn families(inverse: &Inverse) -> Vec<&'static str> {
     let family = match inverse.family {
         Family::Six(_) | Family::Locked { .. } => Some("six"),
@@ -24,7 +24,7 @@ fn families(inverse: &Inverse) -> Vec<&'static str> {
     family.into_iter().chain(nearby.then_some("nearby")).collect()
 }
 
-/// Path below `src/` and text of each.
+/// Path below `src/` and text of each module.
 pub(super) fn files(inverse: &Inverse, effects: bool) -> Vec<(String, String)> {
     let families = families(inverse);
     let laws: &[Source] = if effects { WITH_EFFECTS } else { &[] };
@@ -33,7 +33,7 @@ pub(super) fn files(inverse: &Inverse, effects: bool) -> Vec<(String, String)> {
     sources.map(|(path, text, _)| (path.to_string(), pruned(path, text, &needed))).collect()
 }
 
-/// The text without its markers, and without the regions of other families.
+/// Text without its markers, and without the regions of other families.
 fn pruned(path: &str, text: &str, needed: &dyn Fn(&str) -> bool) -> String {
     let mut out = String::with_capacity(text.len());
     let mut kept = true;

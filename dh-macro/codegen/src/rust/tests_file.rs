@@ -1,5 +1,5 @@
-//! The tests that go with a crate: its functions against each other and against differences, and a
-//! stored check vector.
+//! Prints the tests of a crate, which compare its functions with each other, with differences, and
+//! with a stored check vector.
 
 use core::fmt::Write;
 
@@ -25,7 +25,7 @@ fn list(values: &[f64]) -> String {
     }
 }
 
-/// The text of `src/tests.rs`.
+/// Text of `src/tests.rs`.
 pub(super) fn print(model: &Model, interpreter: &Interpreter) -> String {
     let effects = !model.laws().is_empty();
     let mut t = vectors(model, interpreter, effects);
@@ -39,9 +39,9 @@ pub(super) fn print(model: &Model, interpreter: &Interpreter) -> String {
     if !effects {
         return t + &dynamics;
     }
-    // Springs as the static law has them.
+    // Springs follow the static law.
     let stiff = if model.laws().iter().any(|l| l.elasticity.is_some()) { "    drive.deflection = None;\n" } else { "" };
-    // Gears are warm long after the start; laws that ask for the time have the start's.
+    // Gears are warm long after the start; laws that depend on the time use that of the start.
     let steady = match model.reads_clock() {
         true => {
             "clocked_drive_torques(&Q, &DQ, &DDQ, &PHI, &drive.bristle, &drive.warmth(), &core::array::from_fn(|k| if k == 0 { 0.0 } else { drive.temperature[k - 1] }))"
@@ -52,7 +52,7 @@ pub(super) fn print(model: &Model, interpreter: &Interpreter) -> String {
         + &EFFECTS.replace("@STIFF", stiff).replace("@STEADY", steady)
 }
 
-/// A state, parameters, and the torques there.
+/// Text of a state, parameters, and the torques for them.
 fn vectors(model: &Model, interpreter: &Interpreter, effects: bool) -> String {
     let (n, p) = (model.dof(), model.standard().len());
     let (q, dq, ddq) = (sequence(1, n), sequence(2, n), sequence(3, n));

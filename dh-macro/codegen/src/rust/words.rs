@@ -1,16 +1,16 @@
-//! Words of a robot file on their way into Rust: identifiers, comments, the manifest.
+//! Converts words of a robot file for Rust: identifiers, comments, the manifest.
 //!
-//! A file's word is never an identifier beside the printer's own. Its constants are items of the
-//! module `constants`, which holds nothing else, and kernels call them `k_<word>`: no name of a
-//! kernel starts so.
+//! A word of the file never becomes an identifier beside the printer's own. Its constants are items
+//! of the module `constants`, which contains nothing else, and kernels use `k_<word>`: no other
+//! name in a kernel starts like this.
 
 use core::fmt::Write;
 use std::collections::BTreeSet;
 
-/// Start of the names of a file's constants within kernels.
+/// Prefix of the names of a file's constants within kernels.
 pub(super) const LOCAL: &str = "k_";
 
-/// Keywords of every edition, kept ones too.
+/// Keywords of all editions, including reserved ones.
 const KEYWORDS: &[&str] = &[
     "abstract", "as", "async", "await", "become", "box", "break", "const", "continue", "do", "dyn", "else", "enum",
     "extern", "false", "final", "fn", "for", "gen", "if", "impl", "in", "let", "loop", "macro", "match", "mod", "move",
@@ -23,16 +23,16 @@ const NEVER: &[&str] = &["_", "Self", "crate", "self", "super"];
 /// A constant of the robot file in printed code.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Constant {
-    /// As the file writes it.
+    /// Word in the file.
     pub word: String,
-    /// Its item in the module `constants`.
+    /// Name of its item in the module `constants`.
     pub item: String,
-    /// Its variable in kernels.
+    /// Name of its variable in kernels.
     pub local: String,
     pub value: f64,
 }
 
-/// Distinct identifiers for the constants of a file: a word that is a valid identifier is not
+/// Distinct identifiers for the constants of a file; a word that is a valid identifier is not
 /// changed.
 pub(super) fn constants(named: &[(String, f64)]) -> Vec<Constant> {
     let is_own = |word: &str| identifier(word) == word;
@@ -51,7 +51,7 @@ pub(super) fn constants(named: &[(String, f64)]) -> Vec<Constant> {
     list
 }
 
-/// ASCII letters, digits and `_`; any other character by its number.
+/// Identifier of ASCII letters, digits and `_`; any other character is replaced by its number.
 fn identifier(word: &str) -> String {
     let mut name = String::with_capacity(word.len());
     for c in word.chars() {
@@ -71,8 +71,8 @@ fn identifier(word: &str) -> String {
     name
 }
 
-/// A word as code within a comment: on one line, without characters that turn the direction of the
-/// text.
+/// A word as code within a comment: on one line, without characters that change the direction of
+/// the text.
 pub(super) fn code(word: &str) -> String {
     let plain: String = word.chars().map(visible).collect();
     if plain.contains('`') { format!("`` {plain} ``") } else { format!("`{plain}`") }
@@ -85,7 +85,7 @@ fn visible(c: char) -> String {
     }
 }
 
-/// A string of a TOML file.
+/// String literal of a TOML file.
 pub(super) fn toml(text: &str) -> String {
     let one = |c: char| match c {
         '"' | '\\' => format!("\\{c}"),
@@ -95,7 +95,7 @@ pub(super) fn toml(text: &str) -> String {
     format!("\"{}\"", text.chars().map(one).collect::<String>())
 }
 
-/// The text of `src/constants.rs`.
+/// Text of `src/constants.rs`.
 pub(super) fn module(constants: &[Constant]) -> String {
     let mut t =
         String::from("//! Named constants of the robot file, m and rad.\n\n#![allow(non_upper_case_globals)]\n");

@@ -1,10 +1,10 @@
 //! Reverse-mode differentiation: from a tape to the expressions of `seed' J`, one product with the
 //! transposed Jacobian.
 //!
-//! The tape is replayed into a graph, then walked backwards: each step hands its adjoint on to its
-//! operands (Griewank and Walther, *Evaluating Derivatives*, section 3.2). The result is again a
-//! graph, so the rules simplify it, equal parts are computed once, and it is printed or run like
-//! any other. It takes at most some four times the operations of the tape, however many outputs
+//! The tape is replayed into a graph, then traversed backwards: each step propagates its adjoint to
+//! its operands (Griewank and Walther, *Evaluating Derivatives*, section 3.2). The result is again
+//! a graph, so the rules simplify it, equal parts are computed once, and it is printed or run like
+//! any other. It needs at most about four times the operations of the tape, however many outputs
 //! there are.
 
 use std::collections::BTreeMap;
@@ -13,10 +13,10 @@ use super::call::Call;
 use super::graph::{Ex, Graph};
 use super::tape::{Kind, Operand, Tape};
 
-/// Derivative of `sum of seeds[k] * output(wanted[k])` by every input that it depends on: input
-/// index to expression.
+/// Derivative of `sum of seeds[k] * output(wanted[k])` by every input on which it depends: map from
+/// input index to expression.
 ///
-/// A sign has derivative zero, as it has almost everywhere.
+/// The derivative of a sign is zero, as it is almost everywhere.
 ///
 /// # Panics
 /// If `seeds` is shorter than `wanted`.
@@ -83,7 +83,7 @@ pub fn adjoint<'g>(graph: &'g Graph, tape: &Tape, wanted: &[usize], seeds: &[Ex<
                 };
                 (Some(by), None)
             }
-            // Half to each where they are equal.
+            // At equality each operand gets half.
             Kind::Least | Kind::Most => {
                 let larger = ((a - b).sign() + 1.0) * 0.5;
                 let to_a = if step.kind == Kind::Most { larger } else { -larger + 1.0 };

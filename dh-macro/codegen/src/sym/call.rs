@@ -1,15 +1,15 @@
-//! Functions of one number that laws need beyond sums and products.
+//! Functions of one number that laws need in addition to sums and products.
 
 use crate::elementary::Real;
 
-/// A function of one number. Its meaning is [`Real`]'s.
+/// A function of one number, defined by [`Real`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Call {
-    /// Size.
+    /// Absolute value.
     Abs,
     /// Square root.
     Sqrt,
-    /// `e` to a power.
+    /// Exponential function.
     Exp,
     /// Natural logarithm.
     Ln,
@@ -20,7 +20,7 @@ pub enum Call {
 }
 
 impl Call {
-    /// The method of [`Real`] that does it.
+    /// Name of the corresponding method of [`Real`].
     pub fn name(self) -> &'static str {
         match self {
             Self::Abs => "abs",
@@ -32,7 +32,7 @@ impl Call {
         }
     }
 
-    /// Its value.
+    /// Value of the function.
     pub fn value(self, x: f64) -> f64 {
         match self {
             Self::Abs => Real::abs(x),
@@ -44,7 +44,7 @@ impl Call {
         }
     }
 
-    /// `f(-x) = f(x)`: `Some(true)`; `f(-x) = -f(x)`: `Some(false)`.
+    /// Parity: `Some(true)` for even, `f(-x) = f(x)`; `Some(false)` for odd, `f(-x) = -f(x)`.
     pub fn even(self) -> Option<bool> {
         match self {
             Self::Abs | Self::Cos => Some(true),

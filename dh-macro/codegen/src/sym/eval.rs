@@ -1,4 +1,4 @@
-//! Runs a tape on f64, many states at a time: the meaning of a tape.
+//! Runs a tape on f64, many states at a time; this defines the meaning of a tape.
 
 mod program;
 
@@ -9,47 +9,47 @@ use super::tape::{Kind, Tape};
 use crate::elementary::Real;
 use crate::runtime::dispatch::{Level, Numbers, Set, Work};
 
-/// An input of every state of a batch.
+/// An input for all states of a batch.
 #[derive(Debug, Clone, Copy)]
 pub enum Column<'a> {
-    /// A value of each state.
+    /// One value per state.
     Each(&'a [f64]),
-    /// The same value for all.
+    /// The same value for all states.
     Same(f64),
-    /// The sine of each state's angle and this offset.
+    /// Sine of each state's angle plus this offset, rad.
     Sine(&'a [f64], f64),
-    /// The cosine.
+    /// Cosine of each state's angle plus this offset, rad.
     Cosine(&'a [f64], f64),
 }
 
-/// A tape made ready to run.
+/// A tape compiled for execution.
 #[derive(Debug, Clone)]
 pub struct Evaluator {
     program: Program,
 }
 
 impl Evaluator {
-    /// All outputs of a tape.
+    /// Evaluates all outputs of a tape.
     pub fn new(tape: &Tape) -> Self {
         let all: Vec<usize> = (0..tape.outputs.len()).collect();
         Self::of(tape, &all)
     }
 
-    /// Some outputs of a tape, in this order. Of two orders of the steps it takes the one that goes
-    /// to memory less often.
+    /// Evaluates some outputs of a tape, in this order. Of two orders of the steps it uses the one
+    /// with fewer memory accesses.
     pub fn of(tape: &Tape, wanted: &[usize]) -> Self {
         let late = Program::new(tape, wanted, &just_in_time(tape, wanted));
         let in_order = Program::new(tape, wanted, &(0..tape.code.len()).collect::<Vec<_>>());
         Self { program: if late.traffic() < in_order.traffic() { late } else { in_order } }
     }
 
-    /// Number of values that come out per state.
+    /// Number of output values per state.
     pub fn outputs(&self) -> usize {
         self.program.output_count
     }
 
-    /// Runs `len` states with the widest registers of this processor: input `i` is `inputs(i)`,
-    /// output `o` of state `s` goes to `out[o * len + s]`.
+    /// Runs `len` states with the widest registers of the processor: input `i` is `inputs(i)`,
+    /// output `o` of state `s` is stored in `out[o * len + s]`.
     ///
     /// # Panics
     /// If `out` is shorter than `outputs() * len` or an input column than `len`.
@@ -57,7 +57,7 @@ impl Evaluator {
         self.run_on(Level::highest(), len, inputs, out);
     }
 
-    /// The same on an instruction set; the bits do not depend on it.
+    /// Does the same with a given instruction set; the results are bit-identical.
     ///
     /// # Panics
     /// Like [`Evaluator::run`].
@@ -71,9 +71,9 @@ impl Evaluator {
         level.run(Batch { program, columns: &columns, len, out });
     }
 
-    /// Runs one state: `inputs[i]` is input `i`, output `o` goes to `out[o]`. `room` is working
-    /// memory that calls may share; its content on entry does not matter. The same bits as
-    /// [`Evaluator::run`].
+    /// Runs one state: `inputs[i]` is input `i`, output `o` is stored in `out[o]`. `room` is
+    /// working memory that calls may share; its content on entry does not matter. Results are
+    /// bit-identical to those of [`Evaluator::run`].
     ///
     /// # Panics
     /// If `out` is shorter than `outputs()` or `inputs` than the highest input that is read.
@@ -95,7 +95,7 @@ impl Evaluator {
     }
 }
 
-/// States that are carried through a program.
+/// A batch of states that a program is run on.
 struct Batch<'a> {
     program: &'a Program,
     columns: &'a [Column<'a>],
@@ -106,8 +106,8 @@ struct Batch<'a> {
 impl Work for Batch<'_> {
     type Result = ();
 
-    /// As many states together as hide what it costs to choose an operation, then the rest in tiles
-    /// of one register.
+    /// Runs wide tiles, which hide the cost of selecting operations, then the rest in tiles of one
+    /// register.
     #[inline(always)]
     fn run<S: Set>(self) {
         let whole = self.len - self.len % S::Many::WIDTH;
@@ -120,7 +120,7 @@ impl Work for Batch<'_> {
     }
 }
 
-/// States of a tile within a batch.
+/// Position of a tile's states within a batch.
 #[derive(Clone, Copy)]
 struct Place {
     start: usize,
@@ -128,7 +128,7 @@ struct Place {
     len: usize,
 }
 
-/// States `from` to `to` of `len`, tile by tile.
+/// Runs the states `from` to `to` of `len`, tile by tile.
 #[inline(always)]
 fn tiles<V: Numbers>(program: &Program, columns: &[Column<'_>], [from, to, len]: [usize; 3], out: &mut [f64]) {
     let mut slots: Vec<V> = vec![V::default(); program.slots];
@@ -167,14 +167,14 @@ fn tiles<V: Numbers>(program: &Program, columns: &[Column<'_>], [from, to, len]:
     }
 }
 
-/// An angle of which sine and cosine are read: its slots.
+/// An angle whose sine or cosine is read, with their slots.
 struct Turn<'a> {
     angles: &'a [f64],
     offset: f64,
     slots: [Option<usize>; 2],
 }
 
-/// Angles, each once.
+/// Angles without duplicates.
 fn turns<'a>(program: &Program, columns: &[Column<'a>]) -> Vec<Turn<'a>> {
     let mut turns: Vec<Turn<'a>> = Vec::new();
     for (&(slot, _), column) in program.inputs.iter().zip(columns) {
@@ -196,7 +196,7 @@ fn turns<'a>(program: &Program, columns: &[Column<'a>]) -> Vec<Turn<'a>> {
     turns
 }
 
-/// As many numbers as there are, then zeros.
+/// Loads the available numbers, padded with zeros.
 #[inline(always)]
 fn part<V: Numbers>(values: &[f64]) -> V {
     if values.len() == V::WIDTH {
@@ -207,11 +207,11 @@ fn part<V: Numbers>(values: &[f64]) -> V {
     V::load(&padded)
 }
 
-/// At least as many numbers as any tile is wide.
+/// Upper bound of the width of any tile.
 const MOST: usize = 64;
 
-/// One tile: every step on the values of all its states. The result of a step stays in registers
-/// for the next one, and goes to memory only if a later one reads it.
+/// Runs one tile: every step on the values of all its states. The result of a step stays in
+/// registers for the next one, and is stored in memory only if a later one reads it.
 #[inline(always)]
 fn tile<V: Numbers, const WHOLE: bool>(program: &Program, slots: &mut [V], place: Place, out: &mut [f64]) {
     use Operation as O;
@@ -265,8 +265,8 @@ fn tile<V: Numbers, const WHOLE: bool>(program: &Program, slots: &mut [V], place
     }
 }
 
-/// Functions and choices of `width` states. Apart from the plain operations, which it would slow
-/// down.
+/// Evaluates functions and choices of `width` states. Separate from the plain operations, which it
+/// would slow down.
 #[inline(always)]
 fn elementary<V: Numbers>(program: &Program, which: u32, [a, b]: [V; 2], width: usize) -> V {
     let (mut x, mut y) = ([0.0; MOST], [0.0; MOST]);
@@ -294,7 +294,8 @@ mod tests {
     use super::*;
     use crate::runtime::Scalar;
 
-    /// Every form of a product within a sum, one that is read twice, and one that is an output too.
+    /// All forms of a product within a sum, including one read twice and one that is also an
+    /// output.
     #[test]
     fn products_within_sums_round_by_themselves() {
         let g = Graph::new();

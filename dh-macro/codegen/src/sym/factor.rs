@@ -1,12 +1,13 @@
-//! After birth: draw a common factor out of a sum, turn a sign round where that is free.
+//! Post-processing of a graph: factors sums, and reverses differences where that saves an
+//! operation.
 //!
-//! `a b + a c -> a (b + c)` saves a multiplication where both products are used nowhere else.
-//! `-(a - b) -> b - a` saves a change of sign where the difference is used nowhere else. Repeated
-//! until nothing more is found.
+//! `a b + a c -> a (b + c)` saves a multiplication if both products are used nowhere else. `-(a -
+//! b) -> b - a` saves a change of sign if the difference is used nowhere else. Repeated until
+//! nothing more is found, at most 8 times.
 
 use super::graph::{Graph, Node, Op};
 
-/// The same roots in a new graph with fewer operations; names and headings are kept.
+/// Copies the roots to a new graph with fewer operations; names and headings are kept.
 pub(super) fn factored(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>) {
     let mut current = rebuild(graph, roots);
     for _ in 0..8 {
@@ -35,7 +36,7 @@ fn uses(graph: &Graph, roots: &[Node]) -> Vec<u32> {
     uses
 }
 
-/// One pass in arena order. Returns the number of rewritings.
+/// One pass in arena order. Returns the new graph, its roots and the number of rewritings.
 fn rebuild(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>, usize) {
     let uses = uses(graph, roots);
     let fresh = Graph::new().with_origins_of(graph);
@@ -74,8 +75,8 @@ fn rebuild(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>, usize) {
             Op::Neg(a) => match graph.op(a) {
                 Op::Sub(x, y) if single(a) => {
                     rewritten += 1;
-                    // Straight into the arena: the rules would find `x - y`, which nothing else
-                    // needs any more.
+                    // Inserted directly into the arena: the rules would find `x - y`, which is no
+                    // longer needed.
                     fresh.wrap(fresh.insert(Op::Sub(map[y.index()], map[x.index()])))
                 }
                 _ => -ex(a),
@@ -90,7 +91,7 @@ fn rebuild(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>, usize) {
     (fresh, roots, rewritten)
 }
 
-/// `a = f x`, `b = f y`.
+/// Common factor: `(f, x, y)` with `a = f x` and `b = f y`.
 fn common_factor(graph: &Graph, a: Node, b: Node) -> Option<(Node, Node, Node)> {
     let (Op::Mul(p, q), Op::Mul(r, s)) = (graph.op(a), graph.op(b)) else { return None };
     match () {

@@ -1,16 +1,16 @@
-//! How a number of the graph came about: which numbers were given, and how they were combined.
+//! Origin of a number in the graph: the given numbers, and how they were combined.
 //!
-//! Rules fold numbers at birth, so `9.81 * 0.333` is one constant of the graph. Its formula repeats
-//! the folds one by one, each a single rounded operation. A compiler that evaluates the printed
-//! formula therefore gets the same bits.
+//! The rules fold numbers on creation, so `9.81 * 0.333` is one constant of the graph. Its formula
+//! records the folds one by one, each a single rounded operation. A compiler that evaluates the
+//! printed formula therefore gets identical bits.
 
-/// More given numbers than this are not worth a formula: the folded number is then itself a leaf.
+/// Most given numbers in a formula; beyond it, the folded number is itself treated as a leaf.
 const LEAVES: usize = 4;
 
 /// A number, or one rounded operation on two formulas.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Formula {
-    /// A number, by its bits.
+    /// A number, identified by its bits.
     Number(u64),
     /// `-a`
     Neg(Box<Formula>),
@@ -18,7 +18,7 @@ pub enum Formula {
     Binary(Fold, Box<Formula>, Box<Formula>),
 }
 
-/// A fold of two numbers.
+/// Operation that combines two numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fold {
     /// `a + b`
@@ -32,7 +32,7 @@ pub enum Fold {
 }
 
 impl Fold {
-    /// The operator between its operands.
+    /// Symbol of the operator.
     pub fn symbol(self) -> char {
         match self {
             Self::Add => '+',
@@ -42,7 +42,7 @@ impl Fold {
         }
     }
 
-    /// The rounded result.
+    /// Rounded result.
     pub(super) fn of(self, a: f64, b: f64) -> f64 {
         match self {
             Self::Add => a + b,
@@ -54,12 +54,12 @@ impl Fold {
 }
 
 impl Formula {
-    /// The number itself.
+    /// Formula of a single number.
     pub fn number(value: f64) -> Self {
         Self::Number(value.to_bits())
     }
 
-    /// How many numbers it is made of.
+    /// Number of leaves.
     fn leaves(&self) -> usize {
         match self {
             Self::Number(_) => 1,
@@ -76,7 +76,7 @@ impl Formula {
         }
     }
 
-    /// `a op b`; `value` stands for it where it is long.
+    /// Formula of `a op b`, simplified; replaced by `value` if it is too long.
     pub(super) fn folded(fold: Fold, a: Self, b: Self, value: f64) -> Self {
         let is = |f: &Self, x: f64| *f == Self::number(x);
         match fold {

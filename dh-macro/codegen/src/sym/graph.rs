@@ -1,4 +1,4 @@
-//! The arena: the only place where a node is made.
+//! Arena of hash-consed expressions, in which all nodes are created.
 
 use core::cell::RefCell;
 use core::fmt;
@@ -14,7 +14,7 @@ use super::rules;
 pub struct Node(pub(super) u32);
 
 impl Node {
-    /// Place in the arena: operands always stand before the node that uses them.
+    /// Index in the arena: operands always precede the node that uses them.
     pub fn index(self) -> usize {
         self.0 as usize
     }
@@ -23,7 +23,7 @@ impl Node {
 /// Operation of a node.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Op {
-    /// A number, by its bits (so that equal numbers are one node).
+    /// A number, identified by its bits, so that equal numbers are one node.
     Constant(u64),
     /// The input with this index.
     Input(u32),
@@ -37,18 +37,18 @@ pub enum Op {
     Neg(Node),
     /// `a / b`.
     Div(Node, Node),
-    /// `-1`, `0` or `1`.
+    /// Sign of `a`: `-1`, `0` or `1`.
     Sign(Node),
-    /// A function of `a`.
+    /// Function of `a`.
     Call(Call, Node),
-    /// The smaller of two, operands in arena order.
+    /// Minimum of two, operands in arena order.
     Least(Node, Node),
-    /// The larger of two.
+    /// Maximum of two.
     Most(Node, Node),
 }
 
 impl Op {
-    /// The nodes that this one reads.
+    /// Operands of the node.
     pub fn operands(self) -> impl Iterator<Item = Node> {
         let (a, b) = match self {
             Op::Constant(_) | Op::Input(_) => (None, None),
@@ -67,18 +67,18 @@ struct Arena {
     index: FxHashMap<Op, Node>,
     labels: FxHashMap<Node, String>,
     sections: Vec<(usize, String)>,
-    /// Of numbers that were given, or folded from given ones, by their bits.
+    /// Formulas of numbers that were given, or folded from given ones, by their bits.
     formulas: FxHashMap<u64, Formula>,
-    /// Numbers that mechanics itself brings in, by their bits: halves, ones.
+    /// Numbers introduced by the mechanics itself (such as 1/2 and 1), by their bits.
     own: FxHashSet<u64>,
 }
 
-/// One arena of expressions. All handles of one computation belong to one graph.
+/// Arena of expressions. All handles of one computation belong to one graph.
 #[derive(Default)]
 pub struct Graph(RefCell<Arena>);
 
-/// An expression: a handle that can be added and multiplied. The rules of `sym/rules.rs` apply at
-/// every birth.
+/// Expression: a handle with arithmetic. The rules of `sym/rules.rs` are applied whenever one is
+/// created.
 #[derive(Clone, Copy)]
 pub struct Ex<'g> {
     graph: &'g Graph,
@@ -91,14 +91,14 @@ impl Graph {
         Self::default()
     }
 
-    /// The number `value` of a rule or a law; `-0.0` is `0.0`.
+    /// Constant `value` of a rule or a law; `-0.0` becomes `0.0`.
     pub fn constant(&self, value: f64) -> Ex<'_> {
         let bits = (value + 0.0).to_bits();
         self.0.borrow_mut().own.insert(bits);
         self.number(value)
     }
 
-    /// The number `value` of a description: it keeps its origin through folds. Zero has none.
+    /// Number `value` of a description, whose origin is kept through folds. Zero has none.
     pub fn given(&self, value: f64) -> Ex<'_> {
         if value == 0.0 {
             return self.constant(value);
@@ -107,35 +107,35 @@ impl Graph {
         self.number(value)
     }
 
-    /// The number of a tape; `given`: of a description.
+    /// Number of a replayed tape; `given`: whether it belongs to a description.
     pub(super) fn replayed(&self, value: f64, given: bool) -> Ex<'_> {
         if given { self.given(value) } else { self.constant(value) }
     }
 
-    /// The number, whatever its origin.
+    /// Node of a number, without recording an origin.
     pub(super) fn number(&self, value: f64) -> Ex<'_> {
         self.wrap(self.insert(Op::Constant((value + 0.0).to_bits())))
     }
 
-    /// `-value`; the origin of `value` is kept. Makes no node.
+    /// Negates `value` and records the origin; creates no node.
     pub(super) fn minus(&self, value: f64) -> f64 {
         self.note(-value, [value, value], |[a, _]| a.negated());
         -value
     }
 
-    /// Two numbers combined; their origins are kept. Makes no node.
+    /// Combines two numbers and records the origin; creates no node.
     pub(super) fn fold(&self, fold: Fold, a: f64, b: f64) -> f64 {
         let value = fold.of(a, b);
         self.note(value, [a, b], |[a, b]| Formula::folded(fold, a, b, value));
         value
     }
 
-    /// Notes the origin of a number that follows from others: given if one of them is, the graph's
-    /// own otherwise.
+    /// Records the origin of a derived number: given if one of the operands is, otherwise the
+    /// graph's own.
     fn note(&self, value: f64, from: [f64; 2], how: impl FnOnce([Formula; 2]) -> Formula) {
         let (value, from) = ((value + 0.0).to_bits(), from.map(|x| (x + 0.0).to_bits()));
         let mut arena = self.0.borrow_mut();
-        // Structural zeros are not the product of anything.
+        // Structural zeros have no origin.
         if value != 0 && from.iter().any(|x| arena.formulas.contains_key(x)) {
             let origins = from.map(|x| arena.formulas.get(&x).cloned().unwrap_or(Formula::Number(x)));
             arena.formulas.entry(value).or_insert_with(|| how(origins));
@@ -144,13 +144,13 @@ impl Graph {
         }
     }
 
-    /// How a given number came about; `None` of a number that mechanics brings in, too.
+    /// Formula of a given number; `None` for a number that the mechanics introduces, too.
     pub(super) fn formula(&self, bits: u64) -> Option<Formula> {
         let arena = self.0.borrow();
         arena.formulas.get(&bits).filter(|_| !arena.own.contains(&bits)).cloned()
     }
 
-    /// Takes over the origins of another graph's numbers.
+    /// Copies the origins of another graph's numbers.
     pub(super) fn with_origins_of(self, other: &Self) -> Self {
         {
             let (mut own, other) = (self.0.borrow_mut(), other.0.borrow());
@@ -160,19 +160,19 @@ impl Graph {
         self
     }
 
-    /// The input with this index.
+    /// Input with this index.
     pub fn input(&self, index: usize) -> Ex<'_> {
         self.wrap(self.insert(Op::Input(index as u32)))
     }
 
-    /// Names what follows, up to the next section: a comment in the printed code.
+    /// Starts a section with this title, printed as a comment in the code.
     pub fn section(&self, title: impl Into<String>) {
         let mut arena = self.0.borrow_mut();
         let start = arena.ops.len();
         arena.sections.push((start, title.into()));
     }
 
-    /// Gives an expression the name that a book would use; the first name of a node stays.
+    /// Gives an expression its textbook name; the first name of a node is kept.
     pub fn label(&self, ex: Ex<'_>, name: impl Into<String>) {
         let mut arena = self.0.borrow_mut();
         if matches!(arena.ops[ex.node.index()], Op::Constant(_) | Op::Input(_)) {
@@ -181,7 +181,7 @@ impl Graph {
         arena.labels.entry(ex.node).or_insert_with(|| name.into());
     }
 
-    /// Finds or appends; nothing else creates a node.
+    /// Finds or appends a node; the only function that creates nodes.
     pub(super) fn insert(&self, op: Op) -> Node {
         let mut arena = self.0.borrow_mut();
         if let Some(&node) = arena.index.get(&op) {
@@ -193,12 +193,12 @@ impl Graph {
         node
     }
 
-    /// Is this operation there already?
+    /// Node of this operation, if it exists.
     pub(super) fn find(&self, op: Op) -> Option<Node> {
         self.0.borrow().index.get(&op).copied()
     }
 
-    /// Operation of the node.
+    /// Operation of a node.
     pub fn op(&self, node: Node) -> Op {
         self.0.borrow().ops[node.index()]
     }
@@ -208,7 +208,7 @@ impl Graph {
         self.0.borrow().ops.len()
     }
 
-    /// No node yet?
+    /// Whether there are no nodes.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
@@ -227,17 +227,17 @@ impl Graph {
 }
 
 impl<'g> Ex<'g> {
-    /// The handle in the arena.
+    /// Handle in the arena.
     pub fn node(self) -> Node {
         self.node
     }
 
-    /// The graph that holds it.
+    /// Graph of the expression.
     pub fn graph(self) -> &'g Graph {
         self.graph
     }
 
-    /// The number, if it is one.
+    /// Value of the expression, if it is a number.
     pub fn as_constant(self) -> Option<f64> {
         match self.graph.op(self.node) {
             Op::Constant(bits) => Some(f64::from_bits(bits)),
@@ -245,32 +245,32 @@ impl<'g> Ex<'g> {
         }
     }
 
-    /// Structurally zero?
+    /// Whether it is structurally zero.
     pub fn is_zero(self) -> bool {
         self.as_constant() == Some(0.0)
     }
 
-    /// `-1`, `0` or `1`.
+    /// Sign: `-1`, `0` or `1`.
     pub fn sign(self) -> Self {
         self.graph.wrap(rules::sign(self.graph, self.node))
     }
 
-    /// A function of it.
+    /// Function of the expression.
     pub fn call(self, function: Call) -> Self {
         self.graph.wrap(rules::call(self.graph, function, self.node))
     }
 
-    /// The smaller of two.
+    /// Minimum of two expressions.
     pub fn least(self, other: Self) -> Self {
         self.graph.wrap(rules::least(self.graph, self.node, other.node))
     }
 
-    /// The larger of two.
+    /// Maximum of two expressions.
     pub fn most(self, other: Self) -> Self {
         self.graph.wrap(rules::most(self.graph, self.node, other.node))
     }
 
-    /// `-a` as an operation of its own, whatever `a` is.
+    /// Negation as a separate operation, without applying the rules.
     pub(super) fn negated(self) -> Self {
         match self.as_constant() {
             Some(value) => self.graph.number(self.graph.minus(value)),

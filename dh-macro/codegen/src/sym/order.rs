@@ -1,10 +1,10 @@
-//! The order in which a tape's steps are run. Steps that do not read each other may change places:
-//! no value depends on it.
+//! Order in which a tape's steps are run. Steps that do not depend on each other may be exchanged
+//! without changing any value.
 
 use super::tape::{Instruction, Operand, Section, Tape};
 
-/// The steps that these outputs need, each of them just before the first one that reads it: few
-/// values wait at any time.
+/// Steps required by these outputs, each placed just before its first reader, so that few values
+/// are live at any time.
 pub(super) fn just_in_time(tape: &Tape, wanted: &[usize]) -> Vec<usize> {
     let reads = |at: usize| {
         let step = &tape.code[at];
@@ -38,7 +38,7 @@ pub(super) fn just_in_time(tape: &Tape, wanted: &[usize]) -> Vec<usize> {
                 continue;
             }
             stack.push((at, true));
-            // The longer of two ways first: it comes off the stack first.
+            // The longest branch is pushed last, so that it is placed first.
             let mut below: Vec<usize> = reads(at).filter(|&t| !placed[t]).collect();
             below.sort_by_key(|&t| (depth[t], t));
             stack.extend(below.into_iter().map(|t| (t, false)));
@@ -47,13 +47,13 @@ pub(super) fn just_in_time(tape: &Tape, wanted: &[usize]) -> Vec<usize> {
     order
 }
 
-/// Values that a section may leave waiting and still come early.
+/// Number of live values that a section may add and still be placed early.
 const FEW: isize = 8;
 
-/// The same tape with its sections in another order. Next comes the first that is ready and leaves
-/// at most [`FEW`] more values waiting, else the one that leaves the fewest. So what is made of one
-/// motion stands before the next motion. Steps keep their order within a section; a change of sign
-/// goes to the section of its operand.
+/// Reorders the sections of a tape. The next one is the first that is ready and adds at most
+/// [`FEW`] live values, otherwise the one that adds the fewest. Everything computed from one motion
+/// thus precedes the next motion. Steps keep their order within a section; a change of sign moves
+/// to the section of its operand.
 pub(super) fn few_waiting(tape: &Tape) -> Tape {
     let count = tape.sections.len();
     let mut steps: Vec<Vec<usize>> = vec![Vec::new(); count];
@@ -68,8 +68,8 @@ pub(super) fn few_waiting(tape: &Tape) -> Tape {
             steps[section_of[at]].push(at);
         }
     }
-    // By section: what it reads of others, each once. By step: how many other sections are still to
-    // read it.
+    // Per section: values that it reads from others, without duplicates. Per step: number of other
+    // sections that have yet to read it.
     let mut reads: Vec<Vec<usize>> = vec![Vec::new(); count];
     let mut waiting = vec![0usize; tape.code.len()];
     for (s, reads) in reads.iter_mut().enumerate() {
@@ -109,7 +109,7 @@ pub(super) fn few_waiting(tape: &Tape) -> Tape {
     out
 }
 
-/// An operand where steps stand elsewhere.
+/// Operand after its step was moved.
 fn moved(operand: Operand, place: &[u32]) -> Operand {
     match operand {
         Operand::Temp(t) => Operand::Temp(place[t as usize]),
@@ -121,8 +121,8 @@ fn moved(operand: Operand, place: &[u32]) -> Operand {
 mod tests {
     use super::super::{Graph, Kind, Operand, Tape};
 
-    /// Two motions of ten values each, then a column of either: the first column comes before the
-    /// second motion, and every step reads the same values as before.
+    /// Two motions of ten values each, then a column of each: the first column precedes the second
+    /// motion, and every step reads the same values as before.
     #[test]
     fn a_column_stands_right_after_its_motion() {
         let g = Graph::new();

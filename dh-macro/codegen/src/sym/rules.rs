@@ -1,5 +1,5 @@
-//! Simplification at birth: local rules, no global rewriting. Signs float outwards, where sums
-//! absorb them.
+//! Simplification on creation: local rules, no global rewriting. Signs are moved outwards, where
+//! sums absorb them.
 
 use super::call::Call;
 use super::formula::Fold;
@@ -21,7 +21,7 @@ fn constant(g: &Graph, value: f64) -> Node {
     g.constant(value).node()
 }
 
-/// `x + 0`, numbers, `a + (-b) = a - b`, `a + (b - a) = b`, operand order.
+/// Sum. Simplifies `x + 0`, numbers, `a + (-b) = a - b`, `a + (b - a) = b`, operand order.
 pub(super) fn add(g: &Graph, a: Node, b: Node) -> Node {
     match (number(g, a), number(g, b)) {
         (Some(x), Some(y)) => return folded(g, Fold::Add, x, y),
@@ -42,8 +42,8 @@ pub(super) fn add(g: &Graph, a: Node, b: Node) -> Node {
     }
 }
 
-/// `x - 0`, `0 - x`, `x - x`, numbers, `a - (-b) = a + b`, `(a + b) - a = b`; `b - a` is minus an
-/// existing `a - b`.
+/// Difference. Simplifies `x - 0`, `0 - x`, `x - x`, numbers, `a - (-b) = a + b`, `(a + b) - a =
+/// b`; `b - a` is the negative of an existing `a - b`.
 pub(super) fn sub(g: &Graph, a: Node, b: Node) -> Node {
     match (number(g, a), number(g, b)) {
         (Some(x), Some(y)) => return folded(g, Fold::Sub, x, y),
@@ -74,7 +74,8 @@ pub(super) fn sub(g: &Graph, a: Node, b: Node) -> Node {
     }
 }
 
-/// `x * 0`, `x * 1`, numbers (also across a product), signs to the outside, operand order.
+/// Product. Simplifies `x * 0`, `x * 1`, numbers (also across a product), signs to the outside,
+/// operand order.
 pub(super) fn mul(g: &Graph, a: Node, b: Node) -> Node {
     match (number(g, a), number(g, b)) {
         (Some(x), Some(y)) => return folded(g, Fold::Mul, x, y),
@@ -126,7 +127,8 @@ fn product(g: &Graph, factor: f64, x: Node) -> Node {
     g.insert(Op::Mul(c.min(x), c.max(x)))
 }
 
-/// `-(-x) = x`, numbers. `-(a - b)` stays: the sum that takes it up turns it round for nothing.
+/// Negation. Simplifies `-(-x) = x` and numbers. Keeps `-(a - b)`, which a sum that contains it
+/// reverses at no cost.
 pub(super) fn neg(g: &Graph, a: Node) -> Node {
     match g.op(a) {
         Op::Constant(bits) => g.number(g.minus(f64::from_bits(bits))).node(),
@@ -135,7 +137,7 @@ pub(super) fn neg(g: &Graph, a: Node) -> Node {
     }
 }
 
-/// `0 / x`, `x / 1`, numbers, signs to the outside.
+/// Quotient. Simplifies `0 / x`, `x / 1`, numbers, signs to the outside.
 pub(super) fn div(g: &Graph, a: Node, b: Node) -> Node {
     match (number(g, a), number(g, b)) {
         (Some(x), Some(y)) => return folded(g, Fold::Div, x, y),
@@ -157,7 +159,7 @@ pub(super) fn div(g: &Graph, a: Node, b: Node) -> Node {
     }
 }
 
-/// Numbers; `sign(-x) = -sign(x)`.
+/// Sign. Simplifies numbers and `sign(-x) = -sign(x)`.
 pub(super) fn sign(g: &Graph, a: Node) -> Node {
     match g.op(a) {
         Op::Constant(bits) => {
@@ -181,7 +183,7 @@ pub(super) fn sign(g: &Graph, a: Node) -> Node {
     }
 }
 
-/// Numbers; `f(-x)` of even and odd functions.
+/// Function. Simplifies numbers and `f(-x)` of even and odd functions.
 pub(super) fn call(g: &Graph, f: Call, a: Node) -> Node {
     match (g.op(a), f.even()) {
         (Op::Constant(bits), _) => constant(g, f.value(f64::from_bits(bits))),
@@ -194,7 +196,7 @@ pub(super) fn call(g: &Graph, f: Call, a: Node) -> Node {
     }
 }
 
-/// Numbers, operand order.
+/// Minimum. Simplifies numbers and equal operands; orders the operands.
 pub(super) fn least(g: &Graph, a: Node, b: Node) -> Node {
     match (number(g, a), number(g, b)) {
         (Some(x), Some(y)) => constant(g, Real::min(x, y)),
@@ -203,7 +205,7 @@ pub(super) fn least(g: &Graph, a: Node, b: Node) -> Node {
     }
 }
 
-/// Numbers, operand order.
+/// Maximum. Simplifies numbers and equal operands; orders the operands.
 pub(super) fn most(g: &Graph, a: Node, b: Node) -> Node {
     match (number(g, a), number(g, b)) {
         (Some(x), Some(y)) => constant(g, Real::max(x, y)),

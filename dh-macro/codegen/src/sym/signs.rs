@@ -1,35 +1,35 @@
-//! After factoring: which way round each difference is taken, so that as few signs as possible are
-//! left to change.
+//! Selects, after factoring, the direction of each difference such that the fewest changes of sign
+//! remain.
 //!
-//! A product's sign is that of its factors, a sum of two negatives is negative: these are forced. A
-//! difference may be taken either way for nothing. What then is still negative at a root costs an
-//! operation.
+//! The sign of a product is that of its factors, and a sum of two negatives is negative: these are
+//! forced. A difference may be taken in either direction at no cost. Any sign that is still
+//! negative at a root costs an operation.
 
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 use super::graph::{Graph, Node, Op};
 
-/// Moves that are tried.
+/// Number of moves that are tried.
 const ROUNDS: usize = 30_000;
 
-/// The same roots in a new graph where `Neg` stands at roots only.
+/// Copies the roots to a new graph in which `Neg` occurs at roots only.
 pub(super) fn settled(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>) {
     let ops: Vec<Op> = (0..graph.len()).map(|i| graph.op(Node(i as u32))).collect();
-    // An argument of a function or of a choice must have its own sign, like a root.
+    // Arguments of functions and choices must have their own sign, like roots.
     let read = ops.iter().filter(|op| needs_own_sign(op)).flat_map(|op| op.operands());
     let counted: Vec<Node> = roots.iter().copied().chain(read).collect();
     let mut signs = Signs::new(&ops, &counted);
     let mut best = signs.cost;
     let differences: Vec<usize> = (0..ops.len()).filter(|&i| matches!(ops[i], Op::Add(..) | Op::Sub(..))).collect();
-    // Alone, and together with a sum that it is made of: moves that change nothing are taken too,
-    // they open the way to others.
+    // Each difference alone, and together with a sum on which it depends: moves that change nothing
+    // are accepted, too, since they open the way to others.
     let mut moves: Vec<Vec<usize>> = differences.iter().map(|&i| vec![i]).collect();
     for &i in &differences {
         let below = ops[i].operands().flat_map(|n| sums_below(&ops, n.index()));
         moves.extend(below.map(|j| vec![i, j]));
     }
-    // Annealing with a fixed sequence: the same at every run.
+    // Simulated annealing with a fixed random sequence, reproducible in every run.
     let mut kept_best = signs.turned.clone();
     let mut state = 0x9E37_79B9_7F4A_7C15u64;
     let mut random = || {
@@ -60,22 +60,22 @@ pub(super) fn settled(graph: &Graph, roots: &[Node]) -> (Graph, Vec<Node>) {
     rebuild(graph, &ops, roots, &signs.turned, &signs.negative)
 }
 
-/// Direction in which each difference is taken, and its consequences.
+/// Direction of each difference, and its consequences.
 struct Signs<'a> {
     ops: &'a [Op],
-    /// The nodes that each node is an operand of.
+    /// Nodes that use each node as an operand.
     users: Vec<Vec<usize>>,
-    /// Of each root: the node that is really kept behind its changes of sign.
+    /// For each root: the node that is stored, without its changes of sign.
     kept: Vec<Vec<usize>>,
-    /// By such a node: roots that need it the other way round.
+    /// For each such node: roots that need it with the opposite sign.
     wrong: Vec<usize>,
-    /// Differences that are taken the other way.
+    /// Whether each difference is reversed.
     turned: Vec<bool>,
-    /// The sign with which each node is kept.
+    /// Whether each node is stored with a negative sign.
     negative: Vec<bool>,
-    /// Different nodes that a root needs the other way round.
+    /// Number of distinct nodes that a root needs with the opposite sign.
     cost: usize,
-    /// Nodes whose sign the last turn changed.
+    /// Nodes whose sign the last move changed.
     changed: Vec<usize>,
 }
 
@@ -104,7 +104,7 @@ impl<'a> Signs<'a> {
         signs
     }
 
-    /// The sign of a node from those of its operands.
+    /// Sign of a node, from those of its operands.
     fn sign(&self, i: usize) -> bool {
         let of = |n: Node| self.negative[n.index()];
         match self.ops[i] {
@@ -133,8 +133,8 @@ impl<'a> Signs<'a> {
         }
     }
 
-    /// Takes these differences the other way. Operands stand before what they are operands of, so
-    /// going up through what changes looks at each node once.
+    /// Reverses these differences. Operands precede the nodes that use them, so going upwards
+    /// through the changes visits each node once.
     fn turn(&mut self, which: &[usize]) {
         self.changed.clear();
         which.iter().for_each(|&i| self.turned[i] = !self.turned[i]);
@@ -151,7 +151,7 @@ impl<'a> Signs<'a> {
         }
     }
 
-    /// Takes the last turn back.
+    /// Reverts the last move.
     fn undo(&mut self, which: &[usize]) {
         which.iter().for_each(|&i| self.turned[i] = !self.turned[i]);
         for i in std::mem::take(&mut self.changed) {
@@ -160,7 +160,7 @@ impl<'a> Signs<'a> {
     }
 }
 
-/// Is the sign of its operands part of its value?
+/// Whether the operands need their own sign, because it affects the value.
 fn needs_own_sign(op: &Op) -> bool {
     match op {
         Op::Call(f, _) => f.even().is_none(),
@@ -169,13 +169,13 @@ fn needs_own_sign(op: &Op) -> bool {
     }
 }
 
-/// Nearly `exp(-x)` for `x > 0`. The library's own differs between machines, and what is generated
-/// must not.
+/// Approximates `exp(-x)` for `x > 0`. The library's function differs between machines, and
+/// generated code must not.
 fn falling(x: f64) -> f64 {
     1.0 / (1.0 + x * (1.0 + x * (0.5 + x * (1.0 / 6.0 + x / 24.0))))
 }
 
-/// The nearest sums that a node's sign depends on.
+/// Nearest sums on which a node's sign depends.
 fn sums_below(ops: &[Op], node: usize) -> Vec<usize> {
     match ops[node] {
         Op::Add(..) | Op::Sub(..) => vec![node],
@@ -199,7 +199,7 @@ fn rebuild(graph: &Graph, ops: &[Op], roots: &[Node], turned: &[bool], negative:
         let at = |n: Node| place[n.index()];
         let own = |n: Node| if negative[n.index()] { fresh.wrap(at(n)).negated().node() } else { at(n) };
         let sum = |a: Node, b: Node| Op::Add(a.min(b), a.max(b));
-        // Straight into the arena: the rules would move the signs again.
+        // Inserted directly into the arena: the rules would move the signs again.
         let node = match *op {
             Op::Constant(_) | Op::Input(_) => fresh.insert(*op),
             Op::Neg(a) => at(a),

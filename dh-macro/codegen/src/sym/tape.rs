@@ -1,4 +1,4 @@
-//! Roots of a graph, in order, as a straight-line program. Text is printed from it, and it can be
+//! Lowers the roots of a graph to a straight-line program, from which text is printed, or which is
 //! run.
 
 use std::collections::BTreeMap;
@@ -31,25 +31,25 @@ pub enum Kind {
     Mul,
     /// `a / b`
     Div,
-    /// `-a` (`b` is not read)
+    /// `-a` (`b` is ignored)
     Neg,
-    /// `sign(a)` (`b` is not read)
+    /// `sign(a)` (`b` is ignored)
     Sign,
-    /// A function of `a` (`b` is not read)
+    /// Function of `a` (`b` is ignored)
     Call(Call),
-    /// The smaller of two.
+    /// Minimum of two.
     Least,
-    /// The larger of two.
+    /// Maximum of two.
     Most,
 }
 
 impl Kind {
-    /// Is `b` not read?
+    /// Whether `b` is ignored.
     pub fn is_unary(self) -> bool {
         matches!(self, Self::Neg | Self::Sign | Self::Call(_))
     }
 
-    /// Does it take more than [`crate::runtime::Scalar`]?
+    /// Whether it requires more than [`crate::runtime::Scalar`].
     pub fn is_elementary(self) -> bool {
         matches!(self, Self::Call(_) | Self::Least | Self::Most)
     }
@@ -66,17 +66,17 @@ pub struct Instruction {
     pub b: Operand,
 }
 
-/// A named stretch of a tape.
+/// A named section of a tape.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Section {
     /// Index of its first instruction.
     pub start: usize,
-    /// Result in words.
+    /// Description of the section's result.
     pub title: String,
 }
 
-/// Numbers of operations of a tape; a change of sign counts as an addition, a division as a
-/// multiplication, functions and choices not at all.
+/// Numbers of operations of a tape. A change of sign counts as an addition, a division as a
+/// multiplication; functions and choices are not counted.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct OperationCount {
     /// Multiplications and divisions.
@@ -86,7 +86,7 @@ pub struct OperationCount {
 }
 
 impl OperationCount {
-    /// All together.
+    /// Sum of both.
     pub fn total(self) -> usize {
         self.mul + self.add
     }
@@ -95,21 +95,21 @@ impl OperationCount {
 /// A straight-line program without branches.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Tape {
-    /// Steps; operands point backwards.
+    /// Steps; operands refer to earlier steps only.
     pub code: Vec<Instruction>,
     /// Results in the order of the roots.
     pub outputs: Vec<Operand>,
-    /// Names that a book would use for some of the steps.
+    /// Textbook names of some of the steps.
     pub labels: Vec<Option<String>>,
-    /// Headings, ascending, the first at 0.
+    /// Sections, ascending, the first at 0.
     pub sections: Vec<Section>,
-    /// How numbers of the description came about, by their bits.
+    /// Formulas of the description's numbers, by their bits.
     pub formulas: BTreeMap<u64, Formula>,
 }
 
 impl Tape {
-    /// Lowers the roots: what they do not need is left out, products with a common factor are drawn
-    /// together.
+    /// Lowers the roots: nodes that are not needed are left out, and products with a common factor
+    /// are combined.
     pub fn new(graph: &Graph, roots: &[Ex<'_>]) -> Self {
         let roots: Vec<_> = roots.iter().map(|r| r.node()).collect();
         let (graph, roots) = factored(graph, &roots);
@@ -117,7 +117,7 @@ impl Tape {
         Self::lower(&graph, &roots)
     }
 
-    /// Operations that the roots will take, changes of sign left out: a quick estimate for
+    /// Number of operations that the roots will need, without changes of sign: a quick estimate for
     /// searches.
     pub fn estimate(graph: &Graph, roots: &[Ex<'_>]) -> usize {
         let roots: Vec<_> = roots.iter().map(|r| r.node()).collect();
@@ -178,7 +178,7 @@ impl Tape {
         tape
     }
 
-    /// How much work it is.
+    /// Counts the operations.
     pub fn operations(&self) -> OperationCount {
         let mut count = OperationCount::default();
         for step in &self.code {
@@ -191,12 +191,12 @@ impl Tape {
         count
     }
 
-    /// The same steps with their sections in the order in which the fewest values wait.
+    /// Copies the tape with its sections in the order with the fewest live values.
     pub fn with_few_waiting(&self) -> Self {
         super::order::few_waiting(self)
     }
 
-    /// Is this output the number zero whatever the inputs?
+    /// Whether this output is zero for any inputs.
     pub fn is_zero(&self, output: usize) -> bool {
         self.outputs[output] == Operand::Constant(0.0)
     }

@@ -1,25 +1,25 @@
-//! Vectors and matrices of expressions: the vocabulary of mechanics.
+//! Vectors and matrices of expressions, for mechanics.
 
 use core::array::from_fn;
 use core::ops::{Add, Mul, Neg, Sub};
 
 use super::graph::{Ex, Graph};
 
-/// Three expressions.
+/// Vector of three expressions.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Vec3<'g>(pub [Ex<'g>; 3]);
 
-/// Three rows of three expressions.
+/// Matrix of three rows of three expressions.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct Mat3<'g>(pub [[Ex<'g>; 3]; 3]);
 
 impl<'g> Vec3<'g> {
-    /// From numbers.
+    /// Vector of constants.
     pub fn numbers(g: &'g Graph, v: [f64; 3]) -> Self {
         Self(v.map(|x| g.constant(x)))
     }
 
-    /// From numbers of a description.
+    /// Vector of numbers of a description.
     pub fn given(g: &'g Graph, v: [f64; 3]) -> Self {
         Self(v.map(|x| g.given(x)))
     }
@@ -41,12 +41,12 @@ impl<'g> Vec3<'g> {
         Self([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
     }
 
-    /// Each entry times `s`.
+    /// Product with a scalar `s`.
     pub fn scale(self, s: Ex<'g>) -> Self {
         Self(self.0.map(|x| x * s))
     }
 
-    /// Structurally zero?
+    /// Whether all entries are structurally zero.
     pub fn is_zero(self) -> bool {
         self.0.iter().all(|x| x.is_zero())
     }
@@ -82,12 +82,12 @@ impl<'g> Neg for Vec3<'g> {
 }
 
 impl<'g> Mat3<'g> {
-    /// From numbers.
+    /// Matrix of constants.
     pub fn numbers(g: &'g Graph, m: [[f64; 3]; 3]) -> Self {
         Self(m.map(|row| row.map(|x| g.constant(x))))
     }
 
-    /// Transposed: for a rotation, the inverse.
+    /// Transposed matrix; for a rotation, the inverse.
     pub fn transposed(self) -> Self {
         Self(from_fn(|i| from_fn(|j| self.0[j][i])))
     }

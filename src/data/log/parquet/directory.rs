@@ -1,5 +1,5 @@
-//! Checks what a Parquet file claims before the library reads it. The library trusts these numbers:
-//! it allocates what they ask for, and panics where a column lies outside of the file.
+//! Checks the claims of a Parquet file before the library reads it. The library trusts these
+//! numbers: it allocates as much as they state, and panics if a column lies outside the file.
 
 use std::sync::Arc;
 
@@ -9,20 +9,20 @@ use ::parquet::file::reader::{ChunkReader, Length};
 
 use super::thrift::{Compact, Value};
 
-/// Longest directory, bytes: 1000 row groups of 60 columns have some 6 MB.
+/// Longest directory, bytes: 1000 row groups of 60 columns need about 6 MB.
 const LONGEST_DIRECTORY: u64 = 16 << 20;
-/// Rows that a file of any size may have.
+/// Number of rows that a file of any size may have.
 const LEAST_ROWS: u64 = 1 << 20;
-/// Elements of lists that a row group of any size may have.
+/// Number of list elements that a row group of any size may have.
 const LEAST_VALUES: u64 = 1 << 22;
-/// Columns within columns at most.
+/// Deepest nesting of columns.
 const DEEPEST: usize = 16;
-/// Bytes in which the header of a page stands.
+/// Bytes that contain the header of a page.
 const PAGE_HEADER: u64 = 1 << 14;
-/// Unpacked pages that are held at once, bytes: one of each column.
+/// Largest sum of unpacked pages held at once, one of each column, bytes.
 const MOST_PAGES: u64 = 96 << 20;
 
-/// Why a file can't be what it claims.
+/// Reason why the claims of a file are implausible.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum DirectoryError {
     #[error("it does not end as a Parquet file does; it may have been cut")]
@@ -50,7 +50,7 @@ pub(super) enum DirectoryError {
     Read(#[from] ParquetError),
 }
 
-/// Bytes of a file for the library and for the checks.
+/// Bytes of a file, shared by the library and the checks.
 pub(super) struct Shared<C>(Arc<C>);
 
 impl<C> Shared<C> {
@@ -83,7 +83,7 @@ impl<C: ChunkReader> ChunkReader for Shared<C> {
     }
 }
 
-/// Whether the directory can be read in bounded memory.
+/// Checks that the directory can be read in bounded memory.
 pub(super) fn readable(chunks: &impl ChunkReader) -> Result<(), DirectoryError> {
     let end = chunks.len().checked_sub(8).ok_or(DirectoryError::End)?;
     let tail = chunks.get_bytes(end, 8)?;
@@ -99,7 +99,8 @@ pub(super) fn readable(chunks: &impl ChunkReader) -> Result<(), DirectoryError> 
     plausible(&directory).ok_or(DirectoryError::Damaged)
 }
 
-/// Walks the directory; `None` where it is none, or its columns are not a tree of moderate depth.
+/// Parses the directory; `None` if it is malformed, or its columns are not a tree of moderate
+/// depth.
 fn plausible(directory: &[u8]) -> Option<()> {
     let mut compact = Compact::new(directory);
     let mut last = 0;
@@ -113,9 +114,9 @@ fn plausible(directory: &[u8]) -> Option<()> {
     Some(())
 }
 
-/// The columns, each before its children.
+/// Parses the columns, each before its children.
 fn schema(compact: &mut Compact<'_>, count: usize) -> Option<()> {
-    // Children that are still to come, of each column around the present one.
+    // Number of children still to come for each ancestor of the current column.
     let mut open: Vec<usize> = Vec::new();
     for left in (0..count).rev() {
         let (mut last, mut children) = (0, 0);
@@ -138,10 +139,10 @@ fn schema(compact: &mut Compact<'_>, count: usize) -> Option<()> {
     Some(())
 }
 
-/// Whether a file of so many bytes can have the rows and columns that its directory claims.
+/// Checks that a file of `bytes` bytes can have the rows and columns that its directory claims.
 pub(super) fn possible(directory: &ParquetMetaData, bytes: u64) -> Result<(), DirectoryError> {
     let all = directory.file_metadata().num_rows();
-    // A column that changes takes more than a sixteenth of a byte for a row.
+    // A column that changes needs more than a sixteenth of a byte per row.
     if u64::try_from(all).map_or(true, |rows| rows > LEAST_ROWS + 16 * bytes) {
         return Err(DirectoryError::Rows { rows: all, bytes });
     }
@@ -160,14 +161,14 @@ pub(super) fn possible(directory: &ParquetMetaData, bytes: u64) -> Result<(), Di
     Ok(())
 }
 
-/// Start and length of a column in the file; `None` where one is negative.
+/// Start and length of a column in the file, bytes; `None` if one is negative.
 fn range(column: &ColumnChunkMetaData) -> Option<(u64, u64)> {
     let start = column.dictionary_page_offset().unwrap_or(column.data_page_offset());
     let length = u64::try_from(column.compressed_size()).ok();
     u64::try_from(start).ok().filter(|_| column.data_page_offset() >= 0).zip(length)
 }
 
-/// Whether the pages of these columns of a row group (from 0) can be held.
+/// Checks that the pages of these columns of a row group (from 0) fit into memory.
 pub(super) fn pages(
     chunks: &impl ChunkReader,
     directory: &ParquetMetaData,
@@ -188,7 +189,7 @@ pub(super) fn pages(
             values += page.values;
             at = at.checked_add(page.packed).ok_or_else(damaged)?;
         }
-        // One row may have all of them, and is read at once.
+        // One row may hold all of the values, and a row is read at once.
         if column.column_descr().max_rep_level() > 0 && values > LEAST_VALUES + chunks.len() {
             return Err(DirectoryError::Values { column: column.column_path().string(), values });
         }
@@ -204,9 +205,9 @@ pub(super) fn pages(
 struct Page {
     dictionary: bool,
     unpacked: u64,
-    /// Numbers in it.
+    /// Number of values in the page.
     values: u64,
-    /// With its header.
+    /// Packed size with the header.
     packed: u64,
 }
 

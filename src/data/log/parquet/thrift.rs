@@ -1,25 +1,25 @@
-//! Thrift's compact protocol, as far as it takes to look at numbers of a structure before the
-//! Parquet library reads it, which trusts them.
+//! Decodes the part of Thrift's compact protocol needed to check numbers of a structure before the
+//! Parquet library, which trusts them, reads it.
 
-/// Structures within structures at most; Parquet's own have eight.
+/// Deepest nesting of structures; Parquet's own have eight levels.
 const DEEPEST: usize = 24;
 
-/// Bytes that are read from the front.
+/// Decoder of bytes, from front to back.
 pub(super) struct Compact<'a> {
     bytes: &'a [u8],
     at: usize,
 }
 
-/// A value that matters here.
+/// A decoded value, or its kind.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Value {
-    /// A whole number.
+    /// Integer.
     Number(i64),
-    /// Elements of a list follow: their type and number.
+    /// List; its elements follow. Type of the elements and their number.
     List(u8, usize),
-    /// Fields of a structure follow.
+    /// Structure; its fields follow.
     Structure,
-    /// Anything else, which was passed over.
+    /// Any other value, which was skipped.
     Other,
 }
 
@@ -28,7 +28,7 @@ impl<'a> Compact<'a> {
         Self { bytes, at: 0 }
     }
 
-    /// Bytes that were read.
+    /// Number of bytes read.
     pub(super) fn position(&self) -> usize {
         self.at
     }
@@ -61,20 +61,20 @@ impl<'a> Compact<'a> {
         Some((value >> 1) as i64 ^ -((value & 1) as i64))
     }
 
-    /// Number and value of the next field of a structure, after field `last`; `Some(None)` at its
-    /// end, `None` where the bytes end or are none.
+    /// Number and value of the next field of a structure after field `last`; `Some(None)` at the
+    /// end of the structure, `None` if the bytes end or are malformed.
     pub(super) fn field(&mut self, last: i64) -> Option<Option<(i64, Value)>> {
         let head = self.byte()?;
         if head == 0 {
             return Some(None);
         }
         let number = if head >> 4 == 0 { self.zigzag()? } else { last.checked_add(i64::from(head >> 4))? };
-        // A truth value stands in the head itself.
+        // A boolean is stored in the head itself.
         let value = if matches!(head & 0xf, 1 | 2) { Value::Other } else { self.value(head & 0xf)? };
         Some(Some((number, value)))
     }
 
-    /// A value of a type, as an element of a list.
+    /// Reads a value of a type, encoded as an element of a list.
     pub(super) fn value(&mut self, kind: u8) -> Option<Value> {
         match kind {
             1..=3 => self.skip(1)?,
@@ -97,7 +97,7 @@ impl<'a> Compact<'a> {
         Some(Value::Other)
     }
 
-    /// Passes over what follows a value.
+    /// Skips the elements or fields that follow a value.
     pub(super) fn pass(&mut self, value: Value, depth: usize) -> Option<()> {
         if depth > DEEPEST {
             return None;
@@ -128,7 +128,7 @@ mod tests {
 
     #[test]
     fn fields_of_a_structure() {
-        // 1: i32 -3; 3: "ab"; 4: list of two i32; 20: structure { 1: true }; end.
+        // Encodes 1: i32 -3; 3: "ab"; 4: list of two i32; 20: structure { 1: true }; end.
         let bytes = [0x15, 5, 0x28, 2, b'a', b'b', 0x19, 0x25, 2, 4, 0x0c, 40, 0x11, 0, 0];
         let mut compact = Compact::new(&bytes);
         assert_eq!(compact.field(0), Some(Some((1, Value::Number(-3)))));
@@ -144,7 +144,7 @@ mod tests {
 
     #[test]
     fn lies_end() {
-        // A list of 2^63 truth values, and structures without an end.
+        // A list of 2^63 booleans, and endlessly nested structures.
         let list = [0x19, 0xf1, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0xff, 0x7f];
         assert_eq!(Compact::new(&list).pass(Value::Structure, 0), None);
         assert_eq!(Compact::new(&[0x1c; 100_000]).pass(Value::Structure, 0), None);

@@ -1,13 +1,13 @@
-//! Streams with clocks of their own on the stamps of one of them.
+//! Interpolates streams with separate clocks to the stamps of one of them.
 
 use std::collections::VecDeque;
 
-/// Longest gap over which a stream is interpolated, in its own mean periods.
+/// Longest gap that is interpolated, in mean periods of the stream.
 const LONGEST_GAP: f64 = 5.0;
-/// Rows that wait for a slower stream at most, and samples that wait for a row.
+/// Most rows that wait for a slower stream, and most samples that wait for a row.
 const LONGEST_WAIT: usize = 1 << 15;
 
-/// Samples of a stream, until no row needs them.
+/// Samples of a stream that later rows may still need.
 struct Stream {
     samples: VecDeque<(i64, Vec<f64>)>,
     width: usize,
@@ -25,7 +25,7 @@ impl Stream {
         }
     }
 
-    /// Values at a time, linear between the neighbours; NaN outside, and across a gap.
+    /// Appends the values at `time`, ns, linear between neighbours; NaN outside, and across a gap.
     fn at(&self, time: i64, out: &mut Vec<f64>) {
         let after = self.samples.partition_point(|(t, _)| *t < time);
         let right = self.samples.get(after);
@@ -46,28 +46,28 @@ impl Stream {
     }
 }
 
-/// Rows of a base stream with the values of the others interpolated to its stamps, in bounded
-/// memory.
+/// Rows of a base stream with the values of the other streams interpolated to its stamps, in
+/// bounded memory.
 pub(super) struct Aligner {
-    /// Rows of the base stream that wait for the others.
+    /// Rows of the base stream that wait for the other streams.
     rows: VecDeque<(i64, Vec<f64>)>,
     others: Vec<Stream>,
     ended: bool,
 }
 
 impl Aligner {
-    /// For a base stream, and others of so many values each.
+    /// Creates an aligner; `widths`: number of values of each stream other than the base.
     pub(super) fn new(widths: &[usize]) -> Self {
         let stream = |&width: &usize| Stream { samples: VecDeque::new(), width, first: None, count: 0, last: i64::MIN };
         Self { rows: VecDeque::new(), others: widths.iter().map(stream).collect(), ended: false }
     }
 
-    /// A row of the base stream.
+    /// Adds a row of the base stream.
     pub(super) fn base(&mut self, time: i64, values: Vec<f64>) {
         self.rows.push_back((time, values));
     }
 
-    /// A sample of another stream. One that is not later than the one before is left out.
+    /// Adds a sample of another stream, unless it is not later than the previous one.
     pub(super) fn other(&mut self, stream: usize, time: i64, values: Vec<f64>) {
         let stream = &mut self.others[stream];
         if time <= stream.last && stream.count > 0 {
@@ -82,13 +82,13 @@ impl Aligner {
         }
     }
 
-    /// No more samples come.
+    /// Marks the end of all streams.
     pub(super) fn end(&mut self) {
         self.ended = true;
     }
 
-    /// The next row for which every stream has what it needs: its stamp, the base's values, then
-    /// those of the others.
+    /// Next row for which every stream has the required samples: its stamp, ns, and the values of
+    /// the base followed by those of the other streams.
     pub(super) fn next(&mut self) -> Option<(i64, Vec<f64>)> {
         let time = self.rows.front()?.0;
         let ready = self.ended || self.rows.len() > LONGEST_WAIT || self.others.iter().all(|s| s.last >= time);
@@ -113,7 +113,7 @@ mod tests {
     #[test]
     fn another_clock_is_interpolated_and_gaps_are_not() {
         let mut aligner = Aligner::new(&[1]);
-        // A line of slope 1 per ns, sampled at 0, 10, 20, ... but for a gap from 100 to 400.
+        // A line of slope 1 per ns, sampled at 0, 10, 20, ... with a gap from 100 to 400.
         for t in (0..=100).step_by(10).chain((400..500).step_by(10)) {
             aligner.other(0, t, vec![t as f64]);
         }
@@ -136,7 +136,7 @@ mod tests {
         assert!(aligner.next().is_none());
         aligner.other(0, 10, vec![1.0]);
         assert_eq!(aligner.next(), Some((5, vec![0.5])));
-        // A stream that ends early does not hold rows for ever.
+        // A stream that ends early does not block rows for ever.
         aligner.base(50, vec![]);
         aligner.end();
         assert!(aligner.next().unwrap().1[0].is_nan());

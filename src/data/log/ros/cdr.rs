@@ -1,31 +1,32 @@
-//! Common Data Representation: the bytes of a ROS 2 message (OMG DDS-XTypes 1.3, section 7.4).
+//! Decodes Common Data Representation, the encoding of ROS 2 messages (OMG DDS-XTypes 1.3, section
+//! 7.4).
 
-/// Reads primitives of a message in the byte order and alignment that its header says.
+/// Reader of a message's primitives, with the byte order and alignment given by its header.
 pub(super) struct Cdr<'a> {
     bytes: &'a [u8],
     at: usize,
-    /// Origin of the alignment.
+    /// Offset from which alignment is counted.
     origin: usize,
     little: bool,
     /// Largest alignment: 8 in XCDR1, 4 in XCDR2.
     largest: usize,
 }
 
-/// The bytes of a message are not what its type says.
+/// Reason why the bytes of a message do not fit its type.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
 #[non_exhaustive]
 pub enum CdrError {
-    /// They end too early.
+    /// The message is truncated.
     #[error("the message ends before its last field")]
     Short,
-    /// A representation that is not read here: parameter lists, delimited types.
+    /// The representation is not supported: parameter lists, delimited types.
     #[error("representation {0:#04x} is not read; plain CDR and XCDR2 are")]
     Representation(u8),
 }
 
 impl<'a> Cdr<'a> {
-    /// From a message with its header of four bytes. `origin` is 4 by the standard; some writers
-    /// count alignment from 0.
+    /// Reads a message with its header of four bytes. Alignment is counted from `origin`: 4 by the
+    /// standard, 0 for some writers.
     pub(super) fn new(bytes: &'a [u8], origin: usize) -> Result<Self, CdrError> {
         let [_, id, _, _] = bytes.first_chunk::<4>().ok_or(CdrError::Short)?;
         let (little, largest) = match id {
@@ -53,7 +54,7 @@ impl<'a> Cdr<'a> {
         Ok(part)
     }
 
-    /// A primitive of `N` bytes, most significant byte last.
+    /// Reads a primitive of `N` bytes, returned in little-endian order.
     pub(super) fn primitive<const N: usize>(&mut self) -> Result<[u8; N], CdrError> {
         self.align(N);
         let mut bytes: [u8; N] = self.take(N)?.try_into().map_err(|_| CdrError::Short)?;
@@ -63,19 +64,19 @@ impl<'a> Cdr<'a> {
         Ok(bytes)
     }
 
-    /// Length of a sequence or string.
+    /// Reads the length of a sequence or string.
     pub(super) fn length(&mut self) -> Result<usize, CdrError> {
         Ok(u32::from_le_bytes(self.primitive()?) as usize)
     }
 
-    /// Text, without the zero at its end.
+    /// Reads text without its terminating zero.
     pub(super) fn text(&mut self) -> Result<&'a [u8], CdrError> {
         let n = self.length()?;
         let bytes = self.take(n)?;
         Ok(bytes.strip_suffix(&[0]).unwrap_or(bytes))
     }
 
-    /// Passes over `n` primitives of `size` bytes.
+    /// Skips `n` primitives of `size` bytes.
     pub(super) fn skip(&mut self, n: usize, size: usize) -> Result<(), CdrError> {
         if n > 0 {
             self.align(size);
@@ -83,7 +84,7 @@ impl<'a> Cdr<'a> {
         self.take(n.checked_mul(size).ok_or(CdrError::Short)?).map(|_| ())
     }
 
-    /// Bytes behind the last field that was read.
+    /// Number of bytes after the last field that was read.
     pub(super) fn left(&self) -> usize {
         self.bytes.len().saturating_sub(self.at)
     }

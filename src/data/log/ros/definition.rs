@@ -1,22 +1,22 @@
-//! Message definitions of ROS 2 (`.msg`, as a recording carries them) and the types in them.
+//! Parses ROS 2 message definitions (`.msg`, as stored in a recording) and the types in them.
 
 use std::collections::HashMap;
 
-/// Why the type of a message is not known.
+/// Reason why the type of a message can't be resolved.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub(super) enum DefinitionError {
-    /// A message within itself.
+    /// The message contains itself.
     #[error("the type {0} contains itself")]
     Endless(String),
-    /// No text defines it.
+    /// The type has no definition.
     #[error("the type {0} is not defined")]
     Undefined(String),
-    /// Brackets without a number.
+    /// The type expression can't be parsed, such as brackets without a number.
     #[error("the type `{0}` can't be read")]
     Unreadable(String),
 }
 
-/// A primitive of a message.
+/// Primitive type of a field.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Primitive {
     Bool,
@@ -50,7 +50,7 @@ impl Primitive {
         })
     }
 
-    /// Bytes.
+    /// Size, bytes.
     pub(super) fn size(self) -> usize {
         match self {
             Self::Bool | Self::I8 | Self::U8 => 1,
@@ -61,25 +61,25 @@ impl Primitive {
     }
 }
 
-/// A type of a field.
+/// Type of a field.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Type {
     Primitive(Primitive),
     Text,
-    /// Index into [`Definition::structs`].
+    /// Structure: index into [`Definition::structs`].
     Struct(usize),
-    /// Elements, and their number where it is fixed.
+    /// Array: element type, and length if fixed.
     Array(Box<Type>, Option<usize>),
 }
 
-/// A message: its own structure first, then those that it uses.
+/// Definition of a message: its own structure first, then those that it uses.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Definition {
-    /// Fields of each structure.
+    /// Names and types of the fields of each structure.
     pub(super) structs: Vec<Vec<(String, Type)>>,
 }
 
-/// The messages that are read where a recording has no definition of its own.
+/// Messages that can be decoded if a recording carries no definition.
 const KNOWN: &[(&str, &str)] = &[
     ("builtin_interfaces/Time", "int32 sec\nuint32 nanosec"),
     ("builtin_interfaces/Duration", "int32 sec\nuint32 nanosec"),
@@ -106,16 +106,16 @@ const KNOWN: &[(&str, &str)] = &[
     ),
 ];
 
-/// `sensor_msgs/msg/JointState` and `sensor_msgs/JointState` are one.
+/// Short form of a type name: `sensor_msgs/JointState` for `sensor_msgs/msg/JointState`.
 fn short(name: &str) -> String {
     name.replace("/msg/", "/")
 }
 
 impl Definition {
-    /// From the text that a recording carries (empty where it has none), for a type by its name.
+    /// Parses the text that a recording carries (empty if it has none) for the named type.
     ///
     /// # Errors
-    /// What can't be read in it.
+    /// If a type can't be parsed, is undefined or contains itself.
     pub(super) fn new(type_name: &str, text: &str) -> Result<Self, DefinitionError> {
         let mut texts: HashMap<String, &str> = KNOWN.iter().map(|(name, text)| ((*name).into(), *text)).collect();
         for (i, part) in sections(text).into_iter().enumerate() {
@@ -131,7 +131,7 @@ impl Definition {
     }
 }
 
-/// The parts of a definition: the message itself, then each type that it uses with its name.
+/// Sections of a definition: the message itself, then each type that it uses with its name.
 fn sections(text: &str) -> Vec<(Option<&str>, &str)> {
     let mut parts = Vec::new();
     let (mut start, mut name, mut at) = (0, None, 0);
@@ -157,7 +157,7 @@ struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    /// Index of a structure.
+    /// Index of the named structure, which is parsed if it is new.
     fn read(&mut self, name: &str, depth: usize) -> Result<usize, DefinitionError> {
         if let Some(&index) = self.done.get(name) {
             return Ok(index);
@@ -174,7 +174,7 @@ impl Reader<'_> {
             let line = line.split('#').next().unwrap_or("").trim();
             let mut words = line.split_whitespace();
             let (Some(kind), Some(field)) = (words.next(), words.next()) else { continue };
-            // A constant: `uint8 OK=1`, `uint8 OK = 1`.
+            // Skips a constant: `uint8 OK=1`, `uint8 OK = 1`.
             if field.contains('=') || words.next().is_some_and(|w| w.starts_with('=')) {
                 continue;
             }

@@ -1,32 +1,32 @@
-//! A message as a list of numbers with names.
+//! Decodes a message to a list of named numbers.
 
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 use super::cdr::{Cdr, CdrError};
 use super::definition::{Definition, Primitive, Type};
 
-/// Longest array whose elements are channels; an image is none.
+/// Longest array whose elements become channels; an image is longer.
 const LONGEST_ARRAY: usize = 128;
-/// Most fields that a message may have.
+/// Largest number of fields of a message.
 const MOST_FIELDS: usize = 1 << 20;
 
-/// A decoded message.
+/// A node of a decoded message.
 enum Node {
     Number(f64),
     Text,
-    /// Elements; empty where there are too many.
+    /// Elements of a numeric array; empty if there are too many.
     Numbers(Vec<f64>),
     Texts(Vec<String>),
     List(Vec<Node>),
     Struct(usize, Vec<Node>),
 }
 
-/// A message: its numbers, its stamp, and what its names depend on.
+/// A decoded message: its numbers, its stamp, and a signature of their names.
 pub(super) struct Flat {
     pub(super) numbers: Vec<f64>,
-    /// Of its header, ns; `None` where it has none or it is zero.
+    /// Stamp of the header, ns; `None` if there is none or it is zero.
     pub(super) stamp: Option<i64>,
-    /// Equal for messages whose numbers have the same names.
+    /// Hash that is equal for messages whose numbers have the same names.
     pub(super) signature: u64,
     root: Node,
 }
@@ -34,7 +34,7 @@ pub(super) struct Flat {
 /// Decodes a message.
 ///
 /// # Errors
-/// Where the bytes do not fit the definition.
+/// If the bytes do not fit the definition.
 pub(super) fn decode(definition: &Definition, bytes: &[u8]) -> Result<Flat, CdrError> {
     // Alignment counts from behind the header; some writers count from the message's first byte.
     let mut failure = None;
@@ -136,7 +136,7 @@ fn flat(definition: &Definition, root: Node) -> Flat {
     Flat { numbers, stamp, signature: hash.finish(), root }
 }
 
-/// Numbers in the order of the message, and what their names depend on.
+/// Collects the numbers in message order, and hashes everything on which their names depend.
 fn collect(node: &Node, numbers: &mut Vec<f64>, hash: &mut DefaultHasher) {
     match node {
         Node::Number(value) => numbers.push(*value),
@@ -154,7 +154,7 @@ fn collect(node: &Node, numbers: &mut Vec<f64>, hash: &mut DefaultHasher) {
     }
 }
 
-/// `header.stamp`, ns.
+/// Stamp `header.stamp`, ns.
 fn stamp(definition: &Definition, root: &Node) -> Option<i64> {
     let header = field(definition, root, "header")?;
     let stamp = field(definition, header, "stamp")?;
@@ -163,7 +163,7 @@ fn stamp(definition: &Definition, root: &Node) -> Option<i64> {
     else {
         return None;
     };
-    // An i32 and a u32 of billionths: exact in an i64.
+    // Seconds (i32) and nanoseconds (u32) are exact in an i64.
     Some(*sec as i64 * 1_000_000_000 + *nanosec as i64).filter(|ns| *ns != 0)
 }
 
@@ -174,8 +174,8 @@ fn field<'a>(definition: &Definition, node: &'a Node, name: &str) -> Option<&'a 
 }
 
 impl Flat {
-    /// Names of the numbers: the topic, then the path in the message. Elements of an array that is
-    /// as long as the names beside it get these names, others their index.
+    /// Names of the numbers: the topic, then the path in the message. Elements of an array get the
+    /// names of an adjacent text array of the same length, otherwise their index.
     pub(super) fn names(&self, definition: &Definition, topic: &str) -> Vec<String> {
         let mut names = Vec::new();
         name(definition, &self.root, topic, &[], &mut names);
@@ -199,13 +199,13 @@ fn name(definition: &Definition, node: &Node, path: &str, joints: &[String], out
         }
         Node::Struct(index, fields) => {
             let mut own = fields.iter().filter_map(|f| if let Node::Texts(t) = f { Some(t) } else { None });
-            // Names of two kinds side by side belong to nothing for certain.
+            // With two text arrays side by side, it is ambiguous which one holds the names.
             let joints: &[String] = match (own.next(), own.next()) {
                 (Some(texts), None) => texts,
                 (None, _) => joints,
                 _ => &[],
             };
-            // The values of a joint's interfaces need no word of their own: `elbow/position`.
+            // Values of a joint's interfaces get no extra path element: `elbow/position`.
             let fields = definition.structs[*index].iter().zip(fields);
             for ((field, _), inner) in fields {
                 let bare = matches!(field.as_str(), "values" | "interface_values") && !joints.is_empty();

@@ -1,9 +1,9 @@
-//! MCAP: the container in which ROS 2 records. Read as a stream, a record at a time.
+//! Reads MCAP, the container in which ROS 2 records, as a stream of records.
 //!
-//! Records are an opcode, a length and fields of fixed order (mcap.dev/spec). The few needed here
-//! are read without the crate `mcap`, whose twenty dependencies (two of them C) serve the rest of
-//! the format. Nothing behind the data section is needed, so a file that was cut is read as far as
-//! it goes.
+//! Records are an opcode, a length and fields of fixed order (mcap.dev/spec). The few types needed
+//! here are read without the crate `mcap`, whose twenty dependencies (two of them C) serve the rest
+//! of the format. Nothing behind the data section is needed, so a truncated file is read up to its
+//! end.
 
 use std::collections::{HashMap, VecDeque};
 use std::io::Read;
@@ -13,16 +13,16 @@ use crate::data::log::Malformed;
 
 /// Longest record (a compressed chunk, or a message), bytes.
 const LONGEST_RECORD: u64 = 48 << 20;
-/// Longest chunk once it is unpacked, bytes.
+/// Longest unpacked chunk, bytes.
 const LONGEST_CHUNK: u64 = 64 << 20;
-/// Longest message that is decoded, bytes: images and point clouds are passed over.
+/// Longest message that is decoded, bytes: images and point clouds are skipped.
 const LONGEST_MESSAGE: usize = 1 << 20;
-/// Definitions and names of topics that are held, bytes.
+/// Largest sum of definitions and topic names held in memory, bytes.
 const MOST_TEXT: usize = 16 << 20;
-/// Bytes that the chunks of a file of any size may unpack to.
+/// Bytes to which the chunks of a file of any size may unpack.
 const LEAST_UNPACKED: u64 = 64 << 20;
-/// Times its own size that a file may unpack to beyond that. Messages of an arm that stands still
-/// pack to some fiftieth, names and all; zeros to a ten thousandth.
+/// Multiple of its own size to which a file may unpack in addition. Messages of an arm at rest,
+/// including names, are packed to about a fiftieth; zeros to a ten thousandth.
 const MOST_TIMES: u64 = 128;
 
 const MAGIC: &[u8; 8] = b"\x89MCAP0\r\n";
@@ -33,77 +33,77 @@ const MESSAGE: u8 = 0x05;
 const CHUNK: u8 = 0x06;
 const DATA_END: u8 = 0x0f;
 
-/// Where a file is no MCAP file.
+/// Reason why a file is not a valid MCAP file.
 #[derive(Debug, thiserror::Error)]
 #[non_exhaustive]
 pub enum McapError {
-    /// The system can't read it.
+    /// Error of the operating system.
     #[error(transparent)]
     Read(#[from] std::io::Error),
-    /// Other bytes at the start.
+    /// The magic bytes are missing.
     #[error("it does not begin as an MCAP file of version 0 does")]
     Start,
-    /// A record was cut.
+    /// A record is truncated.
     #[error("a record ends before its last field")]
     Short,
-    /// A record longer than any that is read, bytes.
+    /// A record exceeds the supported length, bytes.
     #[error("a record of {0} bytes; {LONGEST_RECORD} are read at most")]
     LongRecord(u64),
-    /// A chunk longer than any that is read, bytes.
+    /// A chunk exceeds the supported length, bytes.
     #[error("a chunk of {0} bytes; {LONGEST_CHUNK} are read at most")]
     LongChunk(u64),
-    /// A file that holds much more than it is long.
+    /// The file unpacks to far more than its own size.
     #[error("it unpacks to more than {MOST_TIMES} times its size, and no recording packs that well")]
     Unpacked,
-    /// More text about its topics than any recording has.
+    /// Names and definitions of topics exceed the memory limit.
     #[error("names and definitions of its topics have more than {} MiB", MOST_TEXT >> 20)]
     Text,
-    /// A length that no memory has.
+    /// A length exceeds the address space.
     #[error(transparent)]
     Length(#[from] std::num::TryFromIntError),
-    /// A chunk in a compression that is not read.
+    /// The compression of a chunk is not supported.
     #[error("a chunk is packed with `{0}`; zstd, lz4 and none are read")]
     Compression(String),
-    /// A chunk that is not what its compression says.
+    /// A chunk can't be decompressed.
     #[error("a chunk can't be unpacked ({compression}): {source}")]
     Unpack {
-        /// Its compression.
+        /// Compression of the chunk.
         compression: &'static str,
         /// Message of the decoder.
         source: std::io::Error,
     },
-    /// A chunk of another length than its header says, bytes.
+    /// The unpacked length of a chunk differs from that in its header, bytes.
     #[error("a chunk has {found} bytes where its header says {stated}")]
     ChunkLength {
-        /// Unpacked.
+        /// Unpacked length.
         found: usize,
-        /// By the header.
+        /// Length stated in the header.
         stated: u64,
     },
-    /// A chunk with other bytes than were written.
+    /// The checksum of a chunk does not match its bytes.
     #[error("a chunk is damaged: its checksum is not that of its bytes; try `mcap recover`")]
     Checksum,
 }
 
-/// A topic: its type, and whether its messages can be decoded.
+/// A topic, the schema of its messages, and whether they can be decoded.
 struct Channel {
     topic: String,
     schema: u16,
     readable: bool,
 }
 
-/// Messages of an MCAP file.
+/// Reader of the messages of an MCAP file.
 pub(crate) struct McapMessages<R> {
     input: R,
     started: bool,
     schemas: HashMap<u16, (String, String)>,
     channels: HashMap<u16, Channel>,
-    /// Bytes of the text in both.
+    /// Bytes of text in `schemas` and `channels`.
     text: usize,
-    /// Bytes of the file so far, and of its chunks once unpacked.
+    /// Bytes read from the file so far, and bytes of its unpacked chunks.
     read: u64,
     unpacked: u64,
-    /// Records of the present chunk, and how far they are read.
+    /// Records of the current chunk, and the read position in it.
     chunk: Vec<u8>,
     at: usize,
     queue: VecDeque<Message>,
@@ -111,7 +111,7 @@ pub(crate) struct McapMessages<R> {
     done: bool,
 }
 
-/// Fields of a record, front to back.
+/// Reader of a record's fields, front to back.
 struct Fields<'a>(&'a [u8]);
 
 impl<'a> Fields<'a> {
@@ -148,7 +148,7 @@ impl<'a> Fields<'a> {
 }
 
 impl<R: Read> McapMessages<R> {
-    /// Reads nothing yet.
+    /// Creates the reader; nothing is read yet.
     pub fn new(input: R) -> Self {
         Self {
             input,
@@ -166,7 +166,7 @@ impl<R: Read> McapMessages<R> {
         }
     }
 
-    /// Reads one record of the file. A file that ends in the middle of one ends before it.
+    /// Reads one record of the file. A truncated last record is treated as the end of the file.
     fn step(&mut self) -> Result<(), McapError> {
         if !std::mem::replace(&mut self.started, true) {
             let magic = self.take(8)?;
@@ -188,7 +188,7 @@ impl<R: Read> McapMessages<R> {
         Ok(())
     }
 
-    /// So many bytes; `None`: the file ends before.
+    /// Reads `n` bytes; `None` if the file ends before.
     fn take(&mut self, n: u64) -> Result<Option<Vec<u8>>, McapError> {
         let mut bytes = Vec::new();
         self.input.by_ref().take(n).read_to_end(&mut bytes)?;
@@ -219,14 +219,14 @@ impl<R: Read> McapMessages<R> {
         }
         self.chunk = unpack(&compression, fields.bytes(length)?, size)?;
         self.at = 0;
-        // A writer that has none says 0.
+        // A checksum of 0 means that the writer provided none.
         if checksum != 0 && crc32(&self.chunk) != checksum {
             return Err(McapError::Checksum);
         }
         Ok(())
     }
 
-    /// Takes the next record of the chunk.
+    /// Reads the next record of the chunk.
     fn step_in_chunk(&mut self) -> Result<(), McapError> {
         let chunk = std::mem::take(&mut self.chunk);
         let mut rest = Fields(chunk.get(self.at..).unwrap_or(&[]));
@@ -243,7 +243,7 @@ impl<R: Read> McapMessages<R> {
         match opcode {
             SCHEMA => {
                 let (id, name, encoding) = (fields.u16()?, fields.text()?, fields.text()?);
-                // Other languages of definition leave the message to its name.
+                // With another definition language, the type is resolved by its name alone.
                 let text = if encoding == "ros2msg" { fields.text()? } else { String::new() };
                 let length = name.len() + text.len();
                 let before = self.schemas.insert(id, (name, text));
@@ -276,7 +276,7 @@ impl<R: Read> McapMessages<R> {
         Ok(())
     }
 
-    /// Counts text that is held in the place of other text. A chunk may say again what is known.
+    /// Counts text that replaces other text. A chunk may repeat what is already known.
     fn hold(&mut self, more: usize, less: usize) -> Result<(), McapError> {
         self.text = self.text + more - less;
         if self.text > MOST_TEXT { Err(McapError::Text) } else { Ok(()) }
@@ -324,10 +324,10 @@ fn crc32(bytes: &[u8]) -> u32 {
     crc.sum()
 }
 
-/// The records of a chunk.
+/// Unpacked records of a chunk.
 fn unpack(compression: &str, data: &[u8], size: u64) -> Result<Vec<u8>, McapError> {
     let mut out = Vec::new();
-    // One byte more than promised shows a chunk that is longer than it says.
+    // Reads one byte more than stated, to detect a chunk that is longer than its header says.
     let most = size + 1;
     match compression {
         "" => out.extend_from_slice(data),
@@ -367,7 +367,7 @@ mod tests {
         [&[opcode], &(data.len() as u64).to_le_bytes()[..], data].concat()
     }
 
-    /// Records in a chunk, packed as only zeros and the like pack: by a hundred and more.
+    /// A chunk of records with zeros, which compress by a factor of a hundred and more.
     fn chunk(records: &[u8]) -> Vec<u8> {
         let mut encoder = lz4_flex::frame::FrameEncoder::new(Vec::new());
         encoder.write_all(records).unwrap();
@@ -388,19 +388,19 @@ mod tests {
         McapMessages::new(&bytes[..]).next().err().map(|e| e.to_string())
     }
 
-    /// Three hundred kB held 3.6 GB of definitions.
+    /// Definitions of 3.6 GB were packed in a file of 300 kB.
     #[test]
     fn definitions_do_not_fill_the_memory() {
         let most = MOST_TEXT >> 20;
         let many: Vec<_> = (0..20).map(|id| chunk(&schema(id, 1 << 20))).collect();
         let told = refused(&many).unwrap();
         assert!(told.contains(&format!("names and definitions of its topics have more than {most} MiB")), "{told}");
-        // The same one again and again is held once.
+        // The same definition repeated is held once.
         let again: Vec<_> = (0..20).map(|_| chunk(&schema(1, 1 << 20))).collect();
         assert_eq!(refused(&again), None);
     }
 
-    /// A megabyte held 12 GB of messages.
+    /// Messages of 12 GB were packed in a file of 1 MB.
     #[test]
     fn a_file_that_unpacks_to_far_more_than_itself_is_no_recording() {
         let one = chunk(&record(0xff, &vec![0; 8 << 20]));

@@ -1,8 +1,8 @@
-//! Channels of a recording by the names of the joints: `/joint_states/position/elbow`.
+//! Maps channels of a recording to joints by name: `/joint_states/position/elbow`.
 
 use crate::data::log::{MappingError, Quantity, Role, SourceJoint};
 
-/// Roles of the last parts of a channel's name.
+/// Quantity named by a path element of a channel.
 fn quantity(part: &str) -> Option<Quantity> {
     Some(match part {
         "position" | "positions" => Quantity::Q,
@@ -15,7 +15,7 @@ fn quantity(part: &str) -> Option<Quantity> {
     })
 }
 
-/// A channel of a joint: its topic (with the part of the message), quantity and joint's name.
+/// A channel of a joint: topic (with path in the message), quantity and joint name.
 struct JointChannel<'a> {
     group: &'a str,
     quantity: Quantity,
@@ -23,7 +23,7 @@ struct JointChannel<'a> {
     position: usize,
 }
 
-/// Takes `GROUP/position/JOINT` or `GROUP/JOINT/position` apart.
+/// Parses `GROUP/position/JOINT` or `GROUP/JOINT/position`.
 fn joint_channel(name: &str, position: usize) -> Option<JointChannel<'_>> {
     let rest = name.strip_prefix('/').map(|_| name)?;
     let (front, last) = rest.rsplit_once('/')?;
@@ -42,11 +42,11 @@ fn joint_channel(name: &str, position: usize) -> Option<JointChannel<'_>> {
     (!group.is_empty()).then_some(JointChannel { group, quantity: found, joint, position })
 }
 
-/// Roles of a recording's channels. A quantity is used where one group has it for all joints; the
-/// group of the positions is preferred.
+/// Roles of a recording's channels. A quantity is used if one group has it for all joints; the
+/// group that has the positions is preferred.
 ///
 /// # Errors
-/// Where positions are on several topics, or joints are not found.
+/// If positions of all joints are on several topics, or joints are not found.
 pub(crate) fn columns(names: &[&str], joints: &[SourceJoint]) -> Result<Vec<(Role, usize)>, MappingError> {
     let channels: Vec<JointChannel<'_>> = names.iter().enumerate().filter_map(|(i, n)| joint_channel(n, i)).collect();
     if channels.is_empty() {
@@ -55,7 +55,7 @@ pub(crate) fn columns(names: &[&str], joints: &[SourceJoint]) -> Result<Vec<(Rol
     if joints.is_empty() {
         return Err(MappingError::NamedJoints(found(&channels)));
     }
-    // Positions of all joints on one topic.
+    // Columns of a quantity for all joints on one topic.
     let complete = |group: &str, quantity: Quantity| -> Option<Vec<(Role, usize)>> {
         joints
             .iter()
@@ -97,7 +97,7 @@ pub(crate) fn columns(names: &[&str], joints: &[SourceJoint]) -> Result<Vec<(Rol
     Ok(columns)
 }
 
-/// Names of joints, each once.
+/// Names of joints without duplicates, at most 20.
 fn found(channels: &[JointChannel<'_>]) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for channel in channels {

@@ -1,4 +1,4 @@
-//! A recording as a table: rows at the stamps of the messages that carry the positions.
+//! A recording as a table whose rows are at the stamps of the messages that carry the positions.
 
 use std::collections::{HashMap, VecDeque};
 
@@ -8,35 +8,35 @@ use super::flatten::{Flat, decode};
 use crate::data::log::inspect::Summing;
 use crate::data::log::{BadCell, Block, ChannelSummary, LogError, Malformed, Table};
 
-/// Recorded time that is looked through for topics and joints, ns.
+/// Recorded time that is previewed for topics and joints, ns.
 const PREVIEW_TIME: i64 = 3_000_000_000;
-/// Messages and bytes that are looked through at most.
+/// Most messages and bytes that are previewed.
 const PREVIEW: (usize, usize) = (20_000, 8 << 20);
-/// Messages that may be damaged before the recording is refused.
+/// Number of damaged messages that are tolerated.
 const MOST_DAMAGED: usize = 100;
 
 /// A message of the recording.
 pub(crate) struct Message {
-    /// Topic.
+    /// Topic of the message.
     pub topic: String,
     /// Time at which the recorder received it, ns.
     pub arrival: i64,
-    /// CDR with its header.
+    /// Bytes in CDR, with the header.
     pub bytes: Vec<u8>,
 }
 
-/// Messages in the order in which they were recorded.
+/// Messages in recorded order.
 pub(crate) trait Messages: Send {
-    /// The next one on a topic that can be decoded; `None` at the end.
+    /// Next message on a topic that can be decoded; `None` at the end.
     ///
     /// # Errors
-    /// What is wrong with the file.
+    /// If the file is malformed.
     fn next(&mut self) -> Result<Option<Message>, Malformed>;
 
     /// Type and definition of a topic's messages.
     fn definition(&self, topic: &str) -> Option<(&str, &str)>;
 
-    /// Skipped parts: topics that can't be decoded, an end that is missing.
+    /// Skipped parts: topics that can't be decoded, a missing end of the file.
     fn passed_over(&self) -> Vec<String>;
 }
 
@@ -45,13 +45,14 @@ struct Topic {
     definition: Definition,
     names: Vec<String>,
     signature: u64,
-    /// Positions in a message of the numbers that are read; `None`: absent in the last message.
+    /// For each wanted number: index of its name in the table, and position in the message; `None`
+    /// if absent from the last message.
     wanted: Vec<(usize, Option<usize>)>,
-    /// Index in the aligner; `None`: the base.
+    /// Index of the stream in the aligner; `None` for the base stream.
     stream: Option<usize>,
 }
 
-/// A recording of messages.
+/// A recording of messages as a table.
 pub(crate) struct Recording<M> {
     file: String,
     kind: &'static str,
@@ -63,7 +64,7 @@ pub(crate) struct Recording<M> {
     /// Topic of each name; empty for `t`.
     owner: Vec<String>,
     aligner: Aligner,
-    /// Position in a row of the aligner for each selected column; `None`: the stamp.
+    /// Position in a row of the aligner for each selected column; `None` for the stamp.
     order: Vec<Option<usize>>,
     start: Option<i64>,
     damaged: usize,
@@ -72,11 +73,11 @@ pub(crate) struct Recording<M> {
 }
 
 impl<M: Messages> Recording<M> {
-    /// Looks through the first seconds for topics and their channels. `arrival`: rows are stamped
-    /// with the recorder's clock.
+    /// Previews the first seconds for topics and their channels. `arrival`: rows are stamped with
+    /// the recorder's clock.
     ///
     /// # Errors
-    /// Where the file can't be read, or has no message with numbers.
+    /// If the file can't be read, or has no message with numbers.
     pub fn new(file: &str, kind: &'static str, messages: M, arrival: bool) -> Result<Self, LogError> {
         let mut recording = Self {
             file: file.into(),
@@ -145,7 +146,7 @@ impl<M: Messages> Recording<M> {
         }
     }
 
-    /// The next message, those that were looked through first.
+    /// Next message; previewed messages come first.
     fn message(&mut self) -> Result<Option<Message>, LogError> {
         match self.preview.pop_front() {
             Some(message) => Ok(Some(message)),
@@ -153,7 +154,7 @@ impl<M: Messages> Recording<M> {
         }
     }
 
-    /// Decodes a message and hands its numbers on.
+    /// Decodes a message and passes its numbers to the aligner.
     fn absorb(&mut self, message: &Message) -> Result<(), LogError> {
         let Some(topic) = self.topics.get_mut(&message.topic).filter(|t| !t.wanted.is_empty()) else { return Ok(()) };
         let flat = match decode(&topic.definition, &message.bytes) {
@@ -181,7 +182,7 @@ impl<M: Messages> Recording<M> {
     }
 }
 
-/// Finds the wanted numbers where names or lengths of a message have changed.
+/// Finds the wanted numbers again after names or lengths of a message have changed.
 fn relocate(topic: &mut Topic, flat: &Flat, path: &str, names: &[String]) {
     topic.signature = flat.signature;
     topic.names = flat.names(&topic.definition, path);
@@ -195,7 +196,7 @@ impl<M: Messages> Table for Recording<M> {
         &self.names
     }
 
-    /// Every topic has a clock of its own.
+    /// Summarises the channels, each topic by its own clock.
     fn summarise(&mut self) -> Result<Vec<ChannelSummary>, LogError> {
         let mut sums: Vec<Summing> = self.names.iter().map(|n| Summing::new(n)).collect();
         for topic in self.topics.values_mut() {
@@ -272,7 +273,7 @@ impl<M: Messages> Table for Recording<M> {
             block.lines.push(self.row + 1);
             let start = *self.start.get_or_insert(time);
             for (column, place) in block.columns.iter_mut().zip(&self.order) {
-                // Differences of ns are exact; seconds of an epoch would lose the last 0.2 us.
+                // Differences of ns are exact; seconds since an epoch would lose the last 0.2 us.
                 column.push(place.map_or((time - start) as f64 * 1e-9, |p| values[p]));
             }
         }

@@ -1,4 +1,4 @@
-//! `.db3`: the SQLite tables in which rosbag2 recorded by default up to ROS 2 Humble.
+//! Reads `.db3`: SQLite tables in which rosbag2 recorded by default up to ROS 2 Humble.
 
 use std::collections::{HashMap, VecDeque};
 
@@ -7,24 +7,24 @@ use rusqlite::{Connection, params};
 use super::recording::{Message, Messages};
 use crate::data::log::Malformed;
 
-/// Messages that are taken from the table at once, and the longest one, bytes: images are passed
-/// over.
+/// Messages read from the table at once, and length of the longest one, bytes; longer ones, such as
+/// images, are skipped.
 const PAGE: (i64, i64) = (256, 1 << 16);
 
-/// Topic: name, type, definition where the recording has one.
+/// A topic: name, type, and definition if the recording has one.
 struct Topic {
     name: String,
     kind: String,
     definition: String,
 }
 
-/// Messages of a `.db3` file, in the order in which they were recorded.
+/// Messages of a `.db3` file in recorded order.
 pub(crate) struct SqliteMessages {
     connection: Connection,
     topics: HashMap<i64, Topic>,
     passed_over: Vec<String>,
     queue: VecDeque<Message>,
-    /// The last row that was read.
+    /// Id of the last row that was read.
     last: i64,
     done: bool,
 }
@@ -33,7 +33,7 @@ impl SqliteMessages {
     /// Reads the topics.
     ///
     /// # Errors
-    /// Where the tables are not those of rosbag2.
+    /// If the tables are not those of rosbag2.
     pub fn new(connection: Connection) -> rusqlite::Result<Self> {
         let mut messages = Self {
             connection,
@@ -70,7 +70,7 @@ impl SqliteMessages {
         Ok(())
     }
 
-    /// The next rows.
+    /// Reads the next page of rows.
     fn page(&mut self) -> rusqlite::Result<()> {
         let mut rows = self.connection.prepare_cached(
             "SELECT id, topic_id, timestamp, data FROM messages WHERE id > ?1 AND length(data) <= ?2 ORDER BY id LIMIT ?3",

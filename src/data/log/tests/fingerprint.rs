@@ -1,8 +1,8 @@
-//! Logs are recognised by their samples, with bounded memory.
+//! Tests that logs are recognised by their samples, in bounded memory.
 
 use super::*;
 
-/// Rows made on request: a noisy motion whose sample `k` depends on `seed` and `k` alone.
+/// Source of generated rows: a noisy motion whose sample `k` depends on `seed` and `k` alone.
 struct Endless {
     layout: Layout,
     next: u64,
@@ -68,7 +68,7 @@ fn a_minute_of_an_hour_is_found() {
     assert_eq!(hour.common(&fingerprint(Endless::new(1, 1_000_000..1_100_000, 1))), None);
 }
 
-/// Rows with fewer digits, as a file is written with.
+/// Rows rounded to fewer digits, as in a file.
 struct Printed {
     inner: Endless,
     print: fn(f64) -> String,
@@ -118,7 +118,7 @@ fn a_copy_with_fewer_digits_is_found() {
         assert_eq!(whole.common(&copy(2, 0..30_000)), None, "{k}");
         assert_eq!(copy(1, 0..10_000).common(&copy(3, 0..10_000)), None, "{k}");
     }
-    // A copy of a copy.
+    // A rounded copy of a rounded copy.
     let [fine, coarse] = [prints[0], prints[1]]
         .map(|print| fingerprint_of(&mut Printed { inner: Endless::new(1, 0..30_000, 1), print }));
     assert!(matches!(fine.common(&coarse), Some(Common::Rounded(_))));

@@ -1,4 +1,4 @@
-//! CSV, gzipped CSV and Parquet say the same; garbage is an error, never a panic.
+//! Tests that CSV, gzipped CSV and Parquet read alike, and that garbage is an error, never a panic.
 
 use std::io::Write;
 
@@ -30,7 +30,7 @@ fn three_formats_agree() {
     assert_eq!(all_of(&again).unwrap(), log);
 }
 
-/// Windows programs save text with two bytes a letter; letters beyond 16 bits have two units.
+/// UTF-16 of Windows programs; characters beyond 16 bits take two units.
 #[test]
 fn text_of_two_bytes_a_letter_is_read() {
     let plain = text(&good());
@@ -45,7 +45,7 @@ fn text_of_two_bytes_a_letter_is_read() {
     assert!(cut.contains("UTF-16"), "{cut}");
 }
 
-/// The first matrix of a file that `save('x.mat', '-v4')` writes, on both kinds of machine.
+/// The first matrix of a file written by `save('x.mat', '-v4')`, in both byte orders.
 #[test]
 fn a_file_of_matlab_4_is_named() {
     let header = |order: fn(u32) -> [u8; 4], kind: u32| [kind, 3, 2, 0, 2].map(order).concat();
@@ -92,7 +92,7 @@ fn empty_and_truncated() {
     assert!(matches!(all_of(b"PAR1rubbish"), Err(LogError::Parquet { .. })));
 }
 
-/// A program asks for the type, a reader for the words.
+/// The error carries its cause as a typed value and as text.
 #[test]
 fn an_error_holds_its_cause() {
     let long: u64 = (48 << 20) + 1;

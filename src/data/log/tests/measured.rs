@@ -1,5 +1,5 @@
-//! Real recordings, where they are at hand (`shared/data`, not part of the project): read by
-//! default, or refused for what is really wrong with them.
+//! Tests with real recordings, if present (`shared/data`, not part of the project): each is read by
+//! default, or rejected for a real defect.
 
 use std::{fs::File, path::PathBuf};
 

@@ -1,4 +1,4 @@
-//! One defect per test.
+//! Tests with one defect each.
 
 use super::*;
 
@@ -142,8 +142,8 @@ fn a_joint_at_rest_is_not_stuck() {
     assert!(read(&rows, Acceptance::default()).unwrap().findings.is_empty());
 }
 
-/// A torque stands still with its joint and steps with it; one that stands still while the joint
-/// moves is stuck.
+/// The torque of a joint at rest may be constant and step when the joint moves; a torque that is
+/// constant while the joint moves is stuck.
 #[test]
 fn the_torque_of_a_joint_at_rest_is_not_stuck() {
     let mut rows = good();

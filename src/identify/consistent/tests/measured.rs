@@ -1,4 +1,4 @@
-//! Real logs, where the machine has them: what a fit is worth on motion that it was not fitted to.
+//! Tests with real logs, if present: errors of a fit on motion that was not fitted.
 
 use std::ops::Range;
 
@@ -14,7 +14,7 @@ fn read(path: &str) -> Option<Log> {
     Some(Log::read(&mut *source, Quantity::Tau, Acceptance::all()).unwrap())
 }
 
-/// Rows of these times, each stretch by itself.
+/// Factors of the rows within these times, each stretch separately.
 fn part(arm: &Interpreted, log: &Log, stretches: &[Range<f64>]) -> Factors {
     let prepare = Prepare { keep: Acceptance::all(), ..Prepare::default() };
     let mut stack = QrAccumulator::new("part", arm, AccumulatorSettings::default());
@@ -33,7 +33,7 @@ fn part(arm: &Interpreted, log: &Log, stretches: &[Range<f64>]) -> Factors {
 
 struct Fits {
     doubtful: usize,
-    /// Held-out RMS per joint: plain, possible bodies, possible bodies with the prior.
+    /// Held-out RMS per joint, N m: plain, possible bodies, possible bodies with the prior.
     rms: [Vec<f64>; 3],
 }
 
@@ -52,8 +52,8 @@ fn fits((robot, arm): &(Robot, Interpreted), fit: Factors, validate: Factors) ->
     }
 }
 
-/// A short, badly exciting log: the plain fit is worthless elsewhere and is announced as such;
-/// possible bodies with the vendor's prior carry over.
+/// A short, poorly exciting log: the plain fit does not extrapolate and is reported as such;
+/// possible bodies with the manufacturer's prior do.
 #[test]
 fn a_poor_log_carries_over_with_a_prior() {
     let (Some(fit), Some(other)) = (read("kinova-gen3/optitraj1.csv"), read("kinova-gen3/sync7_run.csv")) else {
@@ -73,9 +73,9 @@ fn a_poor_log_carries_over_with_a_prior() {
     }
 }
 
-/// The LWR's log is one motion of 4 pi seconds, played twice. Fifths of the period, each left out
-/// of both: possible bodies predict motion that was not seen better than the plain fit does, on the
-/// average and each time.
+/// The LWR's log is one motion of 4 pi seconds, played twice. Each fifth of the period is left out
+/// of both repetitions in turn. Possible bodies predict the left-out motion better than the plain
+/// fit, on average and each time.
 #[test]
 fn possible_bodies_predict_motion_that_was_not_seen() {
     let Some(log) = read("kuka-lwr4plus/traj1.csv") else { return };

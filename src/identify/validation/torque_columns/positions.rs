@@ -1,16 +1,16 @@
-//! Whether the position columns of a log stand in another order.
+//! Detects position columns of a log in another order.
 //!
-//! Unlike another order of the torques this changes the regressor, so that some of the samples are
-//! kept and evaluated again for each order that is tried.
+//! Unlike another order of the torques this changes the regressor, so some of the samples are kept
+//! and evaluated again for each order that is tried.
 
 use super::{Reading, Reference, TorqueColumns, absorb};
 use crate::data::signal::MotionBlock;
 use crate::identify::regression::r_factor::RFactor;
 use crate::model::States;
 
-/// Samples that are kept.
+/// Most samples that are kept.
 const MOST: usize = 800;
-/// A step to another order has to leave less than this share of what is left without it.
+/// A step to another order must leave less than this share of the previous residual.
 const STEP: f64 = 0.9;
 
 /// Every `every`-th sample of a log.
@@ -21,7 +21,7 @@ pub(super) struct Kept {
     seen: usize,
 }
 
-/// Rows of one sample, by joint.
+/// One sample: motion and torque of each joint.
 #[derive(Debug, Clone)]
 struct Sample {
     motion: Vec<[f64; 3]>,
@@ -35,7 +35,7 @@ impl Default for Kept {
 }
 
 impl Kept {
-    /// Takes in some samples; of two that are kept one goes wherever they become too many.
+    /// Adds samples; if there are too many, every second kept one is discarded.
     pub(super) fn absorb(&mut self, block: &MotionBlock) {
         let States { len, q, dq, ddq } = &block.states;
         let joints = q.len() / (*len).max(1);
@@ -54,7 +54,7 @@ impl Kept {
         }
     }
 
-    /// The samples with the motion of each joint read from this column, from 0.
+    /// The samples with each joint's motion read from the given column (from 0).
     fn read(&self, columns: &[usize]) -> MotionBlock {
         let all = |of: &dyn Fn(&Sample, usize) -> f64| -> Vec<f64> {
             (0..columns.len()).flat_map(|joint| self.samples.iter().map(move |s| of(s, joint))).collect()
@@ -65,18 +65,19 @@ impl Kept {
     }
 }
 
-/// Another order of the position columns, with the shares of the torques that are left as recorded
-/// and so.
+/// Another order of the position columns, with the residual shares of the torques as recorded and
+/// in this order.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Order {
-    /// Of each joint, the column that holds its position, from 0.
+    /// For each joint, the column that holds its position, from 0.
     pub(super) columns: Vec<usize>,
     pub(super) recorded: f64,
     pub(super) left: f64,
 }
 
 impl TorqueColumns<'_> {
-    /// The order of the position columns to which exchanges of two lead, the best first.
+    /// Best order of the position columns reachable by successive exchanges of two; the best
+    /// exchange first.
     pub(super) fn best_positions(&self, reference: Reference<'_>) -> Option<Order> {
         if self.kept.samples.is_empty() {
             return None;
@@ -85,7 +86,7 @@ impl TorqueColumns<'_> {
         let mut columns: Vec<usize> = (0..n).collect();
         let recorded = self.left_of_positions(&columns, reference);
         let mut left = recorded;
-        // No order is more than n - 1 exchanges away.
+        // Any order is at most n - 1 exchanges away.
         for _ in 1..n {
             let exchanges = (0..n).flat_map(|a| (0..a).map(move |b| (a, b)));
             let next = exchanges.map(|(a, b)| {

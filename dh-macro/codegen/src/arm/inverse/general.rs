@@ -1,16 +1,17 @@
-//! Six joints without a geometry of their own: which joint is hidden, and which side
-//! eliminated.
+//! Inverse of six joints in general position by elimination: selects the hidden joint and the
+//! eliminated side.
 
 use super::Found;
 use super::lines::{self, Vector};
 use crate::ik::{Axis, CHOICES, Family, General, NO_CHOICE};
 
-/// Postures by which the choices are compared, and how many of them a choice may fail.
+/// Number of postures by which the choices are compared, and how many of them a choice may fail.
 const TRIALS: usize = 16;
 const FAILURES: usize = 1;
 
-/// By elimination: six joints, or seven of which one is locked: one that slides before others, as an
-/// arm on a rail is solved best without it, then the last, the first, and those between.
+/// Candidates by elimination: six joints, or seven with one locked. Prismatic joints are locked
+/// first, as an arm on a rail is solved best without it; then the last, the first, and those
+/// between.
 pub(super) fn candidates(axes: &[Axis]) -> Vec<Found> {
     let locks: Vec<Option<usize>> = match axes.len() {
         6 => vec![None],
@@ -41,8 +42,8 @@ fn found(axes: &[Axis], locked: Option<usize>) -> Option<Found> {
     Some(Found { class: "none", reason: format!("{why}: {by}{given}"), family: Family::General(general) })
 }
 
-/// The same lines, by the points that are nearest to the middle of the arm (those of a calibrated
-/// table may be far away), and how large the arm is, m.
+/// The same lines, by their points nearest to the middle of the arm (those of a calibrated table
+/// may be far away), and the size of the arm, m.
 fn gathered(mut axes: [Axis; 6]) -> ([Axis; 6], f64) {
     let middle = |axes: &[Axis; 6]| axes.iter().fold([0.0; 3], |m, a| lines::add(m, lines::scale(1.0 / 6.0, a.c)));
     let foot = |a: &Axis, of: Vector| lines::add(a.c, lines::scale(lines::dot(a.h, lines::sub(of, a.c)), a.h));
@@ -56,8 +57,8 @@ fn gathered(mut axes: [Axis; 6]) -> ([Axis; 6], f64) {
     (axes, if size > 0.0 { size } else { 1.0 })
 }
 
-/// The choices that lead to the postures they are shown and know that there are no others, the most
-/// accurate first; `None` if there is none.
+/// Choices that find the test postures and detect that there are no others, the most accurate
+/// first; `None` if there is none.
 fn order(general: &General) -> Option<[u8; CHOICES]> {
     let mut state = 11u64;
     let postures: [[f64; 6]; TRIALS] = core::array::from_fn(|_| {

@@ -1,4 +1,4 @@
-//! Lines in space, and when two count as parallel or as meeting.
+//! Lines in space, with tolerances for parallel and intersecting ones.
 
 use crate::ik::Axis;
 
@@ -32,7 +32,7 @@ pub(super) fn unit(a: Vector) -> Vector {
     scale(1.0 / norm(a), a)
 }
 
-/// Two directions across a unit vector.
+/// Two unit vectors perpendicular to a unit vector.
 pub(super) fn beside(h: Vector) -> (Vector, Vector) {
     let k = (0..3).fold(0, |b, k| if h[k].abs() < h[b].abs() { k } else { b });
     let mut e = [0.0; 3];
@@ -45,28 +45,28 @@ pub(super) fn reversed(a: &Axis) -> Axis {
     Axis { h: scale(-1.0, a.h), ..*a }
 }
 
-/// The lines of an arm, with what counts as zero.
+/// Lines of an arm, with tolerances.
 pub(super) struct Lines {
     pub axes: Vec<Axis>,
-    /// A sine, rad.
+    /// Tolerance of an angle (its sine), rad.
     pub angle: f64,
-    /// m.
+    /// Tolerance of a length, m.
     pub length: f64,
-    /// The arm's size, m.
+    /// Size of the arm, m.
     pub size: f64,
     exact: bool,
 }
 
 impl Lines {
-    /// Rounding counts as zero.
+    /// Lines with tolerances for rounding only.
     pub fn exact(axes: &[Axis]) -> Self {
         Self { axes: axes.to_vec(), angle: 1e-11, length: 1e-11, size: size(axes, [0.0; 3]), exact: true }
     }
 
-    /// 1.2 degrees and three hundredths of the arm's size count as zero: what assembly and small
-    /// offsets of built arms come to.
+    /// Lines with tolerances of 1.2 degrees and three hundredths of the arm's size, which cover
+    /// assembly errors and small offsets of built arms.
     pub fn loose(axes: &[Axis], tip: Vector) -> Self {
-        // Points of the lines near the arm: a calibrated table may have them far away.
+        // Points of the lines near the arm: in a calibrated table they may be far away.
         let middle = scale(0.5, tip);
         let near: Vec<Axis> =
             axes.iter().map(|a| Axis { c: add(a.c, scale(dot(a.h, sub(middle, a.c)), a.h)), ..*a }).collect();
@@ -86,7 +86,7 @@ impl Lines {
         norm(cross(a.h, b.h)) <= self.angle
     }
 
-    /// Nearest point of two lines that are not parallel, if it is near enough.
+    /// Point between two lines that are not parallel, if they are near enough to each other.
     pub fn meet(&self, a: &Axis, b: &Axis) -> Option<Vector> {
         if a.slides || b.slides {
             return None;
@@ -110,7 +110,7 @@ impl Lines {
     pub fn meet_of(&self, a: &Axis, b: &Axis, c: &Axis) -> Option<Vector> {
         let (p, q) = (self.meet(a, b)?, self.meet(b, c)?);
         let gap = norm(sub(p, q));
-        // Rounding grows where lines meet at a small angle.
+        // Rounding errors grow if lines meet at a small angle.
         (gap <= self.length.max(1e-10 * self.size)).then(|| if self.exact { p } else { scale(0.5, add(p, q)) })
     }
 

@@ -1,12 +1,12 @@
-//! Lines put where the family has them, and joints that complete an arm to six. Of an exact arm
-//! nothing is moved.
+//! Moves lines to the nominal geometry of a family, and adds joints to complete an arm to six.
+//! Lines of an exact arm are not moved.
 
 use super::lines::{Lines, Vector, add, beside, cross, dot, norm, scale, sub, unit};
 use crate::ik::{Axis, Method, Regional};
 
-/// An axis and the joint it belongs to; none: it stays at zero.
+/// An axis and the index of its joint; `None`: an added joint, fixed at zero.
 pub(super) type Joint = (Axis, Option<u8>);
-/// Axes, method, and what to say of it.
+/// Axes, method, and description of the method.
 pub(super) type Plan = (Vec<Joint>, Method, &'static str);
 
 fn through(axis: Axis, point: Vector) -> Axis {
@@ -17,10 +17,10 @@ fn towards(axis: Axis, direction: Vector) -> Axis {
     Axis { h: scale(if dot(axis.h, direction) < 0.0 { -1.0 } else { 1.0 }, unit(direction)), ..axis }
 }
 
-/// Shoulder, elbow and wrist where they are nearly.
+/// Axes of an arm whose shoulder, elbow and wrist are nearly nominal.
 pub(super) fn swivel(a: [Axis; 7], shoulder: Vector, elbow: Vector, wrist: Vector) -> [Axis; 7] {
     let (upper, fore) = (sub(elbow, shoulder), sub(wrist, elbow));
-    // Across both where they are not in line; otherwise the previous direction, squared.
+    // Normal to both if they are not collinear; otherwise the previous direction, orthogonalised.
     let normal = if norm(cross(upper, fore)) > 0.1 * norm(upper) * norm(fore) {
         cross(upper, fore)
     } else {
@@ -37,16 +37,16 @@ pub(super) fn swivel(a: [Axis; 7], shoulder: Vector, elbow: Vector, wrist: Vecto
     ]
 }
 
-/// A direction that makes another angle with `h` than `other` does, so that an added joint is never
-/// in line with a real one.
+/// A direction at another angle to `h` than `other`, so that an added joint is never collinear with
+/// a real one.
 fn oblique(h: Vector, other: Vector) -> Vector {
     let (x, _) = beside(h);
     let c = dot(h, other).abs();
-    // 45 degrees, unless the other is there.
+    // At 45 degrees, unless the other is near that angle.
     if (c - 0.5f64.sqrt()).abs() < 0.3 { x } else { unit(add(h, x)) }
 }
 
-/// Three joints and a spherical wrist, added joints included.
+/// Arms with three joints and a spherical wrist, including added joints.
 pub(super) fn wrist(lines: &Lines, order: &[Joint]) -> Vec<Plan> {
     let n = order.len();
     if n < 3 || order[3..].iter().any(|(a, _)| a.slides) {
@@ -92,7 +92,7 @@ pub(super) fn wrist(lines: &Lines, order: &[Joint]) -> Vec<Plan> {
         .collect()
 }
 
-/// Ways to take three joints apart.
+/// Decompositions of three joints.
 fn regionals(lines: &Lines, a: &[Axis; 3]) -> Vec<([Axis; 3], Regional, &'static str)> {
     let kinds: String = a.iter().map(|a| if a.slides { 'P' } else { 'R' }).collect();
     let mut all = Vec::new();
@@ -184,7 +184,7 @@ fn regionals(lines: &Lines, a: &[Axis; 3]) -> Vec<([Axis; 3], Regional, &'static
     all
 }
 
-/// Joints 2, 3 and 4 of six parallel; `front`: how many joints are added before the first.
+/// Arms with joints 2, 3 and 4 of six parallel; `front`: number of joints added before the first.
 pub(super) fn three_parallel(lines: &Lines, order: &[Joint], front: usize) -> Option<Plan> {
     if order.iter().any(|(a, _)| a.slides) {
         return None;

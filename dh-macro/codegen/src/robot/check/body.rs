@@ -1,4 +1,4 @@
-//! Links and tool: inertial parameters, and whether a body can have them.
+//! Reads links and tool: inertial parameters, and whether they are physically possible.
 
 use super::super::keys;
 use super::super::problem::Problem;
@@ -7,7 +7,7 @@ use super::super::yaml::{self, Kind, Mark, shortened};
 use super::super::{Files, Inertia, Pose, Tool, ToolGeometry};
 use super::place;
 
-/// Inertial parameters per row of the DH table.
+/// Reads the inertial parameters per row of the DH table.
 pub(super) fn links(top: &Fields<'_>, rows: usize, to: &mut Findings) -> Vec<Option<Inertia>> {
     let Some((node, path)) = top.node("links").filter(|(node, _)| !matches!(node.kind, Kind::Null)) else {
         return Vec::new();
@@ -30,9 +30,9 @@ pub(super) fn links(top: &Fields<'_>, rows: usize, to: &mut Findings) -> Vec<Opt
         .collect()
 }
 
-/// `M`, `MS`, `I`; a body that can't be is a problem, unless its values were identified. It is a
-/// note where mass and tensor could each belong to a body and only contradict the first moments.
-/// Data sheets round, and their tensors are often about another point.
+/// Reads `M`, `MS`, `I`. An impossible body is a problem, unless its values were identified. It is
+/// only a note if mass and tensor are each possible and only contradict the first moments: data
+/// sheets round, and their tensors are often about another point.
 fn inertia(fields: &Fields<'_>, what: &str, to: &mut Findings) -> Option<Inertia> {
     let (m, ms, i) = (fields.number("M", to), fields.vector("MS", to), fields.vector("I", to));
     let identified = fields.flag("identified", to).unwrap_or(false);
@@ -55,7 +55,7 @@ fn inertia(fields: &Fields<'_>, what: &str, to: &mut Findings) -> Option<Inertia
     Some(inertia)
 }
 
-/// The tool, from here or from its own file.
+/// Reads the tool, from here or from a separate file.
 pub(super) fn tool(top: &Fields<'_>, files: &Files<'_>, to: &mut Findings) -> Option<Tool> {
     let (node, path) = top.node("tool")?;
     match &node.kind {
@@ -91,7 +91,7 @@ fn tool_file(name: &str, mark: Mark, path: &str, files: &Files<'_>, to: &mut Fin
     tool
 }
 
-/// A tool from the text of its file; `name` is what it is called where the file does not say.
+/// Reads a tool from the text of its file; `name` is used if the file states none.
 pub(super) fn tool_text(text: &str, name: &str, found: &mut Findings) -> Option<Tool> {
     match yaml::parse(text) {
         Ok(root) => {

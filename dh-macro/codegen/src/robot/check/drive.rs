@@ -1,4 +1,4 @@
-//! Rotor, gear, friction, and the effects beyond the rigid body.
+//! Reads rotor, gear, friction, and the effects beyond the rigid body.
 
 use super::super::Drive;
 use super::super::effects::{
@@ -10,7 +10,7 @@ use super::super::reader::{Fields, Findings, join};
 use super::super::yaml::{Kind, Mark, Node, Word, shortened};
 use super::law;
 
-/// Place of an effect in the file.
+/// Kind of file in which an effect is stated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::robot) enum Origin {
     /// A robot file.
@@ -21,7 +21,7 @@ pub(in crate::robot) enum Origin {
     Simulation,
 }
 
-/// The drive of a joint.
+/// Reads the drive of a joint.
 pub(super) fn drive(fields: &Fields<'_>, to: &mut Findings) -> Drive {
     let mut drive = Drive {
         rotor_inertia: fields.number(RotorInertia::NAME, to),
@@ -50,8 +50,8 @@ pub(super) fn drive(fields: &Fields<'_>, to: &mut Findings) -> Drive {
     drive
 }
 
-/// A drive takes energy: less than none is a problem, and a note where the value was identified
-/// from data that hardly show it.
+/// Checks that a dissipative or inertial parameter is not negative. A negative value is a problem,
+/// or a note if it was identified from data that hardly determine it.
 fn not_negative(kind: EffectKind, value: Option<f64>, mark: Mark, path: &str, origin: Origin, to: &mut Findings) {
     let Some(value) = value.filter(|value| kind.description().keys.iter().any(|key| !key.range.holds(*value))) else {
         return;
@@ -64,7 +64,7 @@ fn not_negative(kind: EffectKind, value: Option<f64>, mark: Mark, path: &str, or
     }
 }
 
-/// Laws that stand under their own names, in `drive` or in `drive.friction`; `seen`: those of this
+/// Reads laws stated by their names, in `drive` or in `drive.friction`; `seen`: those of this
 /// drive.
 fn laws(fields: &Fields<'_>, drive: &mut Drive, seen: &mut Vec<EffectKind>, origin: Origin, to: &mut Findings) {
     let in_friction = fields.path.ends_with(".friction");
@@ -104,7 +104,7 @@ fn laws(fields: &Fields<'_>, drive: &mut Drive, seen: &mut Vec<EffectKind>, orig
     }
 }
 
-/// `effects:` at the top of the file, but for its law: see [`law`].
+/// Reads `effects:` at the top of the file, except its law: see [`law`].
 pub(in crate::robot) fn effects(node: &Node, path: &str, origin: Origin, to: &mut Findings) -> Vec<Effect> {
     let Kind::Map(fields) = &node.kind else {
         let mend = format!("write a mapping of effects to numbers: {}: {{ roll: 1deg }}", EffectKind::BaseTilt);
@@ -131,7 +131,7 @@ pub(in crate::robot) fn effects(node: &Node, path: &str, origin: Origin, to: &mu
     effects
 }
 
-/// The effects of one joint in a file of effects, but for its law.
+/// Reads the effects of one joint in a file of effects, except its law.
 pub(in crate::robot) fn effects_of_joint(fields: &[(Word, Node)], path: &str, to: &mut Findings) -> Vec<Effect> {
     let mut effects = Vec::new();
     for (word, node) in fields {
@@ -162,8 +162,8 @@ fn no_effect(word: &Word, path: &str, to: &mut Findings) {
     to.problem(word.mark, path, format!("`{}` is not an effect", shortened(&word.text)), mend);
 }
 
-/// A bare number, or a mapping of the effect's keys. In a file of effects nothing at all will do
-/// too. `None` after a problem that leaves no effect.
+/// Reads a bare number, or a mapping of the effect's keys. In a file of effects it may also be
+/// empty. `None` after a problem that leaves no effect.
 fn effect(kind: EffectKind, node: &Node, path: &str, origin: Origin, to: &mut Findings) -> Option<Effect> {
     let known = kind.description();
     let (first, keys) = (known.keys[0].name, known.keys_in_words());
@@ -191,7 +191,7 @@ fn effect(kind: EffectKind, node: &Node, path: &str, origin: Origin, to: &mut Fi
     Effect::of_kind(kind, &values).ok()
 }
 
-/// A key of an effect and its value.
+/// Reads a key of an effect and its value.
 fn key_of(known: &Description, field: &(Word, Node), path: &str, to: &mut Findings) -> Option<(String, f64)> {
     let (word, node) = field;
     let path = join(path, &shortened(&word.text));
@@ -208,8 +208,9 @@ fn key_of(known: &Description, field: &(Word, Node), path: &str, to: &mut Findin
     to.number(node, &path, &format!("a number: {}", key.doc)).map(|value| (word.text.clone(), value))
 }
 
-/// Values must lie in the range of their key. An identified size may be negative. What a file of
-/// effects adds to plain friction or a rotor may have any sign: the simulator checks the sum.
+/// Checks that values lie in the range of their key. An identified size may be negative. The values
+/// that a file of effects adds to plain friction or a rotor may have any sign: the simulator checks
+/// the sum.
 fn ranges(kind: EffectKind, node: &Node, path: &str, values: &[(String, f64)], origin: Origin, to: &mut Findings) {
     let mark_of = |key: &str| match &node.kind {
         Kind::Map(fields) => fields.iter().find(|(word, _)| word.text == key).map_or(node.mark, |(_, n)| n.mark),

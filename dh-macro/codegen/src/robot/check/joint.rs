@@ -1,20 +1,20 @@
-//! Rows of the DH table.
+//! Reads the rows of the DH table.
 
 use super::super::reader::{Fields, Findings};
 use super::super::yaml::{Kind, Mark, Node};
 use super::super::{Angle, Drive, Joint, JointKind, Length, Limits};
 use super::{drive, place, provenance};
 
-/// Faster than any joint turns, rad/s: degrees, most likely.
+/// Speed above that of any joint, rad/s, which suggests degrees.
 const FASTEST: f64 = 60.0;
-/// Further than any joint turns, rad: degrees, most likely.
+/// Angle beyond the travel of any joint, rad, which suggests degrees.
 const FURTHEST: f64 = 30.0;
 
-/// Most rows of a table. The symbolic work grows with a power of them: 50 rows take some seconds,
-/// 100 would take a minute and 400 MB for no robot that is known.
+/// Most rows of a table. The symbolic work grows with a power of their number: 50 rows take some
+/// seconds, 100 would take a minute and 400 MB for no known robot.
 const MOST_ROWS: usize = 50;
 
-/// All rows.
+/// Reads all rows.
 pub(super) fn joints(top: &Fields<'_>, to: &mut Findings) -> Vec<Joint> {
     let Some((node, path)) = top.node("joints") else { return Vec::new() };
     if matches!(&node.kind, Kind::List(items) if items.is_empty()) {

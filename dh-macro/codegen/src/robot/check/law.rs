@@ -1,5 +1,5 @@
-//! Torques in closed form: `law` with its `unit`, beside a joint's `drive` or in it, or under
-//! `effects`, where it is of every joint with that unit.
+//! Reads torques in closed form: `law` with its `unit`, in a joint's row or `drive`, or under
+//! `effects`, where it applies to every joint with that unit.
 
 use super::super::keys::{LAW, LAW_KEYS, Shape, UNIT};
 use super::super::reader::{Fields, Findings, join};
@@ -7,12 +7,12 @@ use super::super::torque_law::{Law, unit_of};
 use super::super::yaml::{Kind, Mark, Node, Word, shortened};
 use super::super::{Joint, JointKind, TorqueLaw};
 
-/// Is this a key of a law?
+/// Whether this is a key of a law.
 pub(super) fn is_key(word: &Word) -> bool {
     LAW_KEYS.iter().any(|key| key.name == word.text)
 }
 
-/// The laws of all joints. They may speak of joints further out, so all rows are read by now.
+/// Reads the laws of all joints, after all rows, since they may refer to joints further out.
 pub(super) fn laws(top: &Fields<'_>, joints: &mut [Joint], to: &mut Findings) {
     let moving: Vec<JointKind> = joints.iter().map(|j| j.kind).filter(|kind| *kind != JointKind::Fixed).collect();
     let scope = core::mem::take(&mut to.scope);
@@ -32,7 +32,7 @@ pub(super) fn laws(top: &Fields<'_>, joints: &mut [Joint], to: &mut Findings) {
     to.scope = scope;
 }
 
-/// Beside the drive, or in it.
+/// Reads a law in the joint's row or in its drive.
 fn of_joint(row: &Node, path: &str, joint: &mut Joint, words: &Law<'_>, to: &mut Findings) {
     let Kind::Map(fields) = &row.kind else { return };
     let beside = at_joint(fields, path, joint.kind, words, to);
@@ -52,7 +52,7 @@ fn twice(mark: Mark, path: &str, what: &str, to: &mut Findings) {
     to.problem(mark, path, what, "write their sum in one of the two places");
 }
 
-/// `law` and `unit` among the keys of a joint of this kind.
+/// Reads `law` and `unit` among the keys of a joint of this kind.
 pub(in crate::robot) fn at_joint(
     fields: &[(Word, Node)],
     path: &str,
@@ -69,7 +69,7 @@ pub(in crate::robot) fn at_joint(
     (unit == unit_of(kind)).then_some(law)
 }
 
-/// The same under `effects`: of every joint with that unit.
+/// Reads a law under `effects`, which applies to every joint with that unit.
 fn of_every_joint(fields: &[(Word, Node)], path: &str, joints: &mut [Joint], words: &Law<'_>, to: &mut Findings) {
     let Some((mark, law, unit)) = stated(fields, path, None, words, to) else { return };
     let mut none = true;
@@ -107,7 +107,7 @@ pub(in crate::robot) fn of_effects(
     laws
 }
 
-/// Place of the law's key, the law and its unit; `wanted`: the unit that it must have.
+/// Location of the law's key, the law and its unit; `wanted`: required unit.
 fn stated<'f>(
     fields: &'f [(Word, Node)],
     path: &str,

@@ -1,4 +1,4 @@
-//! `log:` at the top of a robot file, and the file of a mapping.
+//! Reads `log:` at the top of a robot file, and the file of a mapping.
 
 use super::super::keys;
 use super::super::log::{LogChannel, LogMapping, log_column};
@@ -7,7 +7,7 @@ use super::super::reader::{Fields, Findings, join};
 use super::super::yaml::{self, Kind, Node, Word, shortened};
 
 impl LogMapping {
-    /// Reads the file of a mapping: what stands under `log` in a robot file.
+    /// Reads the file of a mapping, which has the format of `log` in a robot file.
     ///
     /// # Errors
     /// All mistakes, each with its line and column.
@@ -22,7 +22,7 @@ impl LogMapping {
     }
 }
 
-/// The mapping with these keys.
+/// Reads the mapping from these keys.
 pub(super) fn mapping(fields: &Fields<'_>, to: &mut Findings) -> LogMapping {
     let arrival = fields.choice("clock", to) == Some("arrival");
     let mut columns: Vec<(String, LogChannel)> = Vec::new();
@@ -38,7 +38,7 @@ pub(super) fn mapping(fields: &Fields<'_>, to: &mut Findings) -> LogMapping {
     LogMapping { columns, arrival }
 }
 
-/// The channel of a column.
+/// Reads the channel of a column.
 fn channel(word: &Word, value: &Node, path: &str, to: &mut Findings) -> Option<LogChannel> {
     let path = join(path, &shortened(&word.text));
     let dimension = match log_column(&word.text) {

@@ -1,9 +1,9 @@
-//! Source of a file and of its joints: for people to read, checked for its form.
+//! Checks the form of provenance entries, and reads the source of joints.
 
 use super::super::JointSource;
 use super::super::reader::{Fields, Findings};
 
-/// `provenance:` at the top.
+/// Checks `provenance:` at the top.
 pub(super) fn check(top: &Fields<'_>, to: &mut Findings) {
     for (node, path) in top.rows("provenance", to).unwrap_or_default() {
         let Some(run) = top.row("provenance", node, &path, to) else { continue };
@@ -16,7 +16,7 @@ pub(super) fn check(top: &Fields<'_>, to: &mut Findings) {
     }
 }
 
-/// `source:` of a joint.
+/// Reads `source:` of a joint.
 pub(super) fn of_joint(joint: &Fields<'_>, to: &mut Findings) -> Option<JointSource> {
     let source = joint.map("source", to)?;
     let sign = source.number("sign", to);

@@ -1,5 +1,5 @@
-//! `asymmetric_friction`: `FCA |sign(v)| + FVA |v|`: forward the levels are `FC + FCA`, backward
-//! `FC - FCA`.
+//! Effect `asymmetric_friction`: `FCA |sign(v)| + FVA |v|`, with levels of `FC + FCA` forward and
+//! `FC - FCA` backward.
 
 use super::key::{Range, Scope, effect};
 

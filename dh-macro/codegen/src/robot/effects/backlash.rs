@@ -1,4 +1,4 @@
-//! `backlash`: a dead zone between motor and link.
+//! Effect `backlash`: a dead zone between motor and link.
 
 use super::key::{Range, Scope, effect};
 

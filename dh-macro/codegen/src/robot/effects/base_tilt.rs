@@ -1,4 +1,4 @@
-//! `base_tilt`: the true base is the given one turned by `RotY(pitch) RotX(roll)`.
+//! Effect `base_tilt`: the true base is the given one rotated by `RotY(pitch) RotX(roll)`.
 
 use super::key::{Range, Scope, effect};
 

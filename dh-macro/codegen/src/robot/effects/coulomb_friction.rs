@@ -1,4 +1,4 @@
-//! `coulomb_friction`: `FC sign(v)`.
+//! Effect `coulomb_friction`: `FC sign(v)`.
 
 use super::key::{Range, Scope, effect};
 

@@ -1,4 +1,4 @@
-//! `encoder_offset`: true angle is the measured one and `QO`.
+//! Effect `encoder_offset`: the true angle is the measured one plus `QO`.
 
 use super::key::{Range, Scope, effect};
 
@@ -10,5 +10,5 @@ effect! {
     offset = QO ["rad"] always 0.02, TURN, "offset";
 }
 
-/// A turn either way, rad: a counter may be off by one.
+/// Range of one turn either way, rad: a counter may be off by one.
 const TURN: Range = Range::within(-core::f64::consts::TAU, core::f64::consts::TAU);

@@ -1,5 +1,5 @@
-//! `external_contact`: a wrench on the tool during a window of time, or the force of a compliant
-//! wall.
+//! Effect `external_contact`: a wrench on the tool during a time window, or the force of a
+//! compliant wall.
 
 use super::key::{Key, Range, Scope, effect};
 
@@ -34,7 +34,8 @@ impl ExternalContact {
         [self.fx(), self.fy(), self.fz(), self.mx(), self.my(), self.mz()]
     }
 
-    /// The wall of one and the wrench of the other, whichever of them is the wall.
+    /// Combines the wall of one contact with the wrench of the other, whichever of them is the
+    /// wall.
     #[must_use]
     pub fn beside(self, other: Self) -> Self {
         let (wall, push) = if self.stiffness() > 0.0 { (self, other) } else { (other, self) };
@@ -42,7 +43,7 @@ impl ExternalContact {
         Self { stiffness, nx, ny, nz, at, ..push }
     }
 
-    /// Normal of the wall as written: of any length.
+    /// Normal of the wall as stated, not normalised.
     #[must_use]
     pub fn normal(&self) -> [f64; 3] {
         [self.nx(), self.ny(), self.nz()]

@@ -1,5 +1,5 @@
-//! `friction_drift`: friction times `1 + DA exp(-t / DT) + DK (temp - T0)`, a factor not less than
-//! 0.
+//! Effect `friction_drift`: friction times `1 + DA exp(-t / DT) + DK (temp - T0)`, a factor that is
+//! not less than 0.
 
 use super::key::{Range, Scope, effect};
 

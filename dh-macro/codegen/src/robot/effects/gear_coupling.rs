@@ -1,5 +1,5 @@
-//! `gear_coupling`: motor m turns with `w = dq_m + KC dq_k`, as in the wrists of Staubli arms; or
-//! the link m stands at `q_m + CQ q_k`.
+//! Effect `gear_coupling`: motor m turns with `w = dq_m + KC dq_k`, as in the wrists of Staubli
+//! arms; or link m is at `q_m + CQ q_k`.
 
 use super::key::{Range, Scope, effect};
 
@@ -23,13 +23,13 @@ impl GearCoupling {
         [self.rotor, self.viscous, self.coulomb].iter().any(Option::is_some)
     }
 
-    /// Whether any size is stated. Where none is, rotor and friction have their defaults.
+    /// Whether any size is stated; if none is, rotor and friction have their defaults.
     #[must_use]
     pub fn has_sizes(&self) -> bool {
         self.has_motor() || self.carried.is_some()
     }
 
-    /// `FVM`, or its default where the two joints have these viscous coefficients, N m s/rad.
+    /// `FVM`, or its default for joints with these viscous coefficients, N m s/rad.
     #[must_use]
     pub fn viscous(&self, joints: [f64; 2]) -> f64 {
         let [m, k] = joints;

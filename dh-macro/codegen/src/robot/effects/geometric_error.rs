@@ -1,4 +1,4 @@
-//! `geometric_error`: the true row of the DH table is the given one and these.
+//! Effect `geometric_error`: the true row of the DH table is the given one plus these errors.
 
 use super::key::{Range, Scope, effect};
 
@@ -13,5 +13,5 @@ effect! {
     r = DR ["m"] always 0.0, LENGTH, "of r";
 }
 
-/// A length's error, m: beyond, the unit was mistaken.
+/// Largest error of a length, m; a larger one suggests a wrong unit.
 const LENGTH: Range = Range::within(-10.0, 10.0);

@@ -1,4 +1,4 @@
-//! `joint_elasticity`: a spring between motor and link.
+//! Effect `joint_elasticity`: a spring between motor and link.
 
 use super::key::{Range, Scope, effect};
 

@@ -1,4 +1,4 @@
-//! `joint_spring`: `KS (q - QS) + KQ (q - QS)^3`, on both sides of `QS` or on one.
+//! Effect `joint_spring`: `KS (q - QS) + KQ (q - QS)^3`, on both sides of `QS` or on one.
 
 use super::key::{Range, Scope, effect};
 
@@ -14,7 +14,7 @@ effect! {
 }
 
 impl JointSpring {
-    /// Whether it is taut on both sides and does not stiffen.
+    /// Whether it acts on both sides and has no cubic part.
     #[must_use]
     pub fn is_linear(&self) -> bool {
         self.cubic() == 0.0 && self.side() == 0.0

@@ -1,4 +1,4 @@
-//! Description of an effect's type: its keys with units, defaults and ranges.
+//! Description of an effect's type: keys with units, defaults and ranges.
 
 /// Places in a file where an effect is allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -7,70 +7,69 @@ pub enum Scope {
     Joint,
     /// In `drive` of one joint, or under `effects` at the top of the file: then at every joint.
     EveryJoint,
-    /// In `drive` of one joint, meaning its link, or under `effects` at the top of the file with
-    /// the number of the link.
+    /// In `drive` of one joint, for its link, or under `effects` at the top of the file with the
+    /// number of the link.
     Link,
     /// Under `effects` at the top of the file.
     Robot,
 }
 
 impl Scope {
-    /// Whether it may stand at a joint.
+    /// Whether it is allowed at a joint.
     #[must_use]
     pub fn at_joint(self) -> bool {
         self != Self::Robot
     }
 
-    /// Whether it may stand at the top of the file.
+    /// Whether it is allowed at the top of the file.
     #[must_use]
     pub fn at_top(self) -> bool {
         self != Self::Joint
     }
 }
 
-/// The value of a key that is not written.
+/// Value of a key that is not stated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Magnitude {
-    /// This number.
+    /// A fixed number.
     Is(f64),
-    /// This part of the joint's torque limit (of [`RATED`](crate::robot::RATED) where the file
-    /// gives none).
+    /// A share of the joint's torque limit (of [`RATED`](crate::robot::RATED) if the file gives
+    /// none).
     OfTorque(f64),
-    /// As the key's words say; it depends on the robot or the motion.
+    /// A value that depends on the robot or the motion, as the key's documentation states.
     Derived,
-    /// It must be written.
+    /// No default: the key is required.
     Needed,
 }
 
-/// Values that a key may have: beyond them a law has no value, a gear locks, or a unit was
-/// mistaken.
+/// Admissible values of a key. Outside, a law has no value, a gear locks, or the unit is wrong.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
-    /// Least value.
+    /// Smallest value.
     pub least: f64,
-    /// Whether the least value belongs to the range.
+    /// Whether the smallest value belongs to the range.
     pub with_least: bool,
     /// Largest value.
     pub most: f64,
     /// Whether the largest value belongs to the range.
     pub with_most: bool,
-    /// An identified value may lie below `least`, but above this: data that hardly show a size may
-    /// make it negative.
+    /// Lower limit for identified values, which may lie below `least`: data that hardly determine a
+    /// size may make it negative.
     pub identified: f64,
-    /// Consequence of a value outside, for messages; empty where that is plain.
+    /// Consequence of a value outside, for messages; empty if obvious.
     pub beyond: &'static str,
 }
 
 impl Range {
     /// Any finite number.
     pub const ANY: Self = Self::within(f64::NEG_INFINITY, f64::INFINITY);
-    /// A size: an identification may have made it negative.
+    /// A size: not negative, unless identified.
     pub const SIZE: Self = Self { identified: f64::NEG_INFINITY, ..Self::within(0.0, f64::INFINITY) };
     /// From 0.
     pub const NOT_NEGATIVE: Self = Self::within(0.0, f64::INFINITY);
     /// Above 0.
     pub const POSITIVE: Self = Self::above(0.0, f64::INFINITY);
-    /// An angle's error, rad: half a turn at most.
+    /// Angle error of at most half a turn, rad.
     pub const HALF_TURN: Self = Self::within(-core::f64::consts::PI, core::f64::consts::PI);
 
     /// From `least` to `most`, both included.
@@ -85,7 +84,7 @@ impl Range {
         Self { with_least: false, ..Self::within(least, most) }
     }
 
-    /// Whether a value lies in it.
+    /// Whether a value lies in the range.
     #[must_use]
     pub fn holds(&self, value: f64) -> bool {
         let above = value > self.least || (self.with_least && value == self.least);
@@ -116,8 +115,8 @@ impl Range {
     }
 }
 
-/// Symbol of an effect's key, as files and diagnoses write it. Only the files of the effects make
-/// one: a misspelt key does not compile.
+/// Symbol of an effect's key in files and diagnoses. Only the files of the effects create keys, so
+/// a misspelt key does not compile.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Key(&'static str);
 
@@ -126,7 +125,7 @@ impl Key {
         Self(name)
     }
 
-    /// As a file writes it.
+    /// Text of the key in a file.
     #[must_use]
     pub const fn name(self) -> &'static str {
         self.0
@@ -148,36 +147,36 @@ impl core::fmt::Display for Key {
 /// A key of an effect.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EffectKey {
-    /// Its symbol; a diagnosis adds the joint's number: `FS3`.
+    /// Symbol of the key; a diagnosis adds the joint's number: `FS3`.
     pub name: &'static str,
     /// Unit, empty for a plain number. For a prismatic joint read N for N m, and m for rad.
     pub unit: &'static str,
-    /// The value where nothing is written about the effect but its name, `{}`.
+    /// Value if only the effect's name is stated, `{}`.
     pub default: Magnitude,
-    /// The value where other keys of the effect are written.
+    /// Value if other keys of the effect are stated.
     pub omitted: Magnitude,
-    /// The number of a joint or link, from 1.
+    /// Whether it is the number of a joint or link, from 1.
     pub count: bool,
-    /// The values it may have.
+    /// Admissible values.
     pub range: Range,
-    /// In words.
+    /// Description in words.
     pub doc: &'static str,
 }
 
-/// An effect's type in data, for whatever reads, checks or documents all of them.
+/// Description of an effect's type as data, for reading, checking and documenting all effects.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Description {
-    /// Its name in files and diagnoses.
+    /// Name in files and diagnoses.
     pub name: &'static str,
     /// Description in one sentence.
     pub sentence: &'static str,
     /// Allowed places.
     pub scope: Scope,
-    /// Its keys; a bare number is the first.
+    /// Keys of the effect; a bare number is the value of the first.
     pub keys: &'static [EffectKey],
-    /// How often the keys may stand: again with 2, 3, ... behind them.
+    /// How often the keys may be stated: repeated with 2, 3, ... appended.
     pub repeats: usize,
-    /// Torque added to that of the rigid model, the actuator's on the link; `v` is the joint's
+    /// Torque added to that of the rigid model (of the actuator on the link); `v` is the joint's
     /// velocity.
     pub law: &'static str,
     /// Source of the default magnitudes.
@@ -185,13 +184,13 @@ pub struct Description {
 }
 
 impl Description {
-    /// The key of this name; of `RN2` the key `RN` where keys repeat.
+    /// Key with this name; for `RN2` the key `RN` if keys repeat.
     #[must_use]
     pub fn key(&self, name: &str) -> Option<&'static EffectKey> {
         self.place(name).map(|(key, _)| &self.keys[key])
     }
 
-    /// Index of a key, and its number: 2 of `RN2`, 1 of `RN`.
+    /// Index of a key, and its number: 2 for `RN2`, 1 for `RN`.
     pub(super) fn place(&self, name: &str) -> Option<(usize, usize)> {
         let index = |name: &str| self.keys.iter().position(|key| key.name == name);
         if let Some(key) = index(name) {
@@ -204,7 +203,7 @@ impl Description {
         (2..=self.repeats).contains(&number).then_some((key, number))
     }
 
-    /// `FS (N m), VS (rad/s), DS`
+    /// Keys with units as text: `FS (N m), VS (rad/s), DS`.
     pub(crate) fn keys_in_words(&self) -> String {
         let with_unit = |key: &EffectKey| match key.unit {
             "" => key.name.to_string(),
@@ -214,19 +213,18 @@ impl Description {
     }
 }
 
-/// An effect's type: its description, and its fields by the keys of that.
+/// An effect's type: its description, and access to its fields by key.
 pub(super) trait Keys: Default {
     /// Description of the type.
     const DESCRIPTION: Description;
 
-    /// The value that is stated for a key (index into the description's), of the keys of this
-    /// number, from 1.
+    /// Stated value of a key (index into the description's) with this number, from 1.
     fn stated(&self, key: usize, number: usize) -> Option<f64>;
 
-    /// States a value. `false`: the field can not hold it.
+    /// Sets a value; `false` if the field can't hold it.
     fn state(&mut self, key: usize, number: usize, value: f64) -> bool;
 
-    /// How often the keys stand.
+    /// Number of times the keys are stated.
     fn numbers(&self) -> usize {
         1
     }
@@ -265,7 +263,7 @@ impl Field for Option<usize> {
     }
 }
 
-/// A number that has to be stated; 0 until it is.
+/// A required number; 0 until it is stated.
 impl Field for usize {
     fn stated(&self) -> Option<f64> {
         (*self > 0).then_some(*self as f64)
@@ -280,16 +278,16 @@ impl Field for usize {
 /// Defines an effect's type and its table of keys at once.
 ///
 /// Each row is a field and a constant for its key: `field = KEY ["unit"] default, range, "words";`,
-/// with `[]` for a plain number, and `KEY as "key"` for a key in small letters. The default is
+/// with `[]` for a plain number, and `KEY as "key"` for a lower-case key. The default is
 ///
-/// - `always 0.05`: wherever the key is not written,
-/// - `alone 0.05`: where nothing but the effect's name is written; else 0,
-/// - either of them `* torque`: times the joint's torque limit,
-/// - `by_hand 0.05`: as `alone`, by a method that stands beside the table,
-/// - `derived`: from the robot or the motion, by whoever uses it; `derived_alone`: else 0,
-/// - `link`, `joint`: the number of a link, which may be left out, or of a joint, which may not.
+/// - `always 0.05`: whenever the key is not stated,
+/// - `alone 0.05`: if only the effect's name is stated; otherwise 0,
+/// - either of these `* torque`: multiplied by the joint's torque limit,
+/// - `by_hand 0.05`: like `alone`, by a method written beside the table,
+/// - `derived`: computed by the user from the robot or the motion; `derived_alone`: otherwise 0,
+/// - `link`, `joint`: the number of a link, which is optional, or of a joint, which is required.
 ///
-/// A field holds what the file states. A method of its name gives that or the default.
+/// A field holds the value stated in the file. The method of its name returns it or the default.
 macro_rules! effect {
     (
         #[doc = $sentence:literal]

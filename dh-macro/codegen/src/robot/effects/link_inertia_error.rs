@@ -1,4 +1,4 @@
-//! `link_inertia_error`: the true parameters of a link are the given ones and these.
+//! Effect `link_inertia_error`: the true parameters of a link are the given ones plus these errors.
 
 use super::key::{Key, Range, Scope, effect};
 

@@ -1,5 +1,5 @@
-//! `load_dependent_friction`: `FL |tau_load| sign(v)`, `FLB` in place of `FL` where the load
-//! drives.
+//! Effect `load_dependent_friction`: `FL |tau_load| sign(v)`, with `FLB` instead of `FL` if the
+//! load drives.
 
 use super::key::{Range, Scope, effect};
 
@@ -20,7 +20,8 @@ impl LoadDependentFriction {
     }
 }
 
-/// A gear takes energy, and locks where it loses as much as it transmits. From data that hardly
-/// show it an identification may give a small factor of the other sign.
+/// Range of the friction factor. A gear dissipates energy, and locks if it loses as much as it
+/// transmits. From data that hardly determine it an identification may give a small negative
+/// factor.
 const EFFICIENCY: Range =
     Range { with_most: false, identified: -1.0, beyond: "beyond, the gear locks", ..Range::within(0.0, 1.0) };

@@ -1,23 +1,24 @@
-//! `nonlinear_viscous_friction`: `FN |v|^EN sign(v)`, or `FN v / (|v| + VN)`, of several terms.
+//! Effect `nonlinear_viscous_friction`: `FN |v|^EN sign(v)`, or `FN v / (|v| + VN)`, in several
+//! terms.
 
 use super::key::{Description, EffectKey, Field, Key, Keys, Magnitude, Range, Scope};
 
 /// A viscous part that is not in proportion to speed.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct NonlinearViscousFriction {
-    /// Terms: the keys without a number, those with 2 behind them, and so on. One without a size is
-    /// none, but for the first.
+    /// Terms: the keys without a number, those with 2 appended, and so on. A term without a size is
+    /// ignored, except the first.
     pub terms: Vec<ViscousTerm>,
 }
 
-/// One term of a friction that is not in proportion to speed.
+/// One term of nonlinear viscous friction.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct ViscousTerm {
     /// `FN`, N m (s/rad)^EN: torque at 1 rad/s; N m where the term saturates.
     pub level: Option<f64>,
-    /// `EN`: exponent.
+    /// `EN`: exponent of the speed.
     pub exponent: Option<f64>,
-    /// `VN`, rad/s: where greater than 0, the term saturates, and has half of `FN` at this speed.
+    /// `VN`, rad/s: if greater than 0, the term saturates, and has half of `FN` at this speed.
     pub half: Option<f64>,
 }
 
@@ -27,17 +28,17 @@ impl ViscousTerm {
     }
 }
 
-/// Default torque at 1 rad/s by the torque limit.
+/// Default torque at 1 rad/s, as a share of the torque limit.
 const LEVEL: f64 = 0.015;
 
 /// Default exponent.
 const EXPONENT: f64 = 0.5;
 
-/// Terms that a file can name.
+/// Most terms that a file can state.
 const TERMS: usize = 9;
 
 impl NonlinearViscousFriction {
-    /// Its name in files and diagnoses.
+    /// Name in files and diagnoses.
     pub const NAME: &'static str = "nonlinear_viscous_friction";
 
     /// Key of `level`: torque at 1 rad/s.
@@ -63,7 +64,8 @@ impl NonlinearViscousFriction {
         core::iter::once(first).chain(further).collect()
     }
 
-    /// Adds the terms of another friction of the same joint, as far as a file can name them.
+    /// Appends the terms of another friction of the same joint, up to the number that a file can
+    /// state.
     pub fn extend(&mut self, other: Self) {
         self.terms.extend(other.terms);
         self.terms.truncate(TERMS);

@@ -1,4 +1,4 @@
-//! `payload`: a body fixed in the last frame.
+//! Effect `payload`: a body fixed in the last frame.
 
 use super::key::{Key, Range, Scope, effect};
 
@@ -30,7 +30,7 @@ impl Payload {
         [self.m(), self.msx(), self.msy(), self.msz(), self.xx(), self.yy(), self.zz(), self.xy(), self.xz(), self.yz()]
     }
 
-    /// Whether nothing is said of its tensor: a point mass.
+    /// Whether it is a point mass: no tensor is stated.
     #[must_use]
     pub fn is_point(&self) -> bool {
         let tensor = [self.xx, self.yy, self.zz, self.xy, self.xz, self.yz];

@@ -1,4 +1,4 @@
-//! `position_dependent_friction`: `sign(v) (PC cos(PN q) + PS sin(PN q))`.
+//! Effect `position_dependent_friction`: `sign(v) (PC cos(PN q) + PS sin(PN q))`.
 
 use super::key::{Range, Scope, effect};
 

@@ -1,4 +1,4 @@
-//! `presliding_hysteresis`: `HC z`, `dz/dt = (v / HX)(1 - z sign(v))`.
+//! Effect `presliding_hysteresis`: `HC z`, `dz/dt = (v / HX)(1 - z sign(v))`.
 
 use super::key::{Range, Scope, effect};
 

@@ -1,4 +1,4 @@
-//! `rotor_inertia`: `IA ddq`.
+//! Effect `rotor_inertia`: `IA ddq`.
 
 use super::key::{Range, Scope, effect};
 

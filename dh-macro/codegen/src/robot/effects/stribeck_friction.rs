@@ -1,4 +1,4 @@
-//! `stribeck_friction`: `(FS - FC) exp(-|v / VS|^DS) sign(v)`.
+//! Effect `stribeck_friction`: `(FS - FC) exp(-|v / VS|^DS) sign(v)`.
 
 use super::key::{Range, Scope, effect};
 
@@ -13,7 +13,7 @@ effect! {
 }
 
 impl StribeckFriction {
-    /// By how much the breakaway level exceeds the Coulomb level where the file does not state it:
-    /// this part of the torque limit.
+    /// Default excess of the breakaway level over the Coulomb level, as a share of the torque
+    /// limit.
     pub const EXCESS: f64 = 0.01;
 }

@@ -1,4 +1,4 @@
-//! `time_delay`: the torque sample at `t` belongs to the motion at `t - TD`.
+//! Effect `time_delay`: the torque sample at `t` belongs to the motion at `t - TD`.
 
 use super::key::{Range, Scope, effect};
 

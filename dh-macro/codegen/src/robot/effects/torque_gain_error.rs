@@ -1,4 +1,4 @@
-//! `torque_gain_error`: measured torque `GT` times the true one.
+//! Effect `torque_gain_error`: the measured torque is `GT` times the true one.
 
 use super::key::{Range, Scope, effect};
 

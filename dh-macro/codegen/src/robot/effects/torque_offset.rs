@@ -1,4 +1,4 @@
-//! `torque_offset`: measured torque is the true one and `TO`.
+//! Effect `torque_offset`: the measured torque is the true one plus `TO`.
 
 use super::key::{Range, Scope, effect};
 

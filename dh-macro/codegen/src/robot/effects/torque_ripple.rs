@@ -1,12 +1,12 @@
-//! `torque_ripple`: `RC cos(RN q) + RS sin(RN q)`, of several orders.
+//! Effect `torque_ripple`: `RC cos(RN q) + RS sin(RN q)`, in several orders.
 
 use super::key::{Description, EffectKey, Field, Key, Keys, Magnitude, Range, Scope};
 
 /// Torque that is periodic in the angle of the joint or motor: cogging, orders of the gear's mesh.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct TorqueRipple {
-    /// Orders: the keys without a number, those with 2 behind them, and so on. One without
-    /// amplitudes is none, but for the first.
+    /// Orders: the keys without a number, those with 2 appended, and so on. An order without
+    /// amplitudes is ignored, except the first.
     pub orders: Vec<RippleOrder>,
 }
 
@@ -27,17 +27,17 @@ impl RippleOrder {
     }
 }
 
-/// Periods per turn where the robot file has no gear ratio: a compact planetary or a pole count.
+/// Periods per turn if the robot file has no gear ratio: a compact planetary gear or a pole count.
 const PERIODS: f64 = 32.0;
 
-/// Default amplitudes of cosine and sine by the torque limit.
+/// Default amplitudes of cosine and sine, as shares of the torque limit.
 const AMPLITUDE: [f64; 2] = [0.006, 0.003];
 
-/// Orders that a file can name.
+/// Most orders that a file can state.
 const ORDERS: usize = 9;
 
 impl TorqueRipple {
-    /// Its name in files and diagnoses.
+    /// Name in files and diagnoses.
     pub const NAME: &'static str = "torque_ripple";
 
     /// Key of `periods`: periods per turn of the joint.
@@ -49,14 +49,14 @@ impl TorqueRipple {
     /// Key of `sine`: amplitude of the sine.
     pub const RS: Key = Key::new("RS");
 
-    /// Of one order.
+    /// Ripple of one order.
     #[must_use]
     pub fn of(periods: f64, cosine: f64, sine: f64) -> Self {
         let order = RippleOrder { periods: Some(periods), cosine: Some(cosine), sine: Some(sine) };
         Self { orders: vec![order] }
     }
 
-    /// Whether nothing but the name is written.
+    /// Whether only the name is stated.
     #[must_use]
     pub fn is_bare(&self) -> bool {
         self.orders.iter().flat_map(RippleOrder::fields).all(|value| value.is_none())
@@ -78,7 +78,8 @@ impl TorqueRipple {
         core::iter::once(first).chain(further).collect()
     }
 
-    /// Adds the orders of another ripple of the same joint, as far as a file can name them.
+    /// Appends the orders of another ripple of the same joint, up to the number that a file can
+    /// state.
     pub fn extend(&mut self, other: Self) {
         self.orders.extend(other.orders);
         self.orders.truncate(ORDERS);

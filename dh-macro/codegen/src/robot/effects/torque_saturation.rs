@@ -1,4 +1,4 @@
-//! `torque_saturation`: the applied torque is clipped to `+-TM`.
+//! Effect `torque_saturation`: the applied torque is clipped to `+-TM`.
 
 use super::key::{Range, Scope, effect};
 

@@ -1,4 +1,4 @@
-//! `viscous_friction`: `FV v`.
+//! Effect `viscous_friction`: `FV v`.
 
 use super::key::{Range, Scope, effect};
 

@@ -1,10 +1,10 @@
-//! Bounds between which the value of an expression lies, whatever the motion: a law must have a
-//! value everywhere.
+//! Interval bounds on the value of an expression for any motion, since a law must be defined
+//! everywhere.
 
 use crate::elementary::Real;
 use crate::runtime::Scalar;
 
-/// From the least to the largest value, either of which may be infinite.
+/// Interval from the smallest to the largest value, either of which may be infinite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Bounds {
     pub least: f64,
@@ -14,7 +14,7 @@ pub(super) struct Bounds {
 impl Bounds {
     pub const ANY: Self = Self { least: f64::NEG_INFINITY, most: f64::INFINITY };
 
-    /// A bound that is no number is none.
+    /// Interval from two bounds; NaN means unbounded.
     pub fn new(least: f64, most: f64) -> Self {
         let or = |bound: f64, none: f64| if bound.is_nan() { none } else { bound };
         Self { least: or(least, f64::NEG_INFINITY), most: or(most, f64::INFINITY) }
@@ -24,7 +24,7 @@ impl Bounds {
         Self::new(value, value)
     }
 
-    /// Whether it may be 0.
+    /// Whether the interval contains 0.
     pub fn holds_zero(self) -> bool {
         self.least <= 0.0 && self.most >= 0.0
     }
@@ -42,7 +42,7 @@ impl Bounds {
         hull([a.least * b.least, a.least * b.most, a.most * b.least, a.most * b.most])
     }
 
-    /// 0 does not lie in it.
+    /// Bounds of the inverse; the interval must not contain 0.
     pub fn inverse(self) -> Self {
         Self::new(1.0 / self.most, 1.0 / self.least)
     }
@@ -53,14 +53,14 @@ impl Bounds {
         Self::new(least, most)
     }
 
-    /// To a whole power from 0.
+    /// Bounds of an integer power, from 0.
     pub fn raised(self, n: u32) -> Self {
         let power = |x: f64| (0..n).fold(1.0, |y, _| y * x);
         let of = if n.is_multiple_of(2) { self.abs() } else { self };
         Self::new(power(of.least), power(of.most))
     }
 
-    /// By a function that grows with its argument.
+    /// Bounds of a function that increases with its argument.
     pub fn by(self, f: impl Fn(f64) -> f64) -> Self {
         Self::new(f(self.least), f(self.most))
     }
@@ -83,7 +83,8 @@ impl Bounds {
     }
 }
 
-/// Of products; 0 times infinity is 0, since the infinite value is not taken.
+/// Smallest interval that contains these products; 0 times infinity is 0, since the infinite value
+/// is not attained.
 fn hull(values: [f64; 4]) -> Bounds {
     let values = values.map(|x| if x.is_nan() { 0.0 } else { x });
     let least = values.iter().copied().fold(f64::INFINITY, f64::min);

@@ -1,20 +1,20 @@
-//! Units of expressions, as far as they can be known: a number may stand for any unit, a variable
-//! has its own.
+//! Units of expressions, as far as they are known: a number may have any unit, a variable has its
+//! own.
 
 /// Powers of m, s and K; an angle has none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Powers([f64; 3]);
 
-/// What is known about the unit of an expression; `None`: a number in it takes what is needed.
+/// Known part of an expression's unit; `None`: a number in it takes the unit that is required.
 pub(super) type Dimension = Option<Powers>;
 
 impl Powers {
-    /// A plain number, or an angle.
+    /// Dimension of a plain number, or an angle.
     pub const NONE: Self = Self([0.0; 3]);
     pub const TIME: Self = Self([0.0, 1.0, 0.0]);
     pub const TEMPERATURE: Self = Self([0.0, 0.0, 1.0]);
 
-    /// Of the position of a joint, differentiated so often.
+    /// Dimension of a joint's position, differentiated `times` times.
     pub fn motion(slides: bool, times: u8) -> Self {
         Self([f64::from(u8::from(slides)), -f64::from(times), 0.0])
     }
@@ -27,7 +27,7 @@ impl Powers {
         Self(self.0.map(|power| power * by))
     }
 
-    /// `m/s`, `rad/s`, `K`.
+    /// Unit as text: `m/s`, `rad/s`, `K`.
     pub fn words(self) -> String {
         let units = || self.0.iter().zip(["m", "s", "K"]).filter(|(power, _)| **power != 0.0);
         let one = |(power, unit): (&f64, &str)| match power.abs() {

@@ -1,5 +1,5 @@
-//! From the tree of a text to a law: names are resolved, values must exist for every motion, units
-//! must go together.
+//! Converts the tree of a text to a law: resolves names, and checks that values exist for every
+//! motion and that units are consistent.
 
 use super::super::JointKind;
 use super::super::expression::{ExpressionError, Part, Scope, Syntax, error, law};
@@ -10,44 +10,44 @@ use super::dimension::{Dimension, Powers};
 use super::{LawFunction, Term, Variable};
 use crate::elementary::Real;
 
-/// Largest power.
+/// Largest exponent.
 const HIGHEST: f64 = 16.0;
 
-/// Names of variables that have the number of a joint behind them.
+/// Names of variables that are followed by the number of a joint.
 const NUMBERED: [&str; 4] = ["ddq", "dq", "q", "temp"];
 const TIME: &str = "t";
 const LEAST: &str = "min";
 const MOST: &str = "max";
 
-/// Coldest and hottest that a column of a log can be, degrees C.
+/// Lowest temperature of a log column (absolute zero), degrees C.
 const COLDEST: f64 = -273.15;
 
-/// Unit of a joint's torque.
+/// Unit of a joint's torque or force.
 pub(in crate::robot) fn unit_of(kind: JointKind) -> &'static str {
     if kind == JointKind::Prismatic { "N" } else { "N m" }
 }
 
-/// What the words of a law mean.
+/// Meaning of the words in a law: variables and constants.
 pub(in crate::robot) struct Law<'a> {
-    /// Kinds of the joints that move.
+    /// Kinds of the moving joints.
     pub(in crate::robot) joints: &'a [JointKind],
     pub(in crate::robot) scope: &'a Scope,
 }
 
-/// A word that is a variable's.
+/// A word that names a variable.
 enum Word<'n> {
-    /// One of this arm.
+    /// A variable of this arm.
     Variable(Variable),
     /// A quantity with the number of a joint that the arm does not have.
     OfNoJoint(&'n str),
 }
 
-/// A part that was read, with what is known about it.
+/// A parsed part with its known properties.
 struct Known {
     term: Term,
     bounds: Bounds,
     dimension: Dimension,
-    /// Its value, if it has no variable in it.
+    /// Value, if it contains no variable.
     constant: Option<f64>,
 }
 
@@ -82,7 +82,7 @@ impl Law<'_> {
         }
     }
 
-    /// The variable of this name; `None` where no variable is called like this.
+    /// Variable with this name; `None` if the name is no variable.
     fn variable<'n>(&self, name: &'n str) -> Option<Word<'n>> {
         if name == TIME {
             return Some(Word::Variable(Variable::Time));
@@ -270,7 +270,7 @@ impl Law<'_> {
     }
 }
 
-/// Is this the name of one?
+/// Whether this is the name of a function.
 fn function(name: &str) -> bool {
     name == LEAST || name == MOST || LawFunction::ALL.iter().any(|f| f.name() == name)
 }
@@ -288,7 +288,7 @@ fn negated(known: Known) -> Known {
     }
 }
 
-/// Of what is never 0.
+/// Inverse of an expression that is never 0.
 fn inverse(known: Known) -> Known {
     Known {
         term: Term::Inverse(Box::new(known.term)),
@@ -318,7 +318,7 @@ fn not_zero(bounds: Bounds, constant: Option<f64>, at: usize) -> Result<()> {
     }
 }
 
-/// Unit of what is added or compared.
+/// Common unit of operands that are added or compared.
 fn together(a: Dimension, b: Dimension, at: usize, how: &str) -> Result<Dimension> {
     match (a, b) {
         (Some(x), Some(y)) if x != y => {
@@ -329,7 +329,7 @@ fn together(a: Dimension, b: Dimension, at: usize, how: &str) -> Result<Dimensio
     }
 }
 
-/// `inside`: of the argument.
+/// Applies a function; `inside`: position of the argument.
 fn called(function: LawFunction, x: Known, inside: usize, at: usize) -> Result<Known> {
     let name = function.name();
     let transcendental = !matches!(function, LawFunction::Abs | LawFunction::Sign | LawFunction::Sqrt);
@@ -368,7 +368,7 @@ fn called(function: LawFunction, x: Known, inside: usize, at: usize) -> Result<K
         LawFunction::Sign => crate::runtime::Scalar::sign(x),
     };
     let constant = x.constant.map(value);
-    // Of a constant argument the value itself.
+    // The value itself, for a constant argument.
     let bounds = constant.map_or(bounds, Bounds::of);
     Ok(Known { term: Term::Call(function, Box::new(x.term)), bounds, dimension, constant })
 }

@@ -1,10 +1,10 @@
-//! A tape as steps that go to memory as seldom as they can.
+//! Compiles a tape to steps with as few memory accesses as possible.
 
 use super::super::tape::{Instruction, Kind, Operand, Tape};
 
-/// What a step computes of the values in its slots `a b c d` and of `last`, the result of the step
-/// before it. Products that are read once are computed where they are read, with the rounding that
-/// they have by themselves; a result that only the next step reads never goes to memory.
+/// Computation of a step from the values in its slots `a b c d` and from `last`, the result of the
+/// previous step. Products that are read once are computed where they are read, with their own
+/// rounding; a result that only the next step reads is never stored in memory.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Operation {
     /// `a + b`
@@ -61,12 +61,12 @@ pub(super) enum Operation {
     LastMulSubMul,
     /// `b c - last a`
     MulSubLastMul,
-    /// A function of `a`, or a choice of `a` and `b`: number `c` of [`Program::elementary`].
+    /// Function of `a`, or choice of `a` and `b`: entry `c` of [`Program::elementary`].
     Elementary,
 }
 
 impl Operation {
-    /// Slots that it reads.
+    /// Number of slots that it reads.
     fn reads(self) -> usize {
         use Operation as O;
         match self {
@@ -84,40 +84,40 @@ impl Operation {
 pub(super) struct Step {
     pub(super) operation: Operation,
     pub(super) operands: [u32; 4],
-    /// Slot that the result goes to, or [`NOWHERE`].
+    /// Slot in which the result is stored, or [`NOWHERE`].
     pub(super) keep: u32,
-    /// Row of the outputs that it goes to, or [`NOWHERE`].
+    /// Output row in which the result is stored, or [`NOWHERE`].
     pub(super) row: u32,
 }
 
-/// No slot, and no row.
+/// Marker for no slot or no row.
 pub(super) const NOWHERE: u32 = u32::MAX;
 
-/// Steps in order, and what stands in slots before the first of them.
+/// Steps in order, and the initial content of slots.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Program {
     pub(super) steps: Vec<Step>,
     pub(super) constants: Vec<(u32, f64)>,
     pub(super) inputs: Vec<(u32, usize)>,
-    /// Functions and choices, by [`Operation::Elementary`].
+    /// Functions and choices, indexed by [`Operation::Elementary`].
     pub(super) elementary: Vec<Kind>,
-    /// Outputs that are a number whatever the inputs.
+    /// Outputs that are constant.
     pub(super) constant_outputs: Vec<(usize, f64)>,
     pub(super) slots: usize,
     pub(super) output_count: usize,
 }
 
-/// A value or a product of two.
+/// A value, or a product of two values.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Term {
     Value(Operand),
     Product(Operand, Operand),
 }
 
-/// Before its values have slots.
+/// A fused step before slots are assigned.
 #[derive(Debug)]
 struct Fused {
-    /// Step of the tape that it ends with.
+    /// Step of the tape with which it ends.
     at: usize,
     kind: Kind,
     left: Term,
@@ -135,11 +135,11 @@ impl Fused {
         parts(self.left).into_iter().chain(right).flatten()
     }
 
-    /// What it computes if `last` is the value before it, and the operands that are in slots.
+    /// Operation and the operands in slots, if `last` is the previous value.
     fn operation(&self, last: Option<Operand>) -> (Operation, Vec<Operand>) {
         let is_last = |operand: Operand| Some(operand) == last;
         let reads = self.operands().filter(|&operand| is_last(operand)).count();
-        // Read twice it comes from its slot.
+        // If read twice, it is taken from its slot.
         let here = |operand: Operand| reads == 1 && is_last(operand);
         let factor = |term: Term| match term {
             Term::Product(a, b) if here(a) => Some(b),
@@ -184,7 +184,7 @@ impl Fused {
         }
     }
 
-    /// Of a sum, whose terms may change places.
+    /// Operation of a sum, whose terms may be exchanged.
     fn sum(
         &self,
         left: Term,
@@ -213,7 +213,7 @@ impl Fused {
     }
 }
 
-/// The steps in this order, products that are read once within their readers.
+/// Fuses steps in this order: products that are read once become part of their readers.
 fn fused(tape: &Tape, order: &[usize], roots: &[Operand]) -> Vec<Fused> {
     let mut readers = vec![0u32; tape.code.len()];
     let operands = order.iter().flat_map(|&at| [tape.code[at].a, tape.code[at].b]);
@@ -246,7 +246,7 @@ fn fused(tape: &Tape, order: &[usize], roots: &[Operand]) -> Vec<Fused> {
 }
 
 impl Program {
-    /// Gives every operand a slot. `order`: steps of the tape, readers behind what they read.
+    /// Assigns a slot to every operand. `order`: steps of the tape, readers after what they read.
     pub(super) fn new(tape: &Tape, wanted: &[usize], order: &[usize]) -> Self {
         let roots: Vec<Operand> = wanted.iter().map(|&o| tape.outputs[o]).collect();
         let order = fused(tape, order, &roots);
@@ -268,7 +268,7 @@ impl Program {
             }
         }
         let chain = chained(&order);
-        // Last reader of each temporary's slot, by its place in the order.
+        // Last reader of each temporary's slot, by its position in the order.
         let mut last: Vec<Option<usize>> = vec![None; tape.code.len()];
         for (place, (_, operands)) in chain.iter().enumerate() {
             operands.iter().filter_map(temporary).for_each(|t| last[t] = Some(place));
@@ -307,7 +307,7 @@ impl Program {
         Self { constants: pinned.constants, inputs: pinned.inputs, slots: slots.count as usize, ..program }
     }
 
-    /// Values of a state that go to memory or come from there, and slots.
+    /// Number of values per state that are loaded or stored, and number of slots.
     pub(super) fn traffic(&self) -> (usize, usize) {
         let of = |step: &Step| step.operation.reads() + usize::from(step.keep != NOWHERE);
         (self.steps.iter().map(of).sum(), self.slots)
@@ -315,13 +315,13 @@ impl Program {
 }
 
 impl Step {
-    /// Puts a value into a row.
+    /// Step that stores a value in an output row.
     fn output(operation: Operation, slot: u32, row: u32) -> Self {
         Self { operation, operands: [slot; 4], keep: NOWHERE, row }
     }
 }
 
-/// What each step computes, and of which operands that are in slots, given the step before it.
+/// Operation of each step and its operands in slots, given the previous step.
 fn chained(order: &[Fused]) -> Vec<(Operation, Vec<Operand>)> {
     let before = |now: usize| now.checked_sub(1).map(|at| Operand::Temp(order[at].at as u32));
     order.iter().enumerate().map(|(now, step)| step.operation(before(now))).collect()
@@ -342,7 +342,7 @@ struct Pinned {
 }
 
 impl Pinned {
-    /// Slot of a constant or an input; a new one gets the next. None for a temporary.
+    /// Slot of a constant or an input, allocated if new; `None` for a temporary.
     fn slot(&mut self, operand: Operand, slots: &mut Slots) -> Option<u32> {
         match operand {
             Operand::Temp(_) => None,
@@ -366,7 +366,7 @@ impl Pinned {
     }
 }
 
-/// Slots in use and free ones.
+/// Allocator of slots.
 #[derive(Default)]
 struct Slots {
     free: Vec<u32>,
