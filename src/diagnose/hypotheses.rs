@@ -284,6 +284,11 @@ pub trait Hypothesis: Sync {
         true
     }
 
+    /// Whether the data do not resolve two such laws in one place: their sizes then cancel.
+    fn unresolved(&self, _scene: &WindowedData<'_>, _place: &[usize], _a: &[f64], _b: &[f64]) -> bool {
+        false
+    }
+
     /// Index of the shape number that is an integer, by nature (periods per turn) or by preference.
     /// An integer value does not count as an unknown.
     fn integer_shape(&self) -> Option<usize> {
@@ -550,6 +555,13 @@ const EDGE: f64 = 0.02;
 fn geometric(first: f64, last: f64, count: usize) -> Vec<f64> {
     let steps = count.saturating_sub(1).max(1) as f64;
     (0..count).map(|i| first * (last / first).powf(i as f64 / steps)).collect()
+}
+
+/// Whether two orders get out of step by less than 1 rad over a joint's travel: their sizes then
+/// cancel. (Two waves of friction further apart may be one bell.)
+fn one_order(scene: &WindowedData<'_>, place: &[usize], a: &[f64], b: &[f64]) -> bool {
+    let [low, high] = scene.travel[place[0]];
+    (a[0] - b[0]).abs() * (high - low) < 1.0
 }
 
 /// Whether joint `j` moves significantly: beyond its velocity noise and by more than 0.02 rad.

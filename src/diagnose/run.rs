@@ -18,7 +18,7 @@ use super::select::offer::{Choice, Rival};
 use super::select::refine_and_select::{Selected, Session};
 use super::select::suspects::{likelier, name, not_explained};
 use super::windows::motion_error::budget;
-use super::windows::recording::{Recording, Stretch, unexplained};
+use super::windows::recording::{Recording, unexplained};
 use super::windows::torque_noise::torque_noise;
 use crate::identify::ConsistentError;
 use crate::model::PerturbableArm;
@@ -175,8 +175,7 @@ const ADDS_UP: [EffectKind; 3] = [EffectKind::TimeDelay, EffectKind::LinkInertia
 /// Root mean square of each joint's torque, N m, without the first `share` of each stretch.
 fn torque_rms(recordings: &[Recording], share: f64, dof: usize) -> Vec<f64> {
     let stretches = || recordings.iter().flat_map(|r| &r.stretches);
-    let behind = |s: &Stretch| (share * s.states.len as f64).round() as usize;
-    let all = |j: usize| stretches().flat_map(|s| s.of(&s.tau, j)[behind(s)..].iter().copied()).collect::<Vec<f64>>();
+    let all = |j: usize| stretches().flat_map(|s| s.of(&s.tau, j)[s.at(share)..].iter().copied()).collect::<Vec<f64>>();
     (0..dof).map(|j| root_mean_square(&all(j))).collect()
 }
 
@@ -331,8 +330,9 @@ fn once(
 
     // Unit of a gain: the noise, or a fiftieth of the torque where the noise is less.
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
+    let file = &baseline.moving.clone()[..];
     let session =
-        Session { plant, fit, validate, own_validation, noise, motion, ground, scale, rate, settings, progress };
+        Session { plant, fit, validate, own_validation, noise, motion, file, ground, scale, rate, settings, progress };
     let Searched { models, said, suspects } = session.models(has_links.then_some(&file_out), &refit, &torque_rms)?;
     let Choice { offered, mut why, changed, file_holds, model, rival } = session.choose(models, &file_out, &refit)?;
     why.extend(said);

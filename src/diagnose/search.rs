@@ -20,7 +20,7 @@ pub(super) mod levels_instead;
 pub(super) mod merge_bodies;
 mod merge_common_delay;
 pub(super) mod merge_couplings;
-mod merge_levels;
+pub(super) mod merge_levels;
 mod simplest_laws;
 mod stepwise_exchange;
 mod sufficient;

@@ -40,7 +40,7 @@ pub fn written_errors(model: &dyn TorqueModel, recordings: &[Recording], own_val
 /// Samples of a stretch on which a diagnosis evaluates.
 fn counted(stretch: &Stretch, share: f64) -> std::ops::Range<usize> {
     let n = stretch.states.len;
-    let first = (share * n as f64).round() as usize;
+    let first = stretch.at(share);
     let edge = edge(stretch, n - first);
     first + edge..(n.saturating_sub(edge)).max(first + edge)
 }

@@ -63,11 +63,16 @@ impl Attribution<'_> {
         let counted = shares.far.map_or(part, |far| 0.5 * (part + far));
         let confirmed = on != "fit" && part > SHOWN || item.hypothesis.local() || shares.recurs_far();
         let rivals = confusable(tested, item, accepted, plain_rivals);
+        let implausible = accepted.is_some_and(|Accepted { chosen: c, .. }| {
+            !c.x.is_empty() && !c.cause.plausible(&tested.scene, &c.place, &c.shape, &c.x)
+        });
+        let worse = on != "fit" && (part < REFUTED || shares.worse);
+        let refuted = implausible || worse && !item.hypothesis.local();
         let features = Features { support, margin, share: counted, recurrence, confirmed };
         Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
-            probability: self.probability(item, &features),
+            probability: self.probability(item, &features) * if refuted { calibration::REFUTED } else { 1.0 },
             support,
             margin,
             share: part,
@@ -203,6 +208,9 @@ pub(in crate::diagnose) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
 /// to be confirmed by them.
 const SHOWN: f64 = 0.05;
 
+/// Share below which unfitted data refute a cause: their error is larger with it than without it.
+const REFUTED: f64 = -0.2;
+
 /// Margin above which a larger value carries no information.
 pub(in crate::diagnose) const MOST_MARGIN: f64 = 1e4;
 
@@ -231,7 +239,7 @@ pub(in crate::diagnose) fn near<'a>(
 
 /// The same cause in other places that would explain nearly as much, in words.
 fn elsewhere(item: &Item, near: &[(&'static str, Vec<usize>, f64)]) -> String {
-    let same = near.iter().filter(|r| r.0 == item.hypothesis.name());
+    let same = near.iter().filter(|r| r.0 == item.hypothesis.name() && r.1 != item.place);
     same.map(|r| format!("; the same {} would explain nearly as much", place_of(&r.1))).collect()
 }
 

@@ -15,6 +15,10 @@ const PLAIN: [f64; 5] = [-6.3, 2.8, 0.0, 4.6, 5.9];
 /// have large errors on their joints with and without them.
 const UNCONFIRMED: f64 = 0.5;
 
+/// Factor of a cause that unfitted data refute, or whose size beside the others is implausible, so that
+/// it is not named; chosen.
+pub const REFUTED: f64 = 0.4;
+
 /// Probability below which a cause is neither named nor in the model: its absence is more likely.
 pub const NAMED: f64 = 0.5;
 

@@ -79,7 +79,12 @@ pub(in crate::diagnose) fn sentence(shown: &Shown<'_>) -> String {
         true => format!(", {:.0} % of the variance above its noise", (100.0 * gain / attainable).min(100.0)),
         false => String::new(),
     };
-    let turns = if gain < 0.0 { "grows" } else { "falls" };
+    let [from, to] = [before[main], after[main]].map(short);
+    let change = match gain < 0.0 {
+        _ if from == to => format!("stays at {from} N m"),
+        true => format!("grows from {from} to {to} N m"),
+        false => format!("falls from {from} to {to} N m"),
+    };
     let confirmed = confirmed.map_or(String::new(), |share| {
         if cause.local() {
             String::new()
@@ -88,15 +93,13 @@ pub(in crate::diagnose) fn sentence(shown: &Shown<'_>) -> String {
         }
     });
     let repeats = repeats.map_or(String::new(), |size| {
-        format!("; data that were not fitted give it {:.0} % of this size", 100.0 * size)
+        format!("; estimated from data that were not fitted, its size is {:.0} % of this", 100.0 * size)
     });
     format!(
-        "{where_}: {} ({}); the error of joint {}{where_it_moves} {turns} from {} to {} N m on {on}{gained}{confirmed}{repeats}",
+        "{where_}: {} ({}); the error of joint {}{where_it_moves} {change} on {on}{gained}{confirmed}{repeats}",
         shape.map_or(cause.says(), |shape| cause.says_of(shape)),
         numbers.join(", "),
         main + 1,
-        short(before[main]),
-        short(after[main]),
     )
 }
 

@@ -39,6 +39,14 @@ const HOLDS: [f64; 2] = [0.5, 2.0];
 /// Share of the explained squared error below which a term is dropped.
 const SLIGHT: f64 = 0.002;
 
+/// Least travel of a joint's angle in the argument of a sine or cosine, rad, and of a position: what
+/// hardly changes is a constant, and several of them cancel.
+const TRAVEL: f64 = 0.3;
+const MOVES: f64 = 0.01;
+
+/// Largest RMS of one term, by that of the joint's error.
+const CANCELS: f64 = 3.0;
+
 /// Maximum number of samples, spread over the data.
 const SAMPLES: usize = 8000;
 
@@ -145,6 +153,19 @@ fn dictionary(j: usize, dof: usize) -> Vec<Group> {
     }
     groups.push(vec![vec![Velocity(j), Velocity(j), Velocity(j)]]);
     groups
+}
+
+/// Whether the motion changes each factor of a term enough.
+fn shows(term: &Term, motion: &[[&[f64]; 3]]) -> bool {
+    term.iter().all(|factor| {
+        let q = motion[factor.joint()][0];
+        let travel =
+            q.iter().fold(f64::NEG_INFINITY, |m, x| m.max(*x)) - q.iter().fold(f64::INFINITY, |m, x| m.min(*x));
+        match factor {
+            Factor::Sine(m, _) | Factor::Cosine(m, _) => f64::from(*m) * travel >= TRAVEL,
+            _ => travel >= MOVES,
+        }
+    })
 }
 
 fn value(term: &Term, motion: &[[&[f64]; 3]], k: usize) -> f64 {
@@ -262,7 +283,8 @@ fn measured(terms: &[Term], x: &[f64], data: Errors<'_>) -> ([f64; 2], f64) {
 /// A law of the error of joint `j` that recurs in the fitted data and holds on others; `None` if
 /// there is none.
 pub(in crate::diagnose) fn formula(j: usize, fit: Errors<'_>, validate: Errors<'_>) -> Option<Formula> {
-    let groups = dictionary(j, fit.motion.len());
+    let mut groups = dictionary(j, fit.motion.len());
+    groups.retain(|group| group.iter().all(|term| shows(term, fit.motion)));
     let terms: Vec<Term> = groups.iter().flatten().cloned().collect();
     let mut first = 0;
     let own = |group: &Group| {
@@ -291,7 +313,8 @@ pub(in crate::diagnose) fn formula(j: usize, fit: Errors<'_>, validate: Errors<'
     let x: Vec<f64> = fitted(&whole, &chosen).0.iter().map(|x| rounded(*x)).collect();
     let law: Vec<Term> = chosen.iter().map(|&t| terms[t].clone()).collect();
     let ([before, after], size) = measured(&law, &x, validate);
-    let holds = after * after < (1.0 - GAIN) * before * before && (HOLDS[0]..HOLDS[1]).contains(&size);
+    let cancels = chosen.iter().zip(&x).any(|(&t, x)| x * x * whole.gram[(t, t)] > CANCELS * CANCELS * whole.squares);
+    let holds = !cancels && after * after < (1.0 - GAIN) * before * before && (HOLDS[0]..HOLDS[1]).contains(&size);
     holds.then(|| Formula {
         joint: j,
         text: text(&law, &x),
@@ -386,6 +409,20 @@ mod tests {
         let law = |m: &[Joint], k: usize| 2.0 * m[1][1][k] * m[1][1][k].abs() + 0.5 * (m[2][0][k] - 0.4).cos();
         let found = found(&law, 0.15, 0.8, 3).expect("a law");
         assert!(found.text.contains("*dq2*abs(dq2)") && found.text.contains("*cos(q3)"), "{}", found.text);
+    }
+
+    /// On a joint that stands, a sine is a constant, and harmonics of it cancel each other at any size.
+    #[test]
+    fn a_joint_that_stands_is_in_no_law() {
+        let wave = |k: usize, w: f64| (w * 0.01 * k as f64).sin();
+        let still: Vec<f64> = (0..4000).map(|k| 0.7 + 1e-5 * wave(k, 0.3)).collect();
+        let slow: Vec<f64> = (0..4000).map(|k| 3e-6 * wave(k, 0.9)).collect();
+        let moving: Vec<f64> = (0..4000).map(|k| 2.0 * wave(k, 1.1)).collect();
+        let motion = [[&still[..], &slow, &slow], [&moving, &moving, &moving]];
+        for term in dictionary(0, 2).into_iter().flatten().filter(|term| shows(term, &motion)) {
+            assert!(term.iter().all(|factor| factor.joint() == 1), "{}", text(&[term.clone()], &[1.0]));
+        }
+        assert!(shows(&vec![Factor::Sine(1, 1), Factor::Sign(1)], &motion));
     }
 
     /// Slow noise correlates with slow motion in the fitted data only.

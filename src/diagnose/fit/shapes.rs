@@ -59,7 +59,7 @@ impl ModelUnderTest<'_> {
     /// A model with its fit, if its misfit is below `known` and each of its causes remains valid.
     fn better(&mut self, mut trial: Vec<Chosen>, known: f64) -> Option<(Vec<Chosen>, Fitted)> {
         let shows = |c: &Chosen| !at_edge(c.cause, &c.shape) && c.cause.shows(&self.scene, &c.place, &c.shape);
-        if !trial.iter().all(shows) {
+        if !trial.iter().all(shows) || self.unresolved(&trial) {
             return None;
         }
         let next = self.fit(&mut trial);
@@ -68,6 +68,17 @@ impl ModelUnderTest<'_> {
             !terms.is_empty() && signed && c.cause.plausible(&self.scene, &c.place, &c.shape, &c.x)
         });
         (stands && misfit(&next) < known).then_some((trial, next))
+    }
+
+    /// Whether two of these laws are one to the data.
+    pub(in crate::diagnose) fn unresolved(&self, chosen: &[Chosen]) -> bool {
+        let same = |a: &Chosen, b: &Chosen| {
+            a.cause.name() == b.cause.name()
+                && a.place == b.place
+                && a.shape.len() == b.shape.len()
+                && a.cause.unresolved(&self.scene, &a.place, &a.shape, &b.shape)
+        };
+        (0..chosen.len()).any(|k| chosen[..k].iter().any(|other| same(other, &chosen[k])))
     }
 
     /// The Gauss-Newton step of all numbers; `None` where there are none.

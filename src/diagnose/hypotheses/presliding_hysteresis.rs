@@ -40,6 +40,10 @@ pub fn bristle(own: &JointSeries<'_>, distance: f64) -> Vec<f64> {
         .collect()
 }
 
+/// Least distance, by that of one sample at the largest speed: what a joint passes within a sample at
+/// a usual speed is a Coulomb level.
+const RESOLVED: f64 = 0.15;
+
 impl Hypothesis for PreslidingHysteresis {
     fn effect(&self) -> EffectKind {
         EffectKind::PreslidingHysteresis
@@ -65,7 +69,8 @@ impl Hypothesis for PreslidingHysteresis {
 
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
         let [low, high] = scene.travel[place[0]];
-        moves(scene, place[0]) && shape[0] <= 0.2 * (high - low)
+        let least = RESOLVED * scene.fastest[place[0]] * scene.period;
+        moves(scene, place[0]) && (least..=0.2 * (high - low)).contains(&shape[0])
     }
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {

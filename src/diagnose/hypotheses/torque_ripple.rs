@@ -10,6 +10,7 @@ use super::Sign;
 use super::Symbol;
 use super::Term;
 use super::moves;
+use super::one_order;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::numerics::periodogram::{Orders, Sample, periodogram};
 
@@ -89,6 +90,10 @@ impl Hypothesis for TorqueRipple {
         // Less than a period and a half within the travel is not identifiable as ripple.
         let [low, high] = scene.travel[place[0]];
         moves(scene, place[0]) && shape[0] * (high - low) >= 9.4
+    }
+
+    fn unresolved(&self, scene: &WindowedData<'_>, place: &[usize], a: &[f64], b: &[f64]) -> bool {
+        one_order(scene, place, a, b)
     }
 
     fn integer_shape(&self) -> Option<usize> {

@@ -58,6 +58,11 @@ pub(in crate::diagnose) struct Evidence {
     pub(in crate::diagnose) share: f64,
 }
 
+/// Share of the first cause's score above which a candidate in another place may be the true cause,
+/// and share of its own score below which the first cause explains it.
+const RIVAL: f64 = 0.8;
+const EXPLAINED: f64 = 0.5;
+
 /// Result of the forward selection.
 pub(in crate::diagnose) struct Found {
     pub(in crate::diagnose) accepted: Vec<Accepted>,
@@ -65,6 +70,9 @@ pub(in crate::diagnose) struct Found {
     pub(in crate::diagnose) evidence: Vec<Evidence>,
     /// Terms of plain friction that changed, with their alternatives; by joint.
     pub(in crate::diagnose) friction: Vec<BaselineFriction>,
+    /// The first cause, if a cause in another place gained nearly as much and is explained by it. The
+    /// search may then have started at the wrong one of the two.
+    pub(in crate::diagnose) other_start: Option<Placed>,
 }
 
 /// Cause, place and number of coefficients. Each of several laws of one cause is tried.
@@ -110,6 +118,8 @@ pub(in crate::diagnose) fn forward(
         accepted: Vec::new(),
         friction: Vec::new(),
         evidence: Vec::new(),
+        rivals_of_first: Vec::new(),
+        other_start: None,
     };
     let mut fitted = search.tested.fit(&mut []);
     let mut refused = Vec::new();
@@ -122,14 +132,14 @@ pub(in crate::diagnose) fn forward(
     search.unite(&mut fitted);
     search.without_errors_of_contact(&mut fitted);
     search.prune(&mut fitted);
-    let Forward { mut accepted, friction, mut evidence, .. } = search;
+    let Forward { mut accepted, friction, mut evidence, other_start, .. } = search;
     simplify(tested, &mut accepted, &mut fitted);
     let mut chosen = chosen_of(&accepted);
     let fitted = tested.fit_regularised_beside(&mut chosen);
     adopt(&mut accepted, &chosen);
     let fitted = levels_instead(tested, &mut accepted, fitted, &mut evidence);
     merge_levels(tested, &accepted, &fitted, &mut evidence);
-    Found { accepted, evidence, friction }
+    Found { accepted, evidence, friction, other_start }
 }
 
 /// A part of the model: one of the causes, or a term of friction.
@@ -148,12 +158,37 @@ pub(super) struct Forward<'s, 'a> {
     accepted: Vec<Accepted>,
     friction: Vec<BaselineFriction>,
     evidence: Vec<Evidence>,
+    /// Candidates in other places with nearly the score of the first cause, with their scores.
+    rivals_of_first: Vec<(Placed, f64)>,
+    /// See [`Found::other_start`].
+    other_start: Option<Placed>,
+}
+
+/// Candidates in other places that gain nearly as much as this one, with their scores.
+fn rivals_elsewhere(ranked: &[Candidate], first: &Candidate) -> Vec<(Placed, f64)> {
+    let elsewhere = |c: &&Candidate| {
+        c.place != first.place && plain(c).is_none() && !c.cause.local() && c.score > RIVAL * first.score
+    };
+    ranked.iter().filter(elsewhere).map(|c| ((c.cause.effect(), c.place.clone()), c.score)).collect()
 }
 
 impl Forward<'_, '_> {
+    /// Sets [`Found::other_start`] in the round after the first cause was accepted.
+    fn compare_with_first(&mut self, ranked: &[Candidate]) {
+        let [first] = &self.evidence[..] else { return };
+        let score = |(effect, place): &Placed| {
+            let same = ranked.iter().filter(|c| c.cause.effect() == *effect && c.place == *place);
+            same.map(|c| c.score).fold(0.0, f64::max)
+        };
+        if self.rivals_of_first.drain(..).any(|(rival, before)| score(&rival) < EXPLAINED * before) {
+            self.other_start = Some((first.effect, first.place.clone()));
+        }
+    }
+
     /// Adds the best cause that is accepted; `None` where there is none.
     fn round(&mut self, fitted: &Fitted, refused: &mut Vec<Law>) -> Option<Fitted> {
         let ranked = self.ranked(fitted, refused);
+        self.compare_with_first(&ranked);
         let before = self.tested.left_out(&self.chosen, fitted);
         let mut tried: Vec<usize> = Vec::new();
         while tried.len() < REFUSED {
@@ -390,6 +425,9 @@ impl Forward<'_, '_> {
                 Some(_) => (evidence.effect, evidence.place),
                 None => trial.last().map_or((evidence.effect, evidence.place), name),
             };
+            if self.evidence.is_empty() && friction.is_none() {
+                self.rivals_of_first = rivals_elsewhere(ranked, candidate);
+            }
             self.evidence.push(Evidence { effect, place, ..evidence });
             self.chosen = trial;
             adopt(&mut self.accepted, &self.chosen);

@@ -117,7 +117,9 @@ impl Judge<'_> {
         let Chosen { cause, place, shape, x } = last;
         let Some(terms) = after.terms.last().filter(|terms| !terms.is_empty()) else { return false };
         let signed = terms.iter().zip(x).all(|(t, x)| t.sign != Sign::Positive || *x > 0.0);
+        let beside: Vec<Chosen> = self.accepted.iter().map(|a| &a.chosen).chain([last]).cloned().collect();
         signed
+            && !self.tested.unresolved(&beside)
             && !at_edge(*cause, shape)
             && cause.plausible(&self.tested.scene, place, shape, x)
             && self.tested.is_possible(last, terms)

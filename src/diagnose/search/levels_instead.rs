@@ -42,7 +42,7 @@ pub(in crate::diagnose) fn levels_instead(
         tested.separate[levels].fill(false);
         accepted.remove(index);
         adopt(accepted, &trial);
-        hand_over(evidence, joint, law.cause.effect());
+        hand_over(evidence, joint, [law.cause.effect(), EffectKind::AsymmetricFriction]);
         fitted = next;
     }
     fitted

@@ -23,6 +23,8 @@ pub(in crate::diagnose) struct Shares {
     /// Not a share: ratio of the cause's size on the validating logs to that on the fitted logs,
     /// see [`Without::repeats`].
     pub(in crate::diagnose) repeats: Option<f64>,
+    /// Not a share: whether the validating logs are missed by more than with the unchanged file.
+    pub(in crate::diagnose) worse: bool,
 }
 
 /// Range of the ratio of a cause's sizes in two recordings within which they agree.
@@ -60,7 +62,7 @@ pub(in crate::diagnose) struct Without {
 impl Without {
     /// Shares of its joint's error that the cause removes by other measures: see [`Shares`].
     pub(in crate::diagnose) fn shares(&self) -> Shares {
-        Shares { within: self.within, far: self.far_share, repeats: self.repeats }
+        Shares { within: self.within, far: self.far_share, repeats: self.repeats, worse: false }
     }
 
     /// Errors where joints move. On joints that differ between the logs, those of the model `with`

@@ -13,12 +13,15 @@ use crate::diagnose::findings::reported_cause::Item;
 use crate::diagnose::findings::result::Cause;
 use crate::diagnose::fit::model::{Mode, ModelUnderTest};
 use crate::diagnose::search::baseline_friction::BaselineFriction;
-use crate::diagnose::search::forward::{Evidence, PLAIN, Placed, forward};
-use crate::diagnose::search::judge::Accepted;
+use crate::diagnose::search::forward::{Evidence, Found, PLAIN, Placed, forward};
+use crate::diagnose::search::judge::{Accepted, chosen_of};
 use crate::identify::ConsistentError;
 
 /// Maximum number of searches, each without the causes that diluted others in the previous one.
 const SEARCHES: usize = 2;
+
+/// Least gain on left-out stretches for which a search with another first cause is preferred.
+const BETTER: f64 = 0.05;
 
 /// Share of its joint's squared error from which a cause can be diluted.
 const MOST_OF_IT: f64 = 0.5;
@@ -49,9 +52,21 @@ impl<'a> Session<'a> {
     pub(super) fn searched_from_file(&self) -> Result<Selected<'a>, ConsistentError> {
         let (mut excluded, mut known, mut searches) = (Vec::new(), Vec::new(), 0);
         loop {
-            let mut tested = self.tested(Mode::Trusted);
-            let found = forward(&mut tested, self.noise, &self.settings.search, &excluded, self.progress);
-            tested.forget();
+            let (mut tested, mut found) = self.started(&excluded);
+            // Only once, because a search takes long.
+            if let Some(first) = found.other_start.take().filter(|_| searches == 0) {
+                let (mut other, instead) = self.started(&[&excluded[..], &[first.clone()]].concat());
+                let [known, left] = [(&mut tested, &found), (&mut other, &instead)].map(|(tested, found)| {
+                    let mut chosen = chosen_of(&found.accepted);
+                    let fitted = tested.fit(&mut chosen);
+                    tested.left_out(&chosen, &fitted)
+                });
+                let better = left.less(&known, self.ground);
+                if better.sure() && better.gain > BETTER {
+                    (tested, found) = (other, instead);
+                    excluded.push(first);
+                }
+            }
             let (mut accepted, changes) = (found.accepted, (found.friction, found.evidence));
             let (causes, diluting) = self.found(&mut tested, &mut accepted, &changes)?;
             remember(&mut known, &causes);
@@ -61,6 +76,14 @@ impl<'a> Session<'a> {
             }
             excluded.extend(diluting);
         }
+    }
+
+    /// A search from the unchanged file without what is `excluded`.
+    fn started(&self, excluded: &[Placed]) -> (ModelUnderTest<'a>, Found) {
+        let mut tested = self.tested(Mode::Trusted);
+        let found = forward(&mut tested, self.noise, &self.settings.search, excluded, self.progress);
+        tested.forget();
+        (tested, found)
     }
 
     /// Measures the found causes before any of them leaves the model. Returns the causes, and those

@@ -221,7 +221,7 @@ impl<'a> Session<'a> {
             ([a, b].map(|m| evidence::short(m.joint_rms(joint))), [a, b].map(|m| evidence::short(m.rms())));
         format!(
             "On stretches of the fitted logs that were left out in turn {what}. The error of joint {}, which differs most, is {} N m against {} N m; \
-             over all joints (RMS) it is {} N m against {} N m. With every joint counting alike its square is {:.0} ({:.0} to {:.0}) % {sense}.",
+             over all joints (RMS) it is {} N m against {} N m. With all joints weighted alike the squared error is {:.0} % ({:.0} to {:.0} %) {sense}.",
             joint + 1,
             of[0],
             of[1],

@@ -1,6 +1,6 @@
 //! Refines and selects the causes found by a search, until all of them hold on unused data.
 
-use super::beside::{Beside, Without};
+use super::beside::{Beside, Shares, Without};
 use super::drive_terms;
 use super::measure::{Measured, Meter, matters, taken_of, takes};
 use super::model_choice::LeftOut;
@@ -33,6 +33,8 @@ pub(in crate::diagnose) struct Session<'a> {
     pub(in crate::diagnose) noise: &'a [f64],
     /// Torque errors due to errors of the recorded motion, per joint, N m.
     pub(in crate::diagnose) motion: &'a [f64],
+    /// Error of the unchanged file on the validating logs where joints move, per joint, N m.
+    pub(in crate::diagnose) file: &'a [f64],
     /// Error below which a better prediction does not count, per joint, N m.
     pub(in crate::diagnose) ground: &'a [f64],
     /// Unit of a gain, per joint, N m.
@@ -49,6 +51,10 @@ const LOCAL_SHARE: f64 = 0.4;
 
 /// Probability far below the one from which a cause is named.
 pub(super) const FAR_BELOW: f64 = 0.2;
+
+/// Ratio of a joint's errors on the validating logs, with the causes of the joint and by the
+/// unchanged file, above which these logs refute the causes.
+const WORSE_THAN_FILE: f64 = 1.3;
 
 /// Maximum number of rounds in which causes that do not hold are removed.
 const MOST_ROUNDS: usize = 16;
@@ -68,8 +74,10 @@ fn unlikely(causes: &[Cause]) -> Vec<usize> {
 /// A sentence on a cause that is too unlikely to be named; `None` if it is named.
 fn not_named(cause: &Cause, item: &Item) -> Option<String> {
     let place = place_of(&item.place);
+    // Rounded down: a probability below one half is not written as one half.
+    let probability = (100.0 * cause.probability).floor() / 100.0;
     (cause.probability < calibration::NAMED)
-        .then(|| format!("{} {place} is not named: its probability is {:.2}.", cause.cause, cause.probability))
+        .then(|| format!("{} {place} is not named: its probability is {probability:.2}.", cause.cause))
 }
 
 /// A sentence on a cause whose parameters are zero within their uncertainty.
@@ -241,6 +249,12 @@ impl<'a> Session<'a> {
         (0..causes.len()).filter(|&i| if causes[i].on == "fit" { !stands(i) } else { !holds(i) }).collect()
     }
 
+    /// Whether an error of joint `j` on the validating logs, N m, is clearly larger than that of the
+    /// unchanged file.
+    fn worse_than_file(&self, j: usize, error: f64) -> bool {
+        error.powi(2) > (WORSE_THAN_FILE * self.file[j]).powi(2) + self.noise[j].powi(2)
+    }
+
     /// Measures a model, and each of its causes beside the others.
     pub(super) fn attributed(
         &self,
@@ -277,12 +291,17 @@ impl<'a> Session<'a> {
             evidence,
         };
         let [here, there] = [&after_fit, &after].map(Measured::figures);
+        let worse = |item: &Item| match item.place[..] {
+            [j] => tested.mode == Mode::Trusted && self.worse_than_file(j, there.steady[j]),
+            _ => false,
+        };
         let causes = items
             .iter()
             .zip(&others)
             .map(|(item, other)| {
                 let (with, on) = if other.near { (&here, "fit") } else { (&there, "validate") };
-                weighing.attribute(item, [&other.measured, with], other.shares(), other.interval, on)
+                let shares = Shares { worse: worse(item), ..other.shares() };
+                weighing.attribute(item, [&other.measured, with], shares, other.interval, on)
             })
             .collect();
         Ok(Attributed { items, others, stands_out, fitted, after, after_fit, causes })

@@ -63,7 +63,7 @@ pub(in crate::diagnose) fn name(causes: &mut Vec<Cause>, suspects: Vec<Cause>) {
         if suspect.probability < calibration::NAMED || causes.iter().any(|c| c.is(&suspect)) {
             continue;
         }
-        if causes[..offered].iter().any(|c| has_its_level(c, &suspect)) {
+        if causes[..offered].iter().any(|c| has_its_level(c, &suspect) || has_its_constant(c, &suspect)) {
             continue;
         }
         let joints = suspect.joints.clone();
@@ -96,6 +96,12 @@ fn has_its_level(cause: &Cause, suspect: &Cause) -> bool {
     [cause, suspect].iter().all(|c| plain.contains(&c.cause))
         && cause.joints == suspect.joints
         && suspect.parameters.iter().any(|p| level(cause, &p.symbol))
+}
+
+/// Whether a cause is a spring whose rest position is a suspected offset of the same joint.
+fn has_its_constant(cause: &Cause, suspect: &Cause) -> bool {
+    let names = [effects::JointSpring::NAME, effects::TorqueOffset::NAME];
+    [cause.cause, suspect.cause] == names && suspect.joints == cause.joints
 }
 
 /// Removes suspects of a joint for which the offered model has a law that no cause of that joint
@@ -217,6 +223,15 @@ mod tests {
             name(&mut causes, suspects());
             assert_eq!(causes.len(), left, "{causes:?}");
         }
+    }
+
+    /// The constant of a spring is no offset beside it.
+    #[test]
+    fn a_rest_position_is_no_offset() {
+        let mut causes = vec![cause("joint_spring", &[4], 0.8)];
+        name(&mut causes, vec![cause("torque_offset", &[4], 0.9), cause("torque_offset", &[3], 0.9)]);
+        let named: Vec<(&str, &[usize])> = causes.iter().map(|c| (c.cause, &c.joints[..])).collect();
+        assert_eq!(named, [("joint_spring", &[4][..]), ("torque_offset", &[3])]);
     }
 
     /// A law of other joints' motion replaces a suspect of its joint that approximates it, but not

@@ -9,9 +9,11 @@ use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::regulariser::{Regulariser, prior};
 use crate::diagnose::fit::uncertainty::derivative;
-use crate::diagnose::hypotheses::{Term, hypothesis};
+use crate::diagnose::hypotheses::{Term, hypothesis, laws};
+use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::{Accepted, chosen_of};
 use crate::diagnose::search::merge_couplings::merge_couplings;
+use crate::diagnose::search::merge_levels::merge_levels;
 use crate::diagnose::select::measure::{matters, share};
 use crate::diagnose::windows::motion_error::budget;
 use crate::diagnose::windows::torque_noise::autocorrelation_time;
@@ -269,6 +271,51 @@ fn couplings_of_both_joints_are_one_motor() {
         let pairs = before.iter().flatten().zip(fitted.residual.iter().flatten());
         assert!(pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max) < 1e-9);
     }
+}
+
+/// An offset found before a linear spring is the spring's rest position; one found beside a law with a
+/// rest position of its own is not.
+#[test]
+fn an_offset_is_the_rest_position_of_a_spring() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let recordings = [recording()];
+    let of = |effect, share| Evidence { effect, place: vec![0], local: false, share };
+    for (shape, left) in [(Vec::new(), vec![(EffectKind::JointSpring, 0.9)]), (vec![0.2, 0.0], Vec::new())] {
+        let mut tested = ModelUnderTest::new(&plant, &recordings, 100.0, Mode::Trusted, &[0.0; 2], false);
+        tested.separate[2] = true;
+        let cause = laws(EffectKind::JointSpring).find(|c| c.shape().len() == shape.len()).unwrap();
+        let chosen = Chosen { cause, place: vec![0], shape, x: Vec::new() };
+        let accepted = [Accepted { chosen, support: 1.0, confirmed: 1.0, rivals: Vec::new(), variance: 1.0 }];
+        let fitted = tested.fit(&mut chosen_of(&accepted));
+        let found = || vec![of(EffectKind::TorqueOffset, 0.8), of(EffectKind::JointSpring, 0.5)];
+        let mut evidence = found();
+        merge_levels(&mut tested, &accepted, &fitted, &mut evidence);
+        let same =
+            |(e, known): (&Evidence, &(EffectKind, f64))| e.effect == known.0 && (e.share - known.1).abs() < 1e-12;
+        match left.is_empty() {
+            true => assert!(evidence == found() && tested.separate[2]),
+            false => assert!(evidence.len() == 1 && evidence.iter().zip(&left).all(same) && !tested.separate[2]),
+        }
+    }
+}
+
+/// Two ripples of nearly one order, whose sizes cancel, are one to the data.
+#[test]
+fn two_orders_are_resolved_by_the_travel() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let recordings = [recording()];
+    let tested = ModelUnderTest::new(&plant, &recordings, 100.0, Mode::Trusted, &[0.0; 2], false);
+    // Joint 1 travels 1.6 rad.
+    let ripple = |j: usize, order: f64| {
+        let cause = hypothesis(EffectKind::TorqueRipple);
+        Chosen { cause, place: vec![j], shape: vec![order], x: Vec::new() }
+    };
+    for (a, b, one) in [(7.0, 7.1, true), (7.0, 7.5, true), (7.0, 7.8, false), (7.0, 7.0, true)] {
+        assert_eq!(tested.unresolved(&[ripple(0, a), ripple(0, b)]), one, "{a} {b}");
+    }
+    assert!(!tested.unresolved(&[ripple(0, 7.0), ripple(1, 7.0)]));
 }
 
 /// Steps of both signs, up to the largest plausible offset.

@@ -34,6 +34,27 @@ fn windows<'a>(
     WindowedData::new(plant, recordings, 1.0 / PERIOD, &[delay; 2], false)
 }
 
+/// A motion followed by a rest is split within the motion; one without a rest, by its time.
+#[test]
+fn the_part_kept_out_moves() {
+    let [first, rest] = recording().split(0.7);
+    let [whole, kept] = [&recording(), &first].map(|r| r.stretches[0].states.len);
+    assert_eq!(kept, (0.7 * whole as f64).round() as usize);
+    assert_eq!(rest.stretches[0].states.len, whole - kept);
+    // Both joints stand from a fifth of the time on.
+    let mut log = recording();
+    let moves = whole / 5;
+    for j in 0..2 {
+        log.stretches[0].states.dq[j * whole + moves..(j + 1) * whole].fill(0.0);
+    }
+    let [first, rest] = log.split(0.7);
+    let kept = first.stretches[0].states.len;
+    assert!((moves / 2..moves).contains(&kept), "{kept} of {moves}");
+    let path = |log: &crate::diagnose::Recording| log.stretches[0].states.dq.iter().map(|v| v.abs()).sum::<f64>();
+    let share = path(&first) / (path(&first) + path(&rest));
+    assert!((share - 0.7).abs() < 0.01, "{share}");
+}
+
 /// A torque with a delay of 0.1 s belongs to the motion of 0.1 s before: positions, times, and
 /// whether the joint stuck then.
 #[test]

@@ -100,8 +100,7 @@ impl Recording {
     pub fn split(&self, share: f64) -> [Self; 2] {
         let part = |which: usize| {
             let cut = |s: &Stretch| {
-                let len = s.states.len;
-                let at = (share * len as f64).round() as usize;
+                let (at, len) = (s.at(share), s.states.len);
                 s.cut(if which == 0 { 0..at } else { at..len })
             };
             Self { name: self.name.clone(), begin: self.begin, stretches: self.stretches.iter().map(cut).collect() }
@@ -161,6 +160,9 @@ pub fn unexplained<'a>(plant: &dyn PerturbableArm, recordings: &'a [Recording]) 
 
 /// Largest share of a stretch that is dropped at its beginning.
 const BEGINNING: f64 = 0.3;
+
+/// Ratio of a joint's largest velocity to its velocity noise above which it moves in a stretch.
+const MOVES: f64 = 10.0;
 
 /// Drops the beginning of each stretch, until each joint has travelled the given distance.
 fn settle(recording: &mut Recording, travel: &[f64]) {
@@ -251,6 +253,28 @@ impl Stretch {
             stuck: part(&self.stuck, dof, len, range.clone()),
             band: self.band.cut(len, range.clone()),
         }
+    }
+
+    /// Sample at which this share of the stretch ends: of its time, or where the rest would then hold
+    /// less than half as much motion as its time, of its motion. A log of motions with rests between
+    /// them may end each stretch with a rest, which shows nothing that depends on motion.
+    pub(in crate::diagnose) fn at(&self, share: f64) -> usize {
+        let len = self.states.len;
+        let by_time = (share * len as f64).round() as usize;
+        let mut path = vec![0.0; len + 1];
+        for j in 0..self.velocity_noise.len() {
+            let dq = self.of(&self.states.dq, j);
+            let fastest = dq.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+            if fastest > MOVES * self.velocity_noise[j] {
+                path[1..].iter_mut().zip(dq).for_each(|(sum, v)| *sum += v.abs() / fastest);
+            }
+        }
+        (1..=len).for_each(|k| path[k] += path[k - 1]);
+        let whole = path[len];
+        if whole - path[by_time.min(len)] >= 0.5 * (1.0 - share) * whole {
+            return by_time;
+        }
+        path.partition_point(|sum| *sum < share * whole).saturating_sub(1)
     }
 
     /// Joint `j`'s part of a joint-major series.

@@ -126,7 +126,7 @@ fn headline(found: &Diagnosis, data: &str) -> String {
         |rms: &dyn Fn(&Errors) -> f64| [&found.baseline, &found.refitted, &found.extended].map(|e| digits(rms(e), 3));
     let [file, refitted, extended] = of(&|e| e.validate[j]);
     let all = format!(
-        "On {data} joint {} was wrong most: the file misses its torque by {file} N m, the file refitted by {refitted} N m, the extended model by {extended} N m; noise explains {} N m.",
+        "On {data} joint {} improves most: the file misses its torque by {file} N m, the file refitted by {refitted} N m, the extended model by {extended} N m; noise explains {} N m.",
         j + 1,
         digits(found.noise_floor[j], 3)
     );
@@ -193,8 +193,11 @@ pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
     let mut text = warnings.text();
     let _ = writeln!(text, "{}: {}", found.robot, found.verdict.word().replace('_', " "));
     let _ = writeln!(text, "{}\n", diagnose_verdict(found));
-    let heads = ["joint", "torque", "file", "refitted", "extended", "moving", "noise", "of torque"];
-    let _ = writeln!(text, "RMS on validation, N m (moving: of the extended model, where the joint moves)");
+    let heads = ["joint", "torque", "file", "refitted", "extended", "moving", "noise", "ext/torque"];
+    let _ = writeln!(
+        text,
+        "RMS on validation, N m (moving: of the extended model where the joint moves; ext/torque: its error by the torque)"
+    );
     let _ = writeln!(text, "{}", heads.iter().map(|h| pad(h, 10, true)).collect::<String>());
     for j in 0..found.noise_floor.len() {
         let row = [
