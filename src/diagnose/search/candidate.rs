@@ -6,6 +6,7 @@ use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, near};
 use crate::diagnose::fit::moments::Gain;
 use crate::diagnose::hypotheses::{Hypothesis, Sign, UNIT, at_edge, causes};
 use crate::numerics::parallel::{parallel, threads};
+use dh_codegen::robot::EffectKind;
 
 /// A cause in a place with its best shape and gain.
 #[derive(Clone)]
@@ -117,6 +118,7 @@ pub fn candidates(
     all.sort_by(|a, b| b.score.total_cmp(&a.score));
     simplest_first(&mut all, fitted);
     least_change_first(&mut all, tested);
+    payload_first(&mut all, mean(&fitted.memory));
     all
 }
 
@@ -172,6 +174,21 @@ fn least_change_first(all: &mut [Candidate], tested: &ModelUnderTest<'_>) {
         }
     }
     all[..=at].rotate_right(1);
+}
+
+/// Logarithm of the prior odds of a wrong payload to those of one wrong link. Tools change daily,
+/// links have the mass with which they were built.
+const PAYLOAD_ODDS: f64 = 4.0;
+
+/// Puts a payload before the wrong link that gains most, unless the link is likelier by more than
+/// [`PAYLOAD_ODDS`] in independent windows. `memory`: autocorrelation time, windows.
+fn payload_first(all: &mut [Candidate], memory: f64) {
+    let is = |c: &Candidate, effect: EffectKind| c.cause.effect() == effect;
+    let Some(best) = all.first().filter(|c| is(c, EffectKind::LinkInertiaError)) else { return };
+    let least = best.score - PAYLOAD_ODDS * memory.max(1.0);
+    if let Some(at) = all.iter().position(|c| is(c, EffectKind::Payload) && c.score > least) {
+        all[..=at].rotate_right(1);
+    }
 }
 
 /// Puts first, of candidates on one joint that gain nearly the same, the one that needs the fewest
@@ -358,7 +375,9 @@ pub(in crate::diagnose) fn rivals(
     after: &Fitted,
 ) -> Vec<(&'static str, Vec<usize>, f64)> {
     let best = &ranked[taken];
-    let memory = best.place.first().map_or_else(|| mean(&after.memory), |j| after.memory[*j]);
+    // A body acts on several joints.
+    let own = best.place.first().filter(|_| !best.cause.within_links());
+    let memory = own.map_or_else(|| mean(&after.memory), |j| after.memory[*j]);
     let neighbour = |c: &Candidate| c.cause.name() == best.cause.name() && c.cause.within_links();
     ranked
         .iter()

@@ -52,6 +52,9 @@ fn lasting(ranked: &[Candidate], push: &Candidate) -> Vec<usize> {
     (0..ranked.len()).filter(|&i| lasts(&ranked[i])).take(TRIED).collect()
 }
 
+/// Standard errors by which a link must predict better than a payload, which is likelier a priori.
+const LINK: f64 = 2.5;
+
 impl Forward<'_, '_> {
     /// The first alternative to the link or the push at `at` beside which that candidate is no
     /// longer accepted; `None` where there is none.
@@ -86,7 +89,7 @@ impl Forward<'_, '_> {
         let link = ranked.iter().position(better)?;
         let [(_, left), (_, others)] =
             [self.held((ranked, at), fitted, before)?, self.held((ranked, link), fitted, before)?];
-        others.less(&left, self.noise).sure().then_some(link)
+        others.less(&left, self.noise).outweighs(LINK).then_some(link)
     }
 
     /// The joint on which a candidate gains most, and the errors of the model with it on left-out

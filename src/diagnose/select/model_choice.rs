@@ -35,6 +35,11 @@ pub struct Paired {
 }
 
 impl Paired {
+    /// Whether the gain exceeds so many standard errors.
+    pub fn outweighs(&self, errors: f64) -> bool {
+        self.gain > errors * self.error
+    }
+
     /// Whether the gain exceeds its standard error.
     pub fn sure(&self) -> bool {
         self.gain > self.error
