@@ -8,7 +8,7 @@ use super::maps::View;
 use super::reported_cause::{Item, friction_values, place_of};
 use super::result::{Cause, Curve, measured_on};
 use crate::diagnose::fit::body_limits::Body;
-use crate::diagnose::fit::model::{Fitted, ModelUnderTest, given_friction};
+use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
 use crate::diagnose::hypotheses::{COULOMB, Hypothesis as _, Named, OFFSET, Quantity, VISCOUS};
@@ -63,16 +63,12 @@ impl Attribution<'_> {
         let counted = shares.far.map_or(part, |far| 0.5 * (part + far));
         let confirmed = on != "fit" && part > SHOWN || item.hypothesis.local() || shares.recurs_far();
         let rivals = confusable(tested, item, accepted, plain_rivals);
-        let implausible = accepted.is_some_and(|Accepted { chosen: c, .. }| {
-            !c.x.is_empty() && !c.cause.plausible(&tested.scene, &c.place, &c.shape, &c.x)
-        });
-        let worse = on != "fit" && (part < REFUTED || shares.worse);
-        let refuted = implausible || worse && !item.hypothesis.local();
+        let worse = on != "fit" && (part < REFUTED || shares.worse) && !item.hypothesis.local();
         let features = Features { support, margin, share: counted, recurrence, confirmed };
         Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
-            probability: self.probability(item, &features) * if refuted { calibration::REFUTED } else { 1.0 },
+            probability: self.probability(item, &features, worse || self.is_implausible(accepted)),
             support,
             margin,
             share: part,
@@ -106,6 +102,12 @@ impl Attribution<'_> {
 }
 
 impl Attribution<'_> {
+    /// Whether the size of a cause became implausible beside the others.
+    fn is_implausible(&self, accepted: Option<&Accepted>) -> bool {
+        let of = |c: &Chosen| !c.x.is_empty() && !c.cause.plausible(&self.tested.scene, &c.place, &c.shape, &c.x);
+        accepted.is_some_and(|accepted| of(&accepted.chosen))
+    }
+
     /// Information that separates an item from its only rival where no motion does. With several
     /// rivals a motion is proposed instead.
     fn decided_by(&self, item: &Item, rivals: &[&'static str]) -> Option<&'static str> {
@@ -157,10 +159,15 @@ impl Attribution<'_> {
         keys
     }
 
-    /// Probability of an item with these features. For a cause found by the search from the
-    /// unchanged file, it follows from the evidence of that search. Of several friction terms in
-    /// one item, the least certain one counts.
-    fn probability(&self, item: &Item, features: &Features) -> f64 {
+    /// Probability of an item with these features, less where it is refuted.
+    fn probability(&self, item: &Item, features: &Features, refuted: bool) -> f64 {
+        self.likely(item, features) * if refuted { calibration::REFUTED } else { 1.0 }
+    }
+
+    /// The same from its features alone. For a cause found by the search from the unchanged file, it
+    /// follows from the evidence of that search. Of several friction terms in one item, the least
+    /// certain one counts.
+    fn likely(&self, item: &Item, features: &Features) -> f64 {
         if item.hypothesis.local() {
             let brief = item.accepted.is_some_and(|at| is_brief(&self.accepted[at].chosen));
             return calibration::local(features.support, brief);
