@@ -558,7 +558,7 @@ fn geometric(first: f64, last: f64, count: usize) -> Vec<f64> {
 }
 
 /// Whether two orders get out of step by less than 1 rad over a joint's travel: their sizes then
-/// cancel. (Two waves of friction further apart may be one bell.)
+/// cancel. (Two such waves of friction may be a bell, and stay.)
 fn one_order(scene: &WindowedData<'_>, place: &[usize], a: &[f64], b: &[f64]) -> bool {
     let [low, high] = scene.travel[place[0]];
     (a[0] - b[0]).abs() * (high - low) < 1.0

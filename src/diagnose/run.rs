@@ -313,8 +313,7 @@ fn once(
     let start = ModelUnderTest::new(plant, fit, rate, Mode::Trusted, &plant.delays(), false);
     usable(&start)?;
     let before = Meter::new(plant, validate, &start).of_the_file();
-    let baseline = errors_of(&Meter::new(plant, fit, &start).of_the_file(), &before);
-    let before = before.error;
+    let (baseline, before) = (errors_of(&Meter::new(plant, fit, &start).of_the_file(), &before), before.error);
 
     let (refit, refitted) = Refit::new(plant, fit, validate, own_validation, rate)?;
     let noise = refit.with_noise_seen(torque_noise(recorded.clone(), dof));

@@ -420,7 +420,7 @@ mod tests {
         let moving: Vec<f64> = (0..4000).map(|k| 2.0 * wave(k, 1.1)).collect();
         let motion = [[&still[..], &slow, &slow], [&moving, &moving, &moving]];
         for term in dictionary(0, 2).into_iter().flatten().filter(|term| shows(term, &motion)) {
-            assert!(term.iter().all(|factor| factor.joint() == 1), "{}", text(&[term.clone()], &[1.0]));
+            assert!(term.iter().all(|factor| factor.joint() == 1), "{}", text(std::slice::from_ref(&term), &[1.0]));
         }
         assert!(shows(&vec![Factor::Sine(1, 1), Factor::Sign(1)], &motion));
     }

@@ -11,7 +11,6 @@ use super::Sign;
 use super::Symbol;
 use super::Term;
 use super::moves;
-use super::one_order;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// `sign(v) (PC cos(PN q) + PS sin(PN q))`.
@@ -49,10 +48,6 @@ impl Hypothesis for PositionDependentFriction {
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
         let [low, high] = scene.travel[place[0]];
         moves(scene, place[0]) && shape[0] * (high - low) >= 2.0
-    }
-
-    fn unresolved(&self, scene: &WindowedData<'_>, place: &[usize], a: &[f64], b: &[f64]) -> bool {
-        one_order(scene, place, a, b)
     }
 
     fn integer_shape(&self) -> Option<usize> {

@@ -55,7 +55,7 @@ impl<'a> Session<'a> {
             let (mut tested, mut found) = self.started(&excluded);
             // Only once, because a search takes long.
             if let Some(first) = found.other_start.take().filter(|_| searches == 0) {
-                let (mut other, instead) = self.started(&[&excluded[..], &[first.clone()]].concat());
+                let (mut other, instead) = self.started(&[&excluded[..], std::slice::from_ref(&first)].concat());
                 let [known, left] = [(&mut tested, &found), (&mut other, &instead)].map(|(tested, found)| {
                     let mut chosen = chosen_of(&found.accepted);
                     let fitted = tested.fit(&mut chosen);
