@@ -6,7 +6,7 @@
 
 For each file: forward kinematics and Jacobian of the tip, inverse dynamics where the file knows the
 inertia of every link, at 50 random states, relative to the largest entry. The reference is the URDF as
-Pinocchio reads it, all other joints locked where the import holds them. Reports each file as it is done, those worse
+Pinocchio reads it, all other joints locked where the import holds them. Reports each file when it is done, those worse
 than 1e-9, and the largest difference of all.
 """
 import json

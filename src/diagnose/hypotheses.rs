@@ -557,13 +557,6 @@ fn geometric(first: f64, last: f64, count: usize) -> Vec<f64> {
     (0..count).map(|i| first * (last / first).powf(i as f64 / steps)).collect()
 }
 
-/// Whether two orders get out of step by less than 1 rad over a joint's travel: their sizes then
-/// cancel. (Two such waves of friction may be a bell, and stay.)
-fn one_order(scene: &WindowedData<'_>, place: &[usize], a: &[f64], b: &[f64]) -> bool {
-    let [low, high] = scene.travel[place[0]];
-    (a[0] - b[0]).abs() * (high - low) < 1.0
-}
-
 /// Whether joint `j` moves significantly: beyond its velocity noise and by more than 0.02 rad.
 fn moves(scene: &WindowedData<'_>, j: usize) -> bool {
     let [low, high] = scene.travel[j];

@@ -308,7 +308,7 @@ pub enum Kind {
     Unexplained {
         /// Unexplained part of the joint's torque (root mean square), percent.
         percent: f64,
-        /// Reason, as far as it is known.
+        /// Reason, if known.
         reason: Unexplained,
     },
     /// Logs that contradict each other.

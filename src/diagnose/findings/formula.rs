@@ -156,16 +156,21 @@ fn dictionary(j: usize, dof: usize) -> Vec<Group> {
 }
 
 /// Whether the motion changes each factor of a term enough.
-fn shows(term: &Term, motion: &[[&[f64]; 3]]) -> bool {
+/// `travel`: of each joint, rad or m.
+fn shows(term: &Term, travel: &[f64]) -> bool {
     term.iter().all(|factor| {
-        let q = motion[factor.joint()][0];
-        let travel =
-            q.iter().fold(f64::NEG_INFINITY, |m, x| m.max(*x)) - q.iter().fold(f64::INFINITY, |m, x| m.min(*x));
+        let travel = travel[factor.joint()];
         match factor {
             Factor::Sine(m, _) | Factor::Cosine(m, _) => f64::from(*m) * travel >= TRAVEL,
             _ => travel >= MOVES,
         }
     })
+}
+
+/// Travel of each joint, rad or m.
+fn travel(motion: &[[&[f64]; 3]]) -> Vec<f64> {
+    let ends = |q: &[f64]| q.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(*x), b.max(*x)]);
+    motion.iter().map(|[q, ..]| ends(q)).map(|[low, high]| high - low).collect()
 }
 
 fn value(term: &Term, motion: &[[&[f64]; 3]], k: usize) -> f64 {
@@ -284,7 +289,8 @@ fn measured(terms: &[Term], x: &[f64], data: Errors<'_>) -> ([f64; 2], f64) {
 /// there is none.
 pub(in crate::diagnose) fn formula(j: usize, fit: Errors<'_>, validate: Errors<'_>) -> Option<Formula> {
     let mut groups = dictionary(j, fit.motion.len());
-    groups.retain(|group| group.iter().all(|term| shows(term, fit.motion)));
+    let travel = travel(fit.motion);
+    groups.retain(|group| group.iter().all(|term| shows(term, &travel)));
     let terms: Vec<Term> = groups.iter().flatten().cloned().collect();
     let mut first = 0;
     let own = |group: &Group| {
@@ -418,11 +424,11 @@ mod tests {
         let still: Vec<f64> = (0..4000).map(|k| 0.7 + 1e-5 * wave(k, 0.3)).collect();
         let slow: Vec<f64> = (0..4000).map(|k| 3e-6 * wave(k, 0.9)).collect();
         let moving: Vec<f64> = (0..4000).map(|k| 2.0 * wave(k, 1.1)).collect();
-        let motion = [[&still[..], &slow, &slow], [&moving, &moving, &moving]];
-        for term in dictionary(0, 2).into_iter().flatten().filter(|term| shows(term, &motion)) {
+        let travel = travel(&[[&still[..], &slow, &slow], [&moving, &moving, &moving]]);
+        for term in dictionary(0, 2).into_iter().flatten().filter(|term| shows(term, &travel)) {
             assert!(term.iter().all(|factor| factor.joint() == 1), "{}", text(std::slice::from_ref(&term), &[1.0]));
         }
-        assert!(shows(&vec![Factor::Sine(1, 1), Factor::Sign(1)], &motion));
+        assert!(shows(&vec![Factor::Sine(1, 1), Factor::Sign(1)], &travel));
     }
 
     /// Slow noise correlates with slow motion in the fitted data only.

@@ -10,7 +10,6 @@ use super::Sign;
 use super::Symbol;
 use super::Term;
 use super::moves;
-use super::one_order;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::numerics::periodogram::{Orders, Sample, periodogram};
 
@@ -92,8 +91,10 @@ impl Hypothesis for TorqueRipple {
         moves(scene, place[0]) && shape[0] * (high - low) >= 9.4
     }
 
+    /// Where two orders get out of step by less than 1 rad over the travel, their sizes cancel.
     fn unresolved(&self, scene: &WindowedData<'_>, place: &[usize], a: &[f64], b: &[f64]) -> bool {
-        one_order(scene, place, a, b)
+        let [low, high] = scene.travel[place[0]];
+        (a[0] - b[0]).abs() * (high - low) < 1.0
     }
 
     fn integer_shape(&self) -> Option<usize> {

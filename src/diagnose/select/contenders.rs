@@ -1,7 +1,7 @@
 //! Candidate models for the offer: the file's links, all base parameters refitted, and a plain
 //! refit with which both are compared on each validating log.
 
-use super::excess::{TENTH, by_log, excess, with_excess};
+use super::excess::{TENTH, by_log, exceed, excess, with_excess};
 use super::measure::{Measured, Meter};
 use super::model_choice::LeftOut;
 use super::prune::Pruned;
@@ -214,9 +214,11 @@ impl<'a> Session<'a> {
     /// Whether a model errs at least a tenth more than a plain refit on every validating log, and
     /// more than the unchanged file. Causes found on the fitted logs then make it worse elsewhere.
     pub(in crate::diagnose) fn worse_throughout(&self, model: &Selected<'_>, refit: &Refit) -> bool {
-        self.own_validation
-            && self.errs_more(model, &refit.by_log, TENTH)
-            && self.file_by_log().is_ok_and(|file| self.errs_more(model, &file, 1.0))
+        if !self.own_validation {
+            return false;
+        }
+        let own = self.errors_by_log(model);
+        exceed(&own, &refit.by_log, TENTH) && self.file_by_log().is_ok_and(|file| exceed(&own, &file, 1.0))
     }
 
     /// A sentence if a model errs more with its further causes than without them on a validating

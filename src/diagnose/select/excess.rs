@@ -130,7 +130,7 @@ impl Session<'_> {
     /// The limit is a fiftieth over all joints in units of `scale`, or on one joint a tenth and the
     /// noise.
     pub(in crate::diagnose) fn worse_on(&self, model: &Selected<'_>, refit: &[Vec<f64>]) -> Vec<String> {
-        let own = by_log(self.plant, self.validate, &model.tested, &model.fitted, &chosen_of(&model.accepted));
+        let own = self.errors_by_log(model);
         let pairs = own.iter().zip(refit).zip(self.validate);
         let worse = pairs.filter(|((own, refit), _)| worse(own, refit, self.scale, self.noise));
         worse.map(|(_, log)| log.name.clone()).collect()
@@ -139,15 +139,13 @@ impl Session<'_> {
     /// Whether a model errs more than another (its errors by log) on every validating log, over all
     /// joints.
     pub(super) fn worse_as_a_whole(&self, model: &Selected<'_>, other: &[Vec<f64>]) -> bool {
-        let own = by_log(self.plant, self.validate, &model.tested, &model.fitted, &chosen_of(&model.accepted));
+        let own = self.errors_by_log(model);
         own.iter().zip(other).all(|(own, other)| taken_of(own, other, self.scale) > WORSE)
     }
 
-    /// Whether a model errs more than `times` as much as another on every validating log, root mean
-    /// square over joints.
-    pub(super) fn errs_more(&self, model: &Selected<'_>, other: &[Vec<f64>], times: f64) -> bool {
-        let own = by_log(self.plant, self.validate, &model.tested, &model.fitted, &chosen_of(&model.accepted));
-        exceed(&own, other, times)
+    /// Errors of a model on each validating log, per joint, N m.
+    pub(super) fn errors_by_log(&self, model: &Selected<'_>) -> Vec<Vec<f64>> {
+        by_log(self.plant, self.validate, &model.tested, &model.fitted, &chosen_of(&model.accepted))
     }
 }
 
@@ -155,7 +153,7 @@ impl Session<'_> {
 pub(super) const TENTH: f64 = 1.1;
 
 /// Whether errors `own` exceed `times` the others on every log, root mean square over joints.
-fn exceed(own: &[Vec<f64>], other: &[Vec<f64>], times: f64) -> bool {
+pub(super) fn exceed(own: &[Vec<f64>], other: &[Vec<f64>], times: f64) -> bool {
     own.iter().zip(other).all(|(own, other)| root_mean_square(own) > times * root_mean_square(other))
 }
 

@@ -42,7 +42,7 @@ impl Paired {
 
     /// Whether the gain exceeds its standard error.
     pub fn sure(&self) -> bool {
-        self.gain > self.error
+        self.outweighs(1.0)
     }
 
     /// Whether the gain of a refit justifies giving up the file's links with `causes` causes beside

@@ -126,7 +126,7 @@ fn place(shape: &[usize], mut at: usize) -> String {
 /// Text of `src/kernel/<function>.rs`.
 pub(super) fn print(kernel: &Kernel, context: &Context<'_>) -> String {
     let packed = has_packed(kernel);
-    // A matrix with zeros is written column by column, as it is computed.
+    // A matrix with zeros is written column by column, the order of its computation.
     let tape = if packed { kernel.tape.with_few_waiting() } else { kernel.tape.clone() };
     let kernel = &Kernel { tape, ..kernel.clone() };
     let function = kernel.function;

@@ -16,7 +16,7 @@ use super::tape::{Kind, Operand, Tape};
 /// Derivative of `sum of seeds[k] * output(wanted[k])` by every input on which it depends: map from
 /// input index to expression.
 ///
-/// The derivative of a sign is zero, as it is almost everywhere.
+/// The derivative of a sign is zero, its value almost everywhere.
 ///
 /// # Panics
 /// If `seeds` is shorter than `wanted`.
