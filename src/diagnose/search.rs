@@ -21,6 +21,7 @@ pub(super) mod merge_bodies;
 mod merge_common_delay;
 pub(super) mod merge_couplings;
 pub(super) mod merge_levels;
+mod next_candidate;
 mod simplest_laws;
 mod stepwise_exchange;
 mod sufficient;

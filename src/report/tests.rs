@@ -149,6 +149,7 @@ fn diagnosis_page_stands_alone() {
         transmission: false,
         standard: None,
         causes: vec![Cause {
+            refuted: None,
             recurrence: 0.9,
             cause: "joint_elasticity",
             joints: vec![1],

@@ -6,7 +6,7 @@ use super::evidence;
 use super::evidence::Shown;
 use super::maps::View;
 use super::reported_cause::{Item, friction_values, place_of};
-use super::result::{Cause, Curve, measured_on};
+use super::result::{Cause, Curve, Refutation, measured_on};
 use crate::diagnose::fit::body_limits::Body;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::moments::Moments;
@@ -64,11 +64,13 @@ impl Attribution<'_> {
         let confirmed = on != "fit" && part > SHOWN || item.hypothesis.local() || shares.recurs_far();
         let rivals = confusable(tested, item, accepted, plain_rivals);
         let worse = on != "fit" && (part < REFUTED || shares.worse) && !item.hypothesis.local();
+        let refuted = if worse { Some(Refutation::OtherData) } else { self.implausible_size(accepted) };
         let features = Features { support, margin, share: counted, recurrence, confirmed };
         Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
-            probability: self.probability(item, &features, worse || self.is_implausible(accepted)),
+            probability: self.probability(item, &features, refuted),
+            refuted,
             support,
             margin,
             share: part,
@@ -102,10 +104,10 @@ impl Attribution<'_> {
 }
 
 impl Attribution<'_> {
-    /// Whether the size of a cause became implausible beside the others.
-    fn is_implausible(&self, accepted: Option<&Accepted>) -> bool {
+    /// A refutation if the size of a cause became implausible beside the others.
+    fn implausible_size(&self, accepted: Option<&Accepted>) -> Option<Refutation> {
         let of = |c: &Chosen| !c.x.is_empty() && !c.cause.plausible(&self.tested.scene, &c.place, &c.shape, &c.x);
-        accepted.is_some_and(|accepted| of(&accepted.chosen))
+        accepted.filter(|accepted| of(&accepted.chosen)).map(|_| Refutation::Size)
     }
 
     /// Information that separates an item from its only rival where no motion does. With several
@@ -160,8 +162,8 @@ impl Attribution<'_> {
     }
 
     /// Probability of an item with these features, less where it is refuted.
-    fn probability(&self, item: &Item, features: &Features, refuted: bool) -> f64 {
-        self.likely(item, features) * if refuted { calibration::REFUTED } else { 1.0 }
+    fn probability(&self, item: &Item, features: &Features, refuted: Option<Refutation>) -> f64 {
+        self.likely(item, features) * refuted.map_or(1.0, |_| calibration::REFUTED)
     }
 
     /// The same from its features alone. For a cause found by the search from the unchanged file, it

@@ -109,6 +109,7 @@ fn cause(model: &Selected<'_>, j: usize, found: &Spring, left: f64, noise: &[f64
     let spring = Named::new(effects::JointElasticity::KE, stiffness, Some(std));
     let spring = spring.of_joint(Some(j + 1));
     Cause {
+        refuted: None,
         cause: effects::JointElasticity::NAME,
         joints: vec![j + 1],
         probability: found.share.min(0.97),

@@ -238,6 +238,7 @@ impl Impacts {
         let probability = self.energy.min(self.followed as f64 / self.crossings as f64).min(0.97);
         let [gap, std] = self.gap;
         Cause {
+            refuted: None,
             cause: effects::Backlash::NAME,
             joints: vec![j + 1],
             probability,

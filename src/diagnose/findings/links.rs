@@ -143,6 +143,7 @@ impl Session<'_> {
     /// Common part of all causes of refitted parameters.
     fn refitted(&self, model: &Selected<'_>, without: &Measured) -> Cause {
         Cause {
+            refuted: None,
             cause: effects::LinkInertiaError::NAME,
             evidence: String::new(),
             joints: Vec::new(),

@@ -67,6 +67,15 @@ pub struct Evidence {
     pub explained: Vec<f64>,
 }
 
+/// Why a cause that the fitted data support is not named.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Refutation {
+    /// Data that were not fitted are predicted worse with it, or worse than by the unchanged file.
+    OtherData,
+    /// Its size beside the other causes is implausible.
+    Size,
+}
+
 /// A reported cause.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cause {
@@ -76,6 +85,8 @@ pub struct Cause {
     pub joints: Vec<usize>,
     /// Probability that the cause is present.
     pub probability: f64,
+    /// What refutes it; the probability accounts for it.
+    pub refuted: Option<Refutation>,
     /// Parameters; symbols carry the joint's number.
     pub parameters: Vec<Quantity>,
     /// The same without the joint's number, for the robot file.
@@ -142,6 +153,7 @@ impl Cause {
             decided_by: None,
             joints: Vec::new(),
             probability: 0.0,
+            refuted: None,
             parameters: Vec::new(),
             keys: Vec::new(),
             support: 0.0,

@@ -4,7 +4,7 @@
 use super::judge::SURE;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, near};
 use crate::diagnose::fit::moments::Gain;
-use crate::diagnose::hypotheses::{Hypothesis, Sign, UNIT, at_edge, causes};
+use crate::diagnose::hypotheses::{COULOMB, Hypothesis, OFFSET, Sign, UNIT, VISCOUS, at_edge, causes};
 use crate::numerics::parallel::{parallel, threads};
 use dh_codegen::robot::EffectKind;
 
@@ -34,6 +34,15 @@ impl Candidate {
     pub(in crate::diagnose) fn chosen(&self) -> Chosen {
         Chosen { cause: self.cause, place: self.place.clone(), shape: self.shape.clone(), x: self.gain.x.clone() }
     }
+}
+
+/// Plain friction and offset, in the order of a joint's unknowns.
+pub(in crate::diagnose) const PLAIN: [&dyn Hypothesis; 3] = [&VISCOUS, &COULOMB, &OFFSET];
+
+/// Index among the friction unknowns, if the candidate is a term of plain friction.
+pub(in crate::diagnose) fn plain(candidate: &Candidate) -> Option<usize> {
+    let which = PLAIN.iter().position(|p| p.effect() == candidate.cause.effect())?;
+    candidate.place.first().map(|j| 3 * j + which)
 }
 
 pub(in crate::diagnose) fn unknowns(cause: &dyn Hypothesis, shape: &[f64], terms: usize) -> f64 {

@@ -8,34 +8,21 @@
 
 use super::alone::is_an_error_of_contact;
 use super::baseline_friction::BaselineFriction;
-use super::candidate::{Candidate, candidates, evaluate, logs, price, refine, rivals, unknowns};
+use super::candidate::{Candidate, PLAIN, candidates, evaluate, logs, plain, price, refine, rivals, unknowns};
 use super::driving_friction::level_drives;
 use super::judge::{Accepted, Judge, THROUGHOUT, adopt, chosen_of};
 use super::levels_instead::levels_instead;
 use super::merge_levels::merge_levels;
+use super::next_candidate::{PLAINER, best};
 use super::{SearchSettings, equivalent_robot_cause, simplify};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::regulariser::Regulariser;
-use crate::diagnose::hypotheses::{COULOMB, Hypothesis, Kind, OFFSET, Over, VISCOUS, causes, laws};
+use crate::diagnose::hypotheses::{Hypothesis, Kind, causes, laws};
 use crate::diagnose::select::model_choice::LeftOut;
 use dh_codegen::robot::EffectKind;
 
-/// Plain friction and offset, in the order of a joint's unknowns.
-pub(in crate::diagnose) const PLAIN: [&dyn Hypothesis; 3] = [&VISCOUS, &COULOMB, &OFFSET];
-
 /// Number of candidates rejected before a round ends.
 const REFUSED: usize = 8;
-
-/// Share of its score by which a candidate with fewer unknowns in the same place may lag behind.
-const SIMPLER: f64 = 0.05;
-
-/// The same share for plain friction against a law with memory or of position, which follows any
-/// error that reverses with the motion. It also applies to an offset against ripple or a spring,
-/// which are nearly constant where a joint hardly moves.
-const PLAINER: f64 = 0.2;
-
-/// Share of its score by which a candidate may lag behind an equivalent one.
-const SAME: f64 = 1e-3;
 
 /// Largest relative growth of a joint's squared error on left-out stretches.
 const SPOILT: f64 = 0.3;
@@ -85,12 +72,6 @@ fn law(candidate: &Candidate) -> Law {
 /// Whether causes of this name act in a part of a log.
 fn local(name: &str) -> bool {
     causes().any(|c| c.name() == name && c.local())
-}
-
-/// Index among the friction unknowns, if the candidate is a term of plain friction.
-pub(super) fn plain(candidate: &Candidate) -> Option<usize> {
-    let which = PLAIN.iter().position(|p| p.effect() == candidate.cause.effect())?;
-    candidate.place.first().map(|j| 3 * j + which)
 }
 
 /// An effect in a place.
@@ -192,7 +173,7 @@ impl Forward<'_, '_> {
         let before = self.tested.left_out(&self.chosen, fitted);
         let mut tried: Vec<usize> = Vec::new();
         while tried.len() < REFUSED {
-            let first = best(&ranked, &tried)?;
+            let first = best(&ranked, &tried, &fitted.memory)?;
             let other = self.that_suffices(&ranked, first, fitted, &before);
             let other = other.or_else(|| self.link_that_predicts_better((&ranked, first), fitted, &before));
             let at = other.filter(|i| !tried.contains(i)).unwrap_or(first);
@@ -524,7 +505,7 @@ impl Forward<'_, '_> {
 
 /// Whether a body with these gains (shares of the joints' squared errors) pays over all joints. It
 /// acts on every joint, beside errors that each joint has of its own.
-fn pays_as_a_whole(shares: &[f64]) -> bool {
+pub(in crate::diagnose) fn pays_as_a_whole(shares: &[f64]) -> bool {
     let gains = || shares.iter().map(|share| -(1.0 - share).max(1e-3).ln());
     let (won, lost): (f64, f64) = (gains().map(|g| g.max(0.0)).sum(), gains().map(|g| (-g).max(0.0)).sum());
     won > WHOLE * lost
@@ -544,33 +525,6 @@ pub(super) fn main_joint(before: &Fitted, after: &Fitted) -> usize {
     let gains: Vec<f64> =
         logs(&before.solution.rss, &after.solution.rss).zip(&before.solution.counts).map(|(l, n)| l * n).collect();
     (0..gains.len()).max_by(|&a, &b| gains[a].total_cmp(&gains[b])).unwrap_or(0)
-}
-
-/// The candidate to try next: the best one, or one in its place with fewer unknowns that gains
-/// nearly as much. Plain friction goes first among equivalent causes, such as a level and a
-/// difference by direction on a motion in one direction.
-fn best(ranked: &[Candidate], tried: &[usize]) -> Option<usize> {
-    let left = || (0..ranked.len()).filter(|i| !tried.contains(i));
-    let first = left().next().filter(|&i| ranked[i].score > 0.0)?;
-    let top = &ranked[first];
-    let count = |c: &Candidate| unknowns(c.cause, &c.shape, c.gain.x.len());
-    let place = |c: &Candidate| c.place == top.place || c.place.is_empty() || top.place.is_empty();
-    let follows = top.cause.follows_reversals();
-    let level = top.cause.over() == Over::Position && top.cause.kind() == Kind::Transmission;
-    let near = |c: &Candidate| {
-        let friction = c.cause.kind() == Kind::Friction && plain(c).is_some();
-        let offset = c.cause.effect() == OFFSET.effect();
-        let lag = if follows && friction || level && offset { PLAINER } else { SIMPLER };
-        c.score > (1.0 - lag) * top.score
-    };
-    let same = |c: &Candidate| plain(c).is_some() && count(c) <= count(top) && c.score > (1.0 - SAME) * top.score;
-    let simpler = |c: &Candidate| place(c) && (count(c) < count(top) && near(c) || same(c));
-    let fewest = |a: &usize, b: &usize| {
-        let [a, b] = [&ranked[*a], &ranked[*b]];
-        let plainer = plain(b).is_some().cmp(&plain(a).is_some());
-        count(a).total_cmp(&count(b)).then(plainer).then(b.score.total_cmp(&a.score))
-    };
-    Some(left().filter(|&i| simpler(&ranked[i])).min_by(fewest).unwrap_or(first))
 }
 
 #[cfg(test)]

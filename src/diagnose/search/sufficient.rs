@@ -1,7 +1,7 @@
 //! Tests whether another cause suffices in place of a wrong link or a push.
 
-use super::candidate::{Candidate, evaluate, unknowns};
-use super::forward::{Forward, main_joint, plain};
+use super::candidate::{Candidate, evaluate, plain, unknowns};
+use super::forward::{Forward, main_joint};
 use crate::diagnose::fit::model::{Chosen, Fitted};
 use crate::diagnose::hypotheses::Kind;
 use crate::diagnose::select::model_choice::LeftOut;
@@ -46,9 +46,11 @@ fn simpler(ranked: &[Candidate], link: &Candidate, main: usize) -> Vec<usize> {
 
 /// Alternatives to a push, the best first: causes that act throughout the logs. Where an arm
 /// accelerates most, three components of a force absorb more of a body's error than that body's
-/// parameters, which must also fit the rest.
+/// parameters, which must also fit the rest. A wall must gain more than the push: it also has the
+/// freedom to touch where the push acts.
 fn lasting(ranked: &[Candidate], push: &Candidate) -> Vec<usize> {
-    let lasts = |c: &Candidate| !c.cause.local() && !c.cause.moves_time() && c.score > LASTING * push.score;
+    let least = |c: &Candidate| if c.cause.effect() == push.cause.effect() { 1.0 } else { LASTING };
+    let lasts = |c: &Candidate| !c.cause.local() && !c.cause.moves_time() && c.score > least(c) * push.score;
     (0..ranked.len()).filter(|&i| lasts(&ranked[i])).take(TRIED).collect()
 }
 

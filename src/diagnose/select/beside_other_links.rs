@@ -15,8 +15,8 @@ use crate::diagnose::findings::result::Cause;
 use crate::diagnose::fit::model::{Chosen, Fitted, Mode, ModelUnderTest, given_friction};
 use crate::diagnose::fit::uncertainty::Uncertainty;
 use crate::diagnose::hypotheses::{Kind, by_name};
+use crate::diagnose::search::candidate::PLAIN;
 use crate::diagnose::search::candidate::candidates;
-use crate::diagnose::search::forward::PLAIN;
 use crate::diagnose::search::judge::chosen_of;
 
 /// Least joint error above the noise by which a share is divided, in units of the noise.

@@ -169,7 +169,7 @@ impl<'a> Session<'a> {
             let mut holding = Vec::new();
             for model in models {
                 let without = if model.tested.mode == Mode::Trusted { &file } else { &refit.by_log };
-                match self.pruned(model, &|model| self.fails_on(model, without))? {
+                match self.pruned(model, without)? {
                     Pruned::Holds(model) => holding.push(*model),
                     Pruned::Fails(sentence) => said.push(sentence),
                 }
@@ -224,7 +224,7 @@ impl<'a> Session<'a> {
     /// A sentence if a model errs more with its further causes than without them on a validating
     /// log. `without`: errors of the same links without any, per log and joint, N m. Logs of
     /// different robots refute no model.
-    fn fails_on(&self, model: &Selected<'_>, without: &[Vec<f64>]) -> Option<String> {
+    pub(super) fn fails_on(&self, model: &Selected<'_>, without: &[Vec<f64>]) -> Option<String> {
         let logs = self.worse_on(model, without);
         let holds = model.accepted.is_empty() || logs.is_empty() || !self.changed(model, self.noise).is_empty();
         (!holds).then(|| {

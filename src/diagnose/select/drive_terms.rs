@@ -5,7 +5,8 @@
 //! does not predict its joint has changed.
 
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
-use crate::diagnose::search::forward::{Evidence, PLAIN};
+use crate::diagnose::search::candidate::PLAIN;
+use crate::diagnose::search::forward::Evidence;
 
 /// Evidence for each plain term that is fitted and reported: the share of its joint's squared error
 /// that it removes beside all others. `fitted` is the model with all of them.

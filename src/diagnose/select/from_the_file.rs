@@ -13,7 +13,8 @@ use crate::diagnose::findings::reported_cause::Item;
 use crate::diagnose::findings::result::Cause;
 use crate::diagnose::fit::model::{Mode, ModelUnderTest};
 use crate::diagnose::search::baseline_friction::BaselineFriction;
-use crate::diagnose::search::forward::{Evidence, Found, PLAIN, Placed, forward};
+use crate::diagnose::search::candidate::PLAIN;
+use crate::diagnose::search::forward::{Evidence, Found, Placed, forward};
 use crate::diagnose::search::judge::{Accepted, chosen_of};
 use crate::identify::ConsistentError;
 

@@ -1,11 +1,13 @@
 //! Removes causes from a model that errs more on validating logs with its causes than without any.
 //!
-//! One cause that does not carry over does not refute the others.
+//! One cause that does not carry over does not refute the others. A cause that pays over all joints
+//! stays although one joint's error grows with it: other errors of that joint had cancelled a part.
 
 use super::measure::{Meter, leave_out, taken_of};
 use super::reduction::without;
 use super::refine_and_select::{Found, Selected, Session};
 use crate::diagnose::findings::reported_cause::{Item, items, place_of};
+use crate::diagnose::search::forward::pays_as_a_whole;
 use crate::diagnose::search::judge::chosen_of;
 use crate::identify::ConsistentError;
 
@@ -20,17 +22,18 @@ pub(super) enum Pruned<'a> {
 }
 
 impl<'a> Session<'a> {
-    /// A model that does not fail, or a sentence on why none is left. Causes are removed one after
-    /// the other, first the one whose removal reduces the error on the validating logs most.
-    pub(super) fn pruned(
-        &self,
-        mut model: Selected<'a>,
-        fails: &dyn Fn(&Selected<'a>) -> Option<String>,
-    ) -> Result<Pruned<'a>, ConsistentError> {
-        let Some(sentence) = fails(&model) else { return Ok(Pruned::Holds(Box::new(model))) };
+    /// A model that does not fail beside the same links without causes (`bare`: their errors per
+    /// log and joint, N m), or a sentence on why none is left. Causes are removed one after the
+    /// other, first the one whose removal reduces the error on the validating logs most.
+    pub(super) fn pruned(&self, mut model: Selected<'a>, bare: &[Vec<f64>]) -> Result<Pruned<'a>, ConsistentError> {
+        let Some(sentence) = self.fails_on(&model, bare) else { return Ok(Pruned::Holds(Box::new(model))) };
         for _ in 0..MOST {
             (self.progress)("without what does not carry over to the validating logs");
-            let Some(item) = self.least_missed(&mut model) else { return Ok(Pruned::Fails(sentence)) };
+            let Some(item) = self.least_missed(&mut model) else {
+                let errors = self.errors_by_log(&model);
+                let pays = errors.iter().zip(bare).all(|(own, bare)| self.pays_over_all(bare, own));
+                return Ok(if pays { Pruned::Holds(Box::new(model)) } else { Pruned::Fails(sentence) });
+            };
             let Selected { mut tested, mut accepted, rivals, mut why, evidence, suspects, .. } = model;
             why.push(format!(
                 "{} {} is not in the model: the validating logs are predicted better without it.",
@@ -44,15 +47,15 @@ impl<'a> Session<'a> {
             if model.accepted.is_empty() {
                 return Ok(Pruned::Fails(sentence));
             }
-            if fails(&model).is_none() {
+            if self.fails_on(&model, bare).is_none() {
                 return Ok(Pruned::Holds(Box::new(model)));
             }
         }
         Ok(Pruned::Fails(sentence))
     }
 
-    /// The cause whose removal gives the smallest error on the validating logs. The model is left
-    /// unchanged.
+    /// The cause whose removal gives the smallest error on the validating logs, of those that do not
+    /// pay there. The model is left unchanged.
     fn least_missed(&self, model: &mut Selected<'a>) -> Option<Item> {
         let Selected { tested, accepted, fitted, after, .. } = model;
         let chosen = chosen_of(accepted);
@@ -61,11 +64,18 @@ impl<'a> Session<'a> {
         for item in items(tested, accepted, fitted) {
             let other = leave_out(self.plant, self.fit, &mut meter, tested, &chosen, &item, true);
             let gain = taken_of(&after.steady, &other.steady, self.scale);
-            if best.as_ref().is_none_or(|(most, _)| gain > *most) {
+            if !self.pays_over_all(&other.steady, &after.steady) && best.as_ref().is_none_or(|(most, _)| gain > *most) {
                 best = Some((gain, item));
             }
         }
         tested.fit(&mut chosen_of(accepted));
         best.map(|(_, item)| item)
+    }
+
+    /// Whether what a change of the joints' errors (N m) wins over all joints outweighs what it
+    /// loses.
+    fn pays_over_all(&self, before: &[f64], after: &[f64]) -> bool {
+        let share = |((b, a), s): ((&f64, &f64), &f64)| 1.0 - (a * a + s * s) / (b * b + s * s);
+        pays_as_a_whole(&before.iter().zip(after).zip(self.scale).map(share).collect::<Vec<f64>>())
     }
 }

@@ -9,7 +9,7 @@ use super::suspects::beside_the_rest;
 use crate::diagnose::findings::attribution::Attribution;
 use crate::diagnose::findings::calibration;
 use crate::diagnose::findings::reported_cause::{Item, items, place_of};
-use crate::diagnose::findings::result::Cause;
+use crate::diagnose::findings::result::{Cause, Refutation};
 use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
 use crate::diagnose::fit::uncertainty::Uncertainty;
 use crate::diagnose::run::Settings;
@@ -76,8 +76,13 @@ fn not_named(cause: &Cause, item: &Item) -> Option<String> {
     let place = place_of(&item.place);
     // Rounded down: a probability below one half is not written as one half.
     let probability = (100.0 * cause.probability).floor() / 100.0;
+    let why = match cause.refuted {
+        None => "",
+        Some(Refutation::OtherData) => ", because data that were not fitted are not predicted better with it",
+        Some(Refutation::Size) => ", because its size is implausible beside the other causes",
+    };
     (cause.probability < calibration::NAMED)
-        .then(|| format!("{} {place} is not named: its probability is {probability:.2}.", cause.cause))
+        .then(|| format!("{} {place} is not named: its probability is {probability:.2}{why}.", cause.cause))
 }
 
 /// A sentence on a cause whose parameters are zero within their uncertainty.
