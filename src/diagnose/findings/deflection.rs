@@ -71,13 +71,11 @@ fn measured(scene: &WindowedData<'_>, j: usize) -> Option<Vec<f64>> {
 pub(in crate::diagnose) fn deflections(model: &Selected<'_>, noise: &[f64]) -> Vec<Cause> {
     let (scene, residual) = (&model.tested.scene, &model.fitted.residual);
     let joint = |j: usize| {
-        let states = &scene.states[scene.state_of_joint[j]];
-        let acceleration = &states.ddq[j * scene.len..(j + 1) * scene.len];
-        let load: Vec<f64> = scene.rigid[j].iter().zip(acceleration).map(|(t, a)| t - scene.rotors[j] * a).collect();
+        let load = scene.transmitted(j);
         let found = spring(&measured(scene, j)?, &load, &scene.live[j])?;
         let rate = scene.rate_of(&load);
         let second = scene.rate_of(&rate);
-        let velocity = &states.dq[j * scene.len..(j + 1) * scene.len];
+        let [_, velocity, _] = scene.motion_of(j);
         let friction = |which: usize| {
             let given = given_friction(model.tested.plant)[j][which].unwrap_or(0.0);
             given + model.fitted.solution.x[model.fitted.friction + 3 * j + which]

@@ -136,8 +136,7 @@ fn zeros<'a>(series: &'a [f64], scene: &'a WindowedData<'_>) -> impl Iterator<It
 
 /// Changes of sign of the load of joint `j`.
 fn crossings(scene: &WindowedData<'_>, j: usize) -> Vec<Crossing> {
-    let acceleration = &scene.states[scene.state_of_joint[j]].ddq[j * scene.len..(j + 1) * scene.len];
-    let load: Vec<f64> = scene.rigid[j].iter().zip(acceleration).map(|(t, a)| t - scene.rotors[j] * a).collect();
+    let load = scene.transmitted(j);
     if load.iter().all(|t| *t == 0.0) {
         return Vec::new();
     }
@@ -152,7 +151,7 @@ fn crossings(scene: &WindowedData<'_>, j: usize) -> Vec<Crossing> {
 
 /// Whether a spike coincides with a reversal of joint `j`.
 fn at_a_reversal(spike: &Spike, scene: &WindowedData<'_>, j: usize) -> bool {
-    let velocity = &scene.states[scene.state_of_joint[j]].dq[j * scene.len..(j + 1) * scene.len];
+    let [_, velocity, _] = scene.motion_of(j);
     zeros(velocity, scene).any(|(run, _, time)| run == spike.run && (time - spike.time).abs() < REVERSAL)
 }
 

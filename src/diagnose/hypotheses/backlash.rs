@@ -38,14 +38,6 @@ pub(super) fn both_ways(scene: &WindowedData<'_>, j: usize) -> bool {
     rms > 0.0 && torque.iter().any(|t| *t > 0.05 * rms) && torque.iter().any(|t| *t < -0.05 * rms)
 }
 
-/// Torque that the gear of joint `j` transmits if its link moves like its motor, over the windows,
-/// N m.
-fn transmitted(scene: &WindowedData<'_>, j: usize) -> Vec<f64> {
-    let states = &scene.states[scene.state_of_joint[j]];
-    let acceleration = &states.ddq[j * scene.len..(j + 1) * scene.len];
-    scene.rigid[j].iter().zip(acceleration).map(|(t, a)| t - scene.rotors[j] * a).collect()
-}
-
 /// Low-pass of a load at `cutoff`, Hz.
 fn slow(scene: &WindowedData<'_>, load: &[f64], cutoff: f64) -> Vec<f64> {
     let mut load = load.to_vec();
@@ -84,7 +76,7 @@ impl Hypothesis for Backlash {
 
     fn terms(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> Vec<Term> {
         let (j, scale) = (place[0], shape[0]);
-        let whole = transmitted(scene, j);
+        let whole = scene.transmitted(j);
         let mut load = slow(scene, &whole, shape[2]);
         let mut round = 1;
         loop {

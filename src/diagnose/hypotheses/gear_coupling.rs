@@ -145,14 +145,11 @@ impl Hypothesis for CarriedAxis {
             return Vec::new();
         }
         let states = &scene.states[scene.state_of_joint[m]];
-        let of = |x: &[f64], j: usize| x[j * scene.len..(j + 1) * scene.len].to_vec();
-        let by = [of(&states.q, k), of(&states.dq, k), of(&states.ddq, k)];
+        let by = states.by_joint()[k].map(<[f64]>::to_vec);
         let mut rows = scene.moved(m, &by, ratio);
         // Motor m does not move: its rotor is not affected by the change.
         rows[m].iter_mut().zip(&by[2]).for_each(|(t, a)| *t -= scene.rotors[m] * a);
-        let own = of(&states.ddq, m);
-        let on_link: Vec<f64> = scene.rigid[m].iter().zip(&own).map(|(t, a)| t - scene.rotors[m] * a).collect();
-        let borne: Vec<f64> = on_link.iter().zip(&rows[m]).map(|(t, more)| t + ratio * more).collect();
+        let borne: Vec<f64> = scene.transmitted(m).iter().zip(&rows[m]).map(|(t, more)| t + ratio * more).collect();
         rows[k].iter_mut().zip(&borne).for_each(|(t, borne)| *t += borne);
         vec![Term::new(effects::GearCoupling::CQ, scene.column(rows), Sign::Any)]
     }

@@ -57,10 +57,7 @@ impl<'s, 'a> Link<'s, 'a> {
         }
         // The inertia of an estimated model may have any value.
         inertia.iter_mut().for_each(|m| *m = m.max(0.05 * usual));
-        let states = &scene.states[scene.state_of_joint[joint]];
-        let acceleration = &states.ddq[joint * scene.len..(joint + 1) * scene.len];
-        let load = scene.rigid[joint].iter().zip(acceleration).map(|(t, a)| t - rotor * a).collect();
-        Some(Self { scene, joint, slopes, load, bent: vec![0.0; scene.len], inertia, usual })
+        Some(Self { scene, joint, slopes, load: scene.transmitted(joint), bent: vec![0.0; scene.len], inertia, usual })
     }
 
     /// The highest resonance observable in the motion, Hz.

@@ -47,7 +47,7 @@ const AS_MUCH: f64 = 0.5;
 fn motion(scene: &WindowedData<'_>) -> Vec<f64> {
     let mut sums = vec![0.0; scene.len + 1];
     for j in 0..scene.dof() {
-        let speed = &scene.states[scene.state_of_joint[j]].dq[j * scene.len..(j + 1) * scene.len];
+        let [_, speed, _] = scene.motion_of(j);
         let fastest = speed.iter().fold(f64::MIN_POSITIVE, |most, v| most.max(v.abs()));
         sums[1..].iter_mut().zip(speed).for_each(|(sum, v)| *sum += v.abs() / fastest);
     }

@@ -252,8 +252,7 @@ impl<'a> Meter<'a> {
             scene.own.iter().map(|own| scene.joined(own.iter().map(|own| own.moves.clone()))).collect();
         let steady = (0..error.len()).map(|j| where_it_moves(&error[j], &moves[j], coulomb[j]));
         let steady: Vec<f64> = steady.collect();
-        let velocity = |j: usize| &scene.states[scene.state_of_joint[j]].dq[j * scene.len..(j + 1) * scene.len];
-        let swift = (0..error.len()).map(|j| swift(&error[j], velocity(j), steady[j])).collect();
+        let swift = (0..error.len()).map(|j| swift(&error[j], scene.motion_of(j)[1], steady[j])).collect();
         let (time, runs, model) = (scene.time.clone(), scene.runs.clone(), scene.whole.clone());
         Measured {
             rms,

@@ -763,6 +763,20 @@ impl<'a> WindowedData<'a> {
         }
     }
 
+    /// Position, velocity and acceleration of joint `j` at the time of its own torque, over the
+    /// windows, rad, rad/s, rad/s^2.
+    pub fn motion_of(&self, j: usize) -> [&[f64]; 3] {
+        let States { q, dq, ddq, .. } = &*self.states[self.state_of_joint[j]];
+        [q, dq, ddq].map(|x| &x[j * self.len..(j + 1) * self.len])
+    }
+
+    /// Torque that the gear of joint `j` transmits if its link moves like its motor, over the
+    /// windows, N m: that of the rigid model without the file's rotor.
+    pub fn transmitted(&self, j: usize) -> Vec<f64> {
+        let [_, _, acceleration] = self.motion_of(j);
+        self.rigid[j].iter().zip(acceleration).map(|(t, a)| t - self.rotors[j] * a).collect()
+    }
+
     /// Part of the rigid model's torque that follows from the recorded motion, of a joint, N m.
     pub fn by_motion(&self, j: usize) -> Vec<f64> {
         let load = |w: usize| self.load.get(j).map_or(0.0, |load| load[w]);
