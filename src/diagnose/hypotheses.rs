@@ -37,7 +37,8 @@ mod torque_saturation;
 mod wall;
 
 pub use asymmetric_friction::AsymmetricFriction;
-pub use plain::{COULOMB, OFFSET, VISCOUS};
+use plain::{COULOMB, VISCOUS};
+pub use plain::{OFFSET, PLAIN};
 pub use point_mass::inertia as point_inertia;
 
 /// Kind of a cause. Causes of one kind on one joint resemble each other.

@@ -11,7 +11,7 @@ use crate::diagnose::fit::body_limits::Body;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
-use crate::diagnose::hypotheses::{COULOMB, Hypothesis as _, Named, OFFSET, Quantity, VISCOUS};
+use crate::diagnose::hypotheses::{Hypothesis as _, Named, PLAIN, Quantity};
 use crate::diagnose::search::alone::is_brief;
 use crate::diagnose::search::baseline_friction::BaselineFriction;
 use crate::diagnose::search::forward::Evidence;
@@ -179,7 +179,7 @@ impl Attribution<'_> {
             let (wald, margin, confirmed) = (self.wald(item), features.margin, features.confirmed);
             Some(calibration::change(&Change { share: found.share, wald, margin, confirmed }))
         };
-        let plain = |k: &usize| of([&VISCOUS, &COULOMB, &OFFSET][k % 3].effect());
+        let plain = |k: &usize| of(PLAIN[k % 3].effect());
         let terms = || item.friction.iter().map(plain).collect::<Option<Vec<f64>>>();
         let several = || terms().and_then(|all| all.into_iter().reduce(f64::min));
         of(item.hypothesis.effect())
@@ -263,7 +263,7 @@ pub(in crate::diagnose) fn confusable(
     names.extend(item.hypothesis.indistinguishable(&tested.scene, &item.place));
     // One cause that replaces several plain ones.
     if item.accepted.is_none() && item.friction.len() > 1 {
-        names.extend(item.friction.iter().map(|k| [&VISCOUS, &COULOMB, &OFFSET][k % 3].name()));
+        names.extend(item.friction.iter().map(|k| PLAIN[k % 3].name()));
     }
     names.sort_unstable();
     names.dedup();

@@ -1,11 +1,9 @@
 //! Items to be reported: an accepted cause with the friction that belongs to it, or a friction term
 //! that changed by itself.
 
-use dh_codegen::robot::effects::{self, Key};
-
 use super::result::Cause;
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest, given_friction};
-use crate::diagnose::hypotheses::{AsymmetricFriction, COULOMB, Hypothesis, Kind, Named, OFFSET, VISCOUS};
+use crate::diagnose::hypotheses::{AsymmetricFriction, Hypothesis, Kind, Named, PLAIN};
 use crate::diagnose::search::judge::Accepted;
 
 /// A cause to be reported.
@@ -50,7 +48,7 @@ pub(in crate::diagnose) fn items(tested: &ModelUnderTest<'_>, accepted: &[Accept
         .collect();
     let given = given_friction(tested.plant);
     for j in 0..tested.scene.dof() {
-        for (which, hypothesis) in [&VISCOUS, &COULOMB, &OFFSET].into_iter().enumerate() {
+        for (which, hypothesis) in PLAIN.into_iter().enumerate() {
             let k = 3 * j + which;
             if tested.frozen[k] || tested.quiet[k] {
                 continue;
@@ -103,9 +101,6 @@ pub(in crate::diagnose) fn one_for_two(
     items
 }
 
-/// Keys of the baseline friction, in the order of its unknowns.
-const PLAIN: [Key; 3] = [effects::ViscousFriction::FV, effects::CoulombFriction::FC, effects::TorqueOffset::TO];
-
 /// Values of the friction parameters that belong to an item.
 pub(in crate::diagnose) fn friction_values(
     tested: &ModelUnderTest<'_>,
@@ -120,7 +115,7 @@ pub(in crate::diagnose) fn friction_values(
             let (j, which, at) = (k / 3, k % 3, fitted.friction + k);
             let base = if which == 2 && item.accepted.is_none() { 0.0 } else { given[j][which].unwrap_or(0.0) };
             let std = covariance[(at, at)].max(0.0).sqrt();
-            Named::new(PLAIN[which], base + fitted.solution.x[at], Some(std))
+            Named::new(PLAIN[which].key(), base + fitted.solution.x[at], Some(std))
         })
         .collect()
 }
@@ -131,7 +126,7 @@ pub(in crate::diagnose) fn quiet(tested: &ModelUnderTest<'_>, fitted: &Fitted) -
     (0..tested.quiet.len())
         .filter(|&k| tested.quiet[k] && !tested.frozen[k])
         .map(|k| {
-            let hypothesis: &'static dyn Hypothesis = [&VISCOUS, &COULOMB, &OFFSET][k % 3];
+            let hypothesis: &'static dyn Hypothesis = PLAIN[k % 3];
             let item = Item { hypothesis, place: vec![k / 3], accepted: None, friction: vec![k] };
             Cause {
                 joints: vec![k / 3 + 1],

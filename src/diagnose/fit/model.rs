@@ -15,7 +15,7 @@ use super::moments::{Moments, Solution};
 use super::regulariser::{Regulariser, STRENGTHS, prior};
 use super::shapes::misfit;
 use super::uncertainty::derivative;
-use crate::diagnose::hypotheses::{COULOMB, Hypothesis, OFFSET, Term, UNIT, VISCOUS};
+use crate::diagnose::hypotheses::{Hypothesis, PLAIN, Term, UNIT};
 use crate::diagnose::select::model_choice::LeftOut;
 use crate::diagnose::windows::recording::Recording;
 use crate::diagnose::windows::torque_noise::autocorrelation_time;
@@ -697,7 +697,7 @@ impl<'a> ModelUnderTest<'a> {
 
 /// Columns of a joint's plain friction: viscous, Coulomb, offset.
 fn friction_columns(scene: &WindowedData<'_>, j: usize) -> [Column; 3] {
-    [&VISCOUS, &COULOMB, &OFFSET].map(|p| p.terms(scene, &[j], &[]).remove(0).column)
+    PLAIN.map(|p| p.terms(scene, &[j], &[]).remove(0).column)
 }
 
 pub(in crate::diagnose) fn without_friction(plant: &dyn PerturbableArm, standard: &[f64]) -> Vec<f64> {

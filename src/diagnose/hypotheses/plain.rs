@@ -42,6 +42,16 @@ pub static OFFSET: Plain = Plain {
     shown_by: "the joint at rest in positions where gravity does not load it",
 };
 
+/// The terms in the order of a joint's unknowns.
+pub static PLAIN: [&Plain; 3] = [&VISCOUS, &COULOMB, &OFFSET];
+
+impl Plain {
+    /// Key of the term in a robot file.
+    pub const fn key(&self) -> Key {
+        self.key
+    }
+}
+
 impl Hypothesis for Plain {
     fn effect(&self) -> EffectKind {
         self.effect

@@ -5,12 +5,7 @@ use super::candidate::{Candidate, candidates, logs, rivals, unknowns};
 use super::judge::{Accepted, Judge, adopt, chosen_of};
 use super::{SearchSettings, makes_sense};
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
-use crate::diagnose::hypotheses::Hypothesis;
-use dh_codegen::robot::effects;
-
-/// Plain friction causes, each with the index of its column among a joint's three.
-const PLAIN: [(&str, usize); 3] =
-    [(effects::ViscousFriction::NAME, 0), (effects::CoulombFriction::NAME, 1), (effects::TorqueOffset::NAME, 2)];
+use crate::diagnose::hypotheses::{Hypothesis, PLAIN};
 
 /// Alternatives to the plain friction of one joint.
 pub struct BaselineFriction {
@@ -62,8 +57,8 @@ pub fn reconsider(
                 judged.rivals = rivals(&ranked, 0, &next);
                 let margin = (best.score - plain) / memory;
                 let near = best.score - plain < (10.0 * memory).max(0.015 * best.score);
-                let plain = PLAIN.iter().filter(|(_, which)| near && free.contains(&(3 * j + which)));
-                judged.rivals.extend(plain.map(|(name, _)| (*name, vec![j], margin)));
+                let plain = free.iter().filter(|_| near).map(|k| PLAIN[k % 3].name());
+                judged.rivals.extend(plain.map(|name| (name, vec![j], margin)));
                 accepted.push(judged);
                 adopt(accepted, &trial);
                 fitted = next;

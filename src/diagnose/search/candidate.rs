@@ -4,7 +4,7 @@
 use super::judge::SURE;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, near};
 use crate::diagnose::fit::moments::Gain;
-use crate::diagnose::hypotheses::{COULOMB, Hypothesis, OFFSET, Sign, UNIT, VISCOUS, at_edge, causes};
+use crate::diagnose::hypotheses::{Hypothesis, PLAIN, Sign, UNIT, at_edge, causes};
 use crate::numerics::parallel::{parallel, threads};
 use dh_codegen::robot::EffectKind;
 
@@ -35,9 +35,6 @@ impl Candidate {
         Chosen { cause: self.cause, place: self.place.clone(), shape: self.shape.clone(), x: self.gain.x.clone() }
     }
 }
-
-/// Plain friction and offset, in the order of a joint's unknowns.
-pub(in crate::diagnose) const PLAIN: [&dyn Hypothesis; 3] = [&VISCOUS, &COULOMB, &OFFSET];
 
 /// Index among the friction unknowns, if the candidate is a term of plain friction.
 pub(in crate::diagnose) fn plain(candidate: &Candidate) -> Option<usize> {

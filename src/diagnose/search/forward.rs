@@ -8,7 +8,7 @@
 
 use super::alone::is_an_error_of_contact;
 use super::baseline_friction::BaselineFriction;
-use super::candidate::{Candidate, PLAIN, candidates, evaluate, logs, plain, price, refine, rivals, unknowns};
+use super::candidate::{Candidate, candidates, evaluate, logs, plain, price, refine, rivals, unknowns};
 use super::driving_friction::level_drives;
 use super::judge::{Accepted, Judge, THROUGHOUT, adopt, chosen_of};
 use super::levels_instead::levels_instead;
@@ -17,7 +17,7 @@ use super::next_candidate::{PLAINER, best};
 use super::{SearchSettings, equivalent_robot_cause, simplify};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::regulariser::Regulariser;
-use crate::diagnose::hypotheses::{Hypothesis, Kind, causes, laws};
+use crate::diagnose::hypotheses::{Hypothesis, Kind, PLAIN, causes, laws};
 use crate::diagnose::select::model_choice::LeftOut;
 use dh_codegen::robot::EffectKind;
 

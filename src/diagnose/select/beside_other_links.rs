@@ -14,8 +14,7 @@ use crate::diagnose::findings::reported_cause::place_of;
 use crate::diagnose::findings::result::Cause;
 use crate::diagnose::fit::model::{Chosen, Fitted, Mode, ModelUnderTest, given_friction};
 use crate::diagnose::fit::uncertainty::Uncertainty;
-use crate::diagnose::hypotheses::{Kind, by_name};
-use crate::diagnose::search::candidate::PLAIN;
+use crate::diagnose::hypotheses::{Hypothesis as _, Kind, PLAIN, by_name};
 use crate::diagnose::search::candidate::candidates;
 use crate::diagnose::search::judge::chosen_of;
 

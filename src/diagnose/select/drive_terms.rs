@@ -5,7 +5,7 @@
 //! does not predict its joint has changed.
 
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
-use crate::diagnose::search::candidate::PLAIN;
+use crate::diagnose::hypotheses::{Hypothesis as _, PLAIN};
 use crate::diagnose::search::forward::Evidence;
 
 /// Evidence for each plain term that is fitted and reported: the share of its joint's squared error
