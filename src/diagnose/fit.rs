@@ -9,3 +9,4 @@ pub(super) mod possible;
 pub(super) mod regulariser;
 pub(super) mod shapes;
 pub(super) mod uncertainty;
+pub(super) mod white_errors;

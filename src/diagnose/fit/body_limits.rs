@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::model::{Chosen, Fitted, Mode, ModelUnderTest};
 use super::moments::{Gain, Trial, pseudo_inverse, reduced_normal};
+use super::white_errors::independent_windows;
 use crate::diagnose::hypotheses::{Hypothesis, Symbol, Term, point_inertia};
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::identify::{BoundedLeastSquares, ConsistentSettings};
@@ -178,8 +179,7 @@ pub fn possible_changes(bodies: &[Body], normal: &DMatrix<f64>, rhs: &DVector<f6
 
 /// Ratio of independent windows to all windows.
 pub(super) fn independent_share(counts: &[f64], memory: &[f64]) -> f64 {
-    let independent: f64 = counts.iter().zip(memory).map(|(n, m)| n / m).sum();
-    (independent / counts.iter().sum::<f64>()).min(1.0)
+    (independent_windows(counts, memory).sum::<f64>() / counts.iter().sum::<f64>()).min(1.0)
 }
 
 /// Unknowns of bodies, and their values with the prior, inside the limits where a solution is

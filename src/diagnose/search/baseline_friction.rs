@@ -1,10 +1,11 @@
 //! Compares plain friction, which is always among the unknowns, with the other causes on equal
 //! terms.
 
-use super::candidate::{Candidate, candidates, logs, rivals, unknowns};
+use super::candidate::{Candidate, candidates, price, rivals, unknowns};
 use super::judge::{Accepted, Judge, adopt, chosen_of};
 use super::{SearchSettings, makes_sense};
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
+use crate::diagnose::fit::white_errors::white_gain;
 use crate::diagnose::hypotheses::{Hypothesis, PLAIN};
 
 /// Alternatives to the plain friction of one joint.
@@ -42,10 +43,9 @@ pub fn reconsider(
         let reduced = tested.fit(&mut without);
         let wanted = |cause: &'static dyn Hypothesis, place: &[usize]| place == [j] && makes_sense(tested, cause);
         let ranked = candidates(tested, &reduced, &wanted);
-        let total: f64 = reduced.solution.counts.iter().sum();
-        let raw: f64 =
-            logs(&reduced.solution.rss, &fitted.solution.rss).zip(&reduced.solution.counts).map(|(l, n)| n * l).sum();
-        let plain = raw - free.len() as f64 * total.max(2.0).ln();
+        let counts = reduced.solution.counts.iter().copied();
+        let raw = white_gain(&reduced.solution.rss, &fitted.solution.rss, counts);
+        let plain = raw - free.len() as f64 * price(&reduced);
         let memory = fitted.memory[j];
         let mut replaced = false;
         if let Some(best) = ranked.first().filter(|c| is_better(c, plain, free.len(), memory)) {

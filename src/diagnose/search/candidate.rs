@@ -4,6 +4,7 @@
 use super::judge::SURE;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, near};
 use crate::diagnose::fit::moments::Gain;
+use crate::diagnose::fit::white_errors::{cost_of_unknown, white_gain};
 use crate::diagnose::hypotheses::{Hypothesis, PLAIN, Sign, UNIT, at_edge, causes};
 use crate::numerics::parallel::{parallel, threads};
 use dh_codegen::robot::EffectKind;
@@ -48,7 +49,7 @@ pub(in crate::diagnose) fn unknowns(cause: &dyn Hypothesis, shape: &[f64], terms
 
 /// Cost of one unknown: the logarithm of the number of windows.
 pub(super) fn price(fitted: &Fitted) -> f64 {
-    fitted.solution.counts.iter().sum::<f64>().max(2.0).ln()
+    cost_of_unknown(fitted.solution.counts.iter().sum())
 }
 
 /// Evaluates one shape of a cause; `None` if it is not observable or not plausible.
@@ -76,14 +77,10 @@ pub(in crate::diagnose) fn evaluate(
     if !signed || !gain.x.iter().all(|x| x.is_finite()) || !cause.plausible(&tested.scene, place, shape, &gain.x) {
         return None;
     }
-    let raw: f64 = logs(&fitted.solution.rss, &gain.rss).zip(&fitted.solution.counts).map(|(l, n)| n * l).sum();
+    let raw = white_gain(&fitted.solution.rss, &gain.rss, fitted.solution.counts.iter().copied());
     let off = if cause.unit() { (gain.x[0] - 1.0) / UNIT } else { 0.0 };
     let score = raw - unknowns(cause, shape, terms.len()) * price(fitted) - off * off;
     Some(Candidate { cause, place: place.to_vec(), shape: shape.to_vec(), gain, score })
-}
-
-pub(in crate::diagnose) fn logs<'a>(before: &'a [f64], after: &'a [f64]) -> impl Iterator<Item = f64> + 'a {
-    before.iter().zip(after).map(|(a, b)| if *a > 1e-290 && *b > 1e-290 { (a / b).ln() } else { 0.0 })
 }
 
 /// Number of threads of the search: the ten columns of a body on all joints may take 32 MB

@@ -8,7 +8,7 @@
 
 use super::alone::is_an_error_of_contact;
 use super::baseline_friction::BaselineFriction;
-use super::candidate::{Candidate, candidates, evaluate, logs, plain, price, refine, rivals, unknowns};
+use super::candidate::{Candidate, candidates, evaluate, plain, price, refine, rivals, unknowns};
 use super::driving_friction::level_drives;
 use super::judge::{Accepted, Judge, THROUGHOUT, adopt, chosen_of};
 use super::levels_instead::levels_instead;
@@ -17,6 +17,7 @@ use super::next_candidate::{PLAINER, best};
 use super::{SearchSettings, equivalent_robot_cause, simplify};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::regulariser::Regulariser;
+use crate::diagnose::fit::white_errors::{cost_of_unknown, independent_windows, log_ratios, white_gain};
 use crate::diagnose::hypotheses::{Hypothesis, Kind, PLAIN, causes, laws};
 use crate::diagnose::select::model_choice::LeftOut;
 use dh_codegen::robot::EffectKind;
@@ -347,8 +348,7 @@ impl Forward<'_, '_> {
         refine(self.tested, without, &mut best);
         let mut trial = [rest, &[best.chosen()]].concat();
         let next = self.tested.fit(&mut trial);
-        let lost: f64 =
-            logs(&next.solution.rss, &whole.solution.rss).zip(&whole.solution.counts).map(|(l, n)| l * n).sum();
+        let lost = white_gain(&next.solution.rss, &whole.solution.rss, whole.solution.counts.iter().copied());
         let more = unknowns(best.cause, &best.shape, best.gain.x.len()) - unknowns(own.cause, &own.shape, own.x.len());
         let pays = saved as f64 > more && lost < (saved as f64 - more.max(0.0)) * price(whole);
         (pays && self.judge().stands(trial.last()?, &next)).then_some((trial, next))
@@ -514,16 +514,18 @@ pub(in crate::diagnose) fn pays_as_a_whole(shares: &[f64]) -> bool {
 /// Twice the gain in log-likelihood, in independent windows, less the cost of the unknowns and of
 /// the choice among so many candidates.
 fn gained(candidate: &Candidate, candidates: usize, before: &Fitted, after: &Fitted) -> f64 {
-    let windows = || before.solution.counts.iter().zip(&after.memory).map(|(n, m)| n / m);
-    let gain: f64 = logs(&before.solution.rss, &after.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();
+    let windows = || independent_windows(&before.solution.counts, &after.memory);
+    let gain = white_gain(&before.solution.rss, &after.solution.rss, windows());
     let unknowns = unknowns(candidate.cause, &candidate.shape, candidate.gain.x.len());
-    gain - unknowns * windows().sum::<f64>().max(2.0).ln() - 2.0 * (candidates as f64).ln()
+    gain - unknowns * cost_of_unknown(windows().sum()) - 2.0 * (candidates as f64).ln()
 }
 
 /// The joint with the largest gain.
 pub(super) fn main_joint(before: &Fitted, after: &Fitted) -> usize {
-    let gains: Vec<f64> =
-        logs(&before.solution.rss, &after.solution.rss).zip(&before.solution.counts).map(|(l, n)| l * n).collect();
+    let gains: Vec<f64> = log_ratios(&before.solution.rss, &after.solution.rss)
+        .zip(&before.solution.counts)
+        .map(|(l, n)| l * n)
+        .collect();
     (0..gains.len()).max_by(|&a, &b| gains[a].total_cmp(&gains[b])).unwrap_or(0)
 }
 

@@ -4,11 +4,12 @@
 
 use super::SearchSettings;
 use super::alone::{is_alone, is_an_error_of_contact};
-use super::candidate::{logs, unknowns};
+use super::candidate::unknowns;
 use super::driving_friction::friction_drives;
 use crate::diagnose::fit::likelihood::gain as autoregressive_gain;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::fit::moments::Solution;
+use crate::diagnose::fit::white_errors::{cost_of_unknown, independent_windows, white_gain};
 use crate::diagnose::hypotheses::{Hypothesis, Kind, Sign, at_edge};
 
 /// An accepted cause with its evidence.
@@ -99,11 +100,9 @@ impl Judge<'_> {
         trial: &[Chosen],
         unknowns: f64,
     ) -> Option<f64> {
-        let counts = &before.solution.counts;
-        let windows = || counts.iter().zip(&after.memory).map(|(n, m)| n / m);
-        let gain: f64 = logs(&before.solution.rss, &after.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();
-        let independent: f64 = windows().sum();
-        let cost = unknowns * independent.max(2.0).ln() + 2.0 * (self.tried as f64).ln() + 6.0;
+        let windows = || independent_windows(&before.solution.counts, &after.memory);
+        let gain = white_gain(&before.solution.rss, &after.solution.rss, windows());
+        let cost = unknowns * cost_of_unknown(windows().sum()) + 2.0 * (self.tried as f64).ln() + 6.0;
         if gain > cost {
             return Some(gain - cost);
         }

@@ -1,9 +1,10 @@
 //! Merges several wrong bodies into one.
 
-use super::candidate::logs;
 use super::equivalent_robot_cause;
 use super::judge::{Accepted, adopt, chosen_of};
+use super::merge_common_delay::lost_by;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
+use crate::diagnose::fit::white_errors::cost_of_unknown;
 use crate::diagnose::hypotheses::{Hypothesis, hypothesis};
 use dh_codegen::robot::EffectKind;
 
@@ -51,13 +52,10 @@ pub(in crate::diagnose) fn merge_bodies(
             best = Some((left, trial, next));
         }
     }
-    let counts = &fitted.solution.counts;
-    let independent: f64 = counts.iter().zip(&fitted.memory).map(|(n, m)| n / m).sum();
     let unknowns = |c: &[Chosen]| c.iter().map(|c| c.x.len()).sum::<usize>() as f64;
     let one = best.filter(|(left, trial, next)| {
-        let pairs = logs(&fitted.solution.rss, &next.solution.rss).zip(counts.iter().zip(&fitted.memory));
-        let lost: f64 = pairs.map(|(l, (n, m))| -l * n / m).sum();
-        let saved = (unknowns(&chosen_of(accepted)) - unknowns(trial)) * independent.max(2.0).ln();
+        let (lost, independent) = lost_by(fitted, next, fitted);
+        let saved = (unknowns(&chosen_of(accepted)) - unknowns(trial)) * cost_of_unknown(independent);
         let [none, all] = [misfit(&without), misfit(fitted)];
         lost < saved || none - left > NEARLY_ALL * (none - all)
     });

@@ -1,8 +1,8 @@
 //! Merges equal delays of several joints into one.
 
-use super::candidate::logs;
 use super::judge::{Accepted, adopt, chosen_of};
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
+use crate::diagnose::fit::white_errors::{cost_of_unknown, independent_windows, log_ratios};
 
 /// Replaces the delays of several joints that agree within their uncertainty by one common delay,
 /// as of a clock or a bus. It is accepted if it loses less than the cost of the unknowns that it
@@ -50,8 +50,8 @@ pub(in crate::diagnose) fn merge_common_delay(
     kept.insert(group[0].min(kept.len()), one);
     let mut chosen = chosen_of(&kept);
     let next = tested.fit(&mut chosen);
-    let (lost, independent) = lost_by(fitted, &next);
-    let saved = (group.len() - 1) as f64 * independent.max(2.0).ln();
+    let (lost, independent) = lost_by(fitted, &next, &next);
+    let saved = (group.len() - 1) as f64 * cost_of_unknown(independent);
     if lost < saved {
         adopt(&mut kept, &chosen);
         (*accepted, *fitted) = (kept, next);
@@ -63,12 +63,10 @@ pub(in crate::diagnose) fn merge_common_delay(
     adopt(accepted, &chosen);
 }
 
-/// Loss of log-likelihood from one fit to the next, and the number of independent windows.
-fn lost_by(fitted: &Fitted, next: &Fitted) -> (f64, f64) {
-    let counts = &next.solution.counts;
-    let lost = logs(&fitted.solution.rss, &next.solution.rss)
-        .zip(counts.iter().zip(&next.memory))
-        .map(|(l, (n, m))| -l * n / m)
-        .sum();
-    (lost, counts.iter().zip(&next.memory).map(|(n, m)| n / m).sum())
+/// Loss of log-likelihood from one fit to the next, and the number of independent windows, which
+/// are those of the fit `of`.
+pub(super) fn lost_by(fitted: &Fitted, next: &Fitted, of: &Fitted) -> (f64, f64) {
+    let (counts, memory) = (&of.solution.counts, &of.memory);
+    let pairs = log_ratios(&fitted.solution.rss, &next.solution.rss).zip(counts.iter().zip(memory));
+    (pairs.map(|(l, (n, m))| -l * n / m).sum(), independent_windows(counts, memory).sum())
 }

@@ -5,9 +5,10 @@
 //! with the number of further unknowns times the logarithm of the number of independent windows.
 //! Windows are counted in units of the autocorrelation time of the richer law's residual.
 
-use super::candidate::{Candidate, evaluate, logs, refine, unknowns};
+use super::candidate::{Candidate, evaluate, refine, unknowns};
 use super::judge::{Accepted, adopt, chosen_of};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
+use crate::diagnose::fit::white_errors::{cost_of_unknown, independent_windows, white_gain};
 use crate::diagnose::hypotheses::at_edge;
 
 /// Replaces each cause whose further terms do not pay by a simpler law of the same effect.
@@ -59,7 +60,7 @@ fn suffices(simpler: &Candidate, next: &Fitted, own: &Chosen, fitted: &Fitted) -
 /// Whether the loss against a richer fit is within the cost of the given number of further
 /// unknowns.
 pub(super) fn costs_less(simpler: &Fitted, richer: &Fitted, further: f64) -> bool {
-    let windows = || richer.solution.counts.iter().zip(&richer.memory).map(|(n, m)| n / m);
-    let lost: f64 = logs(&simpler.solution.rss, &richer.solution.rss).zip(windows()).map(|(l, n)| l * n).sum();
-    lost <= further.max(0.0) * windows().sum::<f64>().max(2.0).ln()
+    let windows = || independent_windows(&richer.solution.counts, &richer.memory);
+    let lost = white_gain(&simpler.solution.rss, &richer.solution.rss, windows());
+    lost <= further.max(0.0) * cost_of_unknown(windows().sum())
 }
