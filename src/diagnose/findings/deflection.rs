@@ -76,11 +76,8 @@ pub(in crate::diagnose) fn deflections(model: &Selected<'_>, noise: &[f64]) -> V
         let rate = scene.rate_of(&load);
         let second = scene.rate_of(&rate);
         let [_, velocity, _] = scene.motion_of(j);
-        let friction = |which: usize| {
-            let given = given_friction(model.tested.plant)[j][which].unwrap_or(0.0);
-            given + model.fitted.solution.x[model.fitted.friction + 3 * j + which]
-        };
-        let (compliance, viscous, dry) = (found.compliance[0], friction(0), friction(1));
+        let [viscous, dry] = model.fitted.friction_levels(&given_friction(model.tested.plant)[j], j);
+        let compliance = found.compliance[0];
         let lacks = |w: usize| {
             let (v, faster) = (velocity[w], compliance * rate[w]);
             let turned = (v + faster).signum() - v.signum();

@@ -2,7 +2,7 @@
 //! that changed by itself.
 
 use super::result::Cause;
-use crate::diagnose::fit::model::{Fitted, ModelUnderTest, given_friction};
+use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::hypotheses::{AsymmetricFriction, Hypothesis, Kind, Named, PLAIN};
 use crate::diagnose::search::judge::Accepted;
 
@@ -22,6 +22,11 @@ impl Item {
         let friction = self.friction.iter().map(|k| fitted.friction + k);
         let own = self.accepted.iter().flat_map(|&i| (0..fitted.terms[i].len()).map(move |t| fitted.first[i] + t));
         friction.chain(own).collect()
+    }
+
+    /// The causes of the model without its own.
+    pub(in crate::diagnose) fn others(&self, chosen: &[Chosen]) -> Vec<Chosen> {
+        chosen.iter().enumerate().filter(|(i, _)| self.accepted != Some(*i)).map(|(_, c)| c.clone()).collect()
     }
 }
 

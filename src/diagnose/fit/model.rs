@@ -127,6 +127,12 @@ impl Fitted {
     pub fn covariance(&self) -> DMatrix<f64> {
         self.moments.covariance(&self.solution, &self.memory)
     }
+
+    /// Viscous, N m s/rad, and Coulomb friction, N m, of a joint: those of the file (`given`) and
+    /// the changes.
+    pub(in crate::diagnose) fn friction_levels(&self, given: &[Option<f64>; 3], joint: usize) -> [f64; 2] {
+        [0, 1].map(|which| given[which].unwrap_or(0.0) + self.solution.x[self.friction + 3 * joint + which])
+    }
 }
 
 /// Unknowns of local causes: parts of the log where they do not act do not determine them.
@@ -635,10 +641,9 @@ impl<'a> ModelUnderTest<'a> {
         }
         let given = given_friction(self.plant);
         for j in 0..self.scene.dof() {
-            let value =
-                |which: usize| given[j][which].unwrap_or(0.0) + fitted.solution.x[fitted.friction + 3 * j + which];
+            let [fv, fc] = fitted.friction_levels(&given[j], j);
             // A fitted offset belongs to the sensor: neither the gear nor the gain includes it.
-            let (fv, fc, fo) = (value(0), value(1), given[j][2].unwrap_or(0.0));
+            let fo = given[j][2].unwrap_or(0.0);
             let with_rigid = |fc: f64| -> Vec<f64> {
                 let own = self.scene.own[j].iter();
                 let friction = own.map(|own| self.scene.average_of(own, |k| fv * own.v[k] + fc * own.sign[k] + fo));

@@ -30,9 +30,7 @@ pub(in crate::diagnose) fn friction_drives(
     let speed = scene.pointwise(joint, |o, k| o.v[k]);
     let signs = scene.pointwise(joint, |o, k| o.sign[k]);
     let [Some((_, speed)), Some((_, signs))] = [speed.rows.first(), signs.rows.first()] else { return false };
-    let given = given_friction(tested.plant)[joint];
-    let level = |which: usize| given[which].unwrap_or(0.0) + fitted.solution.x[fitted.friction + 3 * joint + which];
-    let [viscous, coulomb] = [level(0), level(1)];
+    let [viscous, coulomb] = fitted.friction_levels(&given_friction(tested.plant)[joint], joint);
     let mut torque: Vec<f64> = speed.iter().zip(signs.iter()).map(|(v, s)| viscous * v + coulomb * s).collect();
     for (c, terms) in chosen.iter().zip(&fitted.terms) {
         if c.cause.kind() != Kind::Friction || c.place != [joint] {

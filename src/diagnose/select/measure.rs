@@ -7,7 +7,7 @@ use crate::data::signal::noise_with_memory;
 use crate::diagnose::findings::maps::View;
 use crate::diagnose::findings::reported_cause::Item;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
-use crate::diagnose::hypotheses::{Kind, Term};
+use crate::diagnose::hypotheses::{Hypothesis, Kind, Term};
 use crate::diagnose::windows::recording::Recording;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::{PerturbableArm, States};
@@ -318,8 +318,7 @@ pub(in crate::diagnose) fn leave_out<'a>(
     }
     let frozen = tested.frozen.clone();
     item.friction.iter().for_each(|&k| tested.frozen[k] = true);
-    let mut others: Vec<Chosen> =
-        chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
+    let mut others = item.others(chosen);
     let fitted = tested.fit(&mut others);
     let fitted = tested.possible(&mut others, &fitted).unwrap_or(fitted);
     let measured = match tested.scene.delays == meter.fine.scene.delays {
@@ -331,6 +330,19 @@ pub(in crate::diagnose) fn leave_out<'a>(
     measured
 }
 
+/// Delays of the joints' torques, s, without a cause in its place: a cause that moves time leaves
+/// the file's delays there.
+pub(in crate::diagnose) fn delays_without(
+    plant: &dyn PerturbableArm,
+    delays: &[f64],
+    cause: &dyn Hypothesis,
+    place: &[usize],
+) -> Vec<f64> {
+    let gone = |j: usize| cause.moves_time() && (place.is_empty() || place.contains(&j));
+    let both = delays.iter().zip(plant.delays()).enumerate();
+    both.map(|(j, (delay, given))| if gone(j) { given } else { *delay }).collect()
+}
+
 /// The model fitted without one of its causes.
 pub(in crate::diagnose) fn reduced<'a>(
     plant: &'a dyn PerturbableArm,
@@ -339,20 +351,13 @@ pub(in crate::diagnose) fn reduced<'a>(
     chosen: &[Chosen],
     item: &Item,
 ) -> (ModelUnderTest<'a>, Vec<Chosen>, Fitted) {
-    let mut delays = tested.scene.delays.clone();
-    if item.hypothesis.moves_time() {
-        // Remove the cause's own part of the shift.
-        let own: Vec<usize> = if item.place.is_empty() { (0..delays.len()).collect() } else { item.place.clone() };
-        let given = plant.delays();
-        own.iter().for_each(|&j| delays[j] = given[j]);
-    }
+    let delays = delays_without(plant, &tested.scene.delays, item.hypothesis, &item.place);
     let mut reduced = ModelUnderTest::new(plant, fit, tested.rate, tested.mode, &delays, false);
     (reduced.frozen, reduced.quiet, reduced.regulariser) =
         (tested.frozen.clone(), tested.quiet.clone(), tested.regulariser.clone());
     reduced.motion_error.clone_from(&tested.motion_error);
     item.friction.iter().for_each(|&k| reduced.frozen[k] = true);
-    let mut others: Vec<Chosen> =
-        chosen.iter().enumerate().filter(|(i, _)| item.accepted != Some(*i)).map(|(_, c)| c.clone()).collect();
+    let mut others = item.others(chosen);
     let fitted = reduced.fit(&mut others);
     (reduced, others, fitted)
 }

@@ -1,7 +1,7 @@
 //! Selects the terms of the extended model: causes and friction that are significant and hold on
 //! left-out stretches.
 
-use super::measure::reduced;
+use super::measure::{delays_without, reduced};
 use super::model_choice::{LeftOut, Paired};
 use crate::diagnose::findings::reported_cause::{Item, items, place_of};
 use crate::diagnose::fit::likelihood::gain;
@@ -15,10 +15,7 @@ use crate::model::PerturbableArm;
 /// Restores the file's delays for the joints of a removed delay cause.
 fn take_back_delay(tested: &mut ModelUnderTest<'_>, gone: &Chosen) {
     if gone.cause.moves_time() {
-        let (given, mut delays) = (tested.plant.delays(), tested.scene.delays.clone());
-        let own = |j: usize| gone.place.is_empty() || gone.place.contains(&j);
-        delays.iter_mut().enumerate().filter(|(j, _)| own(*j)).for_each(|(j, delay)| *delay = given[j]);
-        tested.set_delays(&delays);
+        tested.set_delays(&delays_without(tested.plant, &tested.scene.delays, gone.cause, &gone.place));
     }
 }
 
