@@ -6,6 +6,7 @@ pub(crate) mod cholesky;
 pub(crate) mod eigen;
 pub mod elastic_joint;
 pub(crate) mod fft;
+pub(crate) mod hermite;
 pub(crate) mod integrators;
 pub(crate) mod parallel;
 pub(crate) mod pattern_search;

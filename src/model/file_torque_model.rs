@@ -11,6 +11,7 @@ use dh_codegen::runtime::Scalar;
 use crate::model::interpreted::Interpreted;
 use crate::model::walls::Walls;
 use crate::model::{Arm, States, TorqueModel};
+use crate::numerics::hermite::cubic;
 
 /// A robot without inertial parameters.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, thiserror::Error)]
@@ -203,13 +204,10 @@ fn earlier(time: &[f64], states: &States, late: f64, n: usize) -> States {
             let f = if h > 0.0 { (t - time[i]) / h } else { 0.0 };
             for k in 0..n {
                 let (a, b) = (k * len + i, k * len + next);
-                let cubic = |x: &[f64], v: &[f64]| {
-                    let (rise, left, right) = (x[b] - x[a], v[a] * h, v[b] * h);
-                    x[a] + f * (left + f * (3.0 * rise - 2.0 * left - right + f * (left + right - 2.0 * rise)))
-                };
+                let between = |x: &[f64], v: &[f64]| cubic([x[a], x[b]], [v[a] * h, v[b] * h], f);
                 let at = k * len + s;
-                out.q[at] = cubic(&states.q, &states.dq);
-                out.dq[at] = cubic(&states.dq, &states.ddq);
+                out.q[at] = between(&states.q, &states.dq);
+                out.dq[at] = between(&states.dq, &states.ddq);
                 out.ddq[at] = states.ddq[a] + f * (states.ddq[b] - states.ddq[a]);
             }
         }

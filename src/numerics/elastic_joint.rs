@@ -7,6 +7,8 @@
 //! velocity and position, `K` and `D` spring and damper. Motions of other joints act through `f`.
 //! The equation is solved by the trapezoidal rule, which adds no numerical damping.
 
+use super::hermite::cubic;
+
 /// Link load at evenly spaced instants.
 #[derive(Debug, Clone, Copy)]
 pub struct LinkLoad<'a> {
@@ -92,7 +94,7 @@ impl Spring {
             for part in 0..parts {
                 let f = (part as f64 + 0.5) / parts as f64;
                 let between = |a: f64, b: f64| a + f * (b - a);
-                let (load, own) = (cubic(near, f), between(asked.damping[k], asked.damping[k + 1]));
+                let (load, own) = (catmull_rom(near, f), between(asked.damping[k], asked.damping[k + 1]));
                 let (m, s) = (between(m, m1), between(s, s1));
                 for ([x, v], damping) in states.iter_mut().zip(dampings) {
                     let d = damping + own;
@@ -109,9 +111,8 @@ impl Spring {
 }
 
 /// Catmull-Rom cubic between the second and the third of four evenly spaced values.
-fn cubic([a, b, c, d]: [f64; 4], s: f64) -> f64 {
-    let (rise, left, right) = (c - b, 0.5 * (c - a), 0.5 * (d - b));
-    b + s * (left + s * (3.0 * rise - 2.0 * left - right + s * (left + right - 2.0 * rise)))
+fn catmull_rom([a, b, c, d]: [f64; 4], s: f64) -> f64 {
+    cubic([b, c], [0.5 * (c - a), 0.5 * (d - b)], s)
 }
 
 #[cfg(test)]

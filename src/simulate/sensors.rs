@@ -4,6 +4,7 @@ use super::drive::Drive;
 use super::noise::{Coloured, Noise};
 use super::trajectory::Point;
 use crate::data::log::{Layout, Log};
+use crate::numerics::hermite::cubic;
 
 /// Side of the gear on which a sensor is mounted.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -245,8 +246,7 @@ fn shifted(t: &[f64], values: &[f64], age: f64) -> Vec<f64> {
             let h = t[k + 1] - t[k];
             let s = (at - t[k]) / h;
             let (a, b) = (slope(k) * h, slope(k + 1) * h);
-            let rise = values[k + 1] - values[k];
-            values[k] + s * (a + s * (3.0 * rise - 2.0 * a - b + s * (a + b - 2.0 * rise)))
+            cubic([values[k], values[k + 1]], [a, b], s)
         })
         .collect()
 }
