@@ -7,6 +7,7 @@ use nalgebra::{Complex, DMatrix, DVector};
 
 use super::gains::ForcePlant;
 use crate::control::iterative_learning::{Learned, learned};
+use crate::numerics::sums::root_mean_square;
 
 const PERIOD: f64 = 1e-3;
 const SECONDS: f64 = 10.0;
@@ -73,10 +74,6 @@ fn coat(ahead: &dyn Fn(f64) -> f64) -> Vec<f64> {
         .collect()
 }
 
-fn rms(x: &[f64]) -> f64 {
-    (x.iter().map(|x| x * x).sum::<f64>() / x.len() as f64).sqrt()
-}
-
 fn next(mass: f64, error: &[f64], before: Option<&Learned>) -> Learned {
     learned(&[plant(mass), plant(mass)], [FKP, FKI], error, &vec![1.0; error.len()], PERIOD, before).unwrap()
 }
@@ -84,22 +81,22 @@ fn next(mass: f64, error: &[f64], before: Option<&Learned>) -> Learned {
 #[test]
 fn what_comes_again_is_learned_and_in_its_time() {
     let first = coat(&|_| 0.0);
-    assert!(rms(&first) > 1.0);
+    assert!(root_mean_square(&first) > 1.0);
     // With the right model, and with one that is half or twice as heavy.
     for (mass, most) in [(MASS, 0.1), (0.5 * MASS, 0.2), (2.0 * MASS, 0.2)] {
-        let (mut before, mut error, mut left) = (None, first.clone(), vec![rms(&first)]);
+        let (mut before, mut error, mut left) = (None, first.clone(), vec![root_mean_square(&first)]);
         for _ in 0..5 {
             let now = next(mass, &error, before.as_ref());
             error = coat(&|t| now.at(t));
-            left.push(rms(&error));
+            left.push(root_mean_square(&error));
             before = Some(now);
         }
         assert!(left[1] < 0.6 * left[0] && left[5] < most * left[0], "{mass}: {left:?}");
     }
     let now = next(MASS, &first, None);
-    let on_time = rms(&coat(&|t| now.at(t)));
+    let on_time = root_mean_square(&coat(&|t| now.at(t)));
     for late in [-0.15, 0.15] {
-        assert!(rms(&coat(&|t| now.at(t - late))) > 1.5 * on_time);
+        assert!(root_mean_square(&coat(&|t| now.at(t - late))) > 1.5 * on_time);
     }
 }
 

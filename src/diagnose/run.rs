@@ -13,7 +13,7 @@ use super::fit::model::{Mode, ModelUnderTest};
 use super::search::SearchSettings;
 use super::select::contenders::{Refit, Searched};
 use super::select::excess::{explained, here_and_there};
-use super::select::measure::{Measured, Meter, root_mean_square};
+use super::select::measure::{Measured, Meter};
 use super::select::offer::{Choice, Rival};
 use super::select::refine_and_select::{Selected, Session};
 use super::select::suspects::{likelier, name, not_explained};
@@ -22,6 +22,7 @@ use super::windows::recording::{Recording, unexplained};
 use super::windows::torque_noise::torque_noise;
 use crate::identify::ConsistentError;
 use crate::model::PerturbableArm;
+use crate::numerics::sums::root_mean_square;
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects::FrictionDrift;
 

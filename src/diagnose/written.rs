@@ -2,10 +2,10 @@
 //! dynamics. This path shares neither columns nor windows with the diagnosis.
 
 use super::run::KEPT;
-use super::select::measure::root_mean_square;
 use super::windows::recording::{Recording, Stretch};
 use super::windows::windowed_data::{dead_zones, edge};
 use crate::model::{States, TorqueModel};
+use crate::numerics::sums::root_mean_square;
 
 /// Root mean square error of each joint's torque, N m, over the samples on which a diagnosis
 /// evaluates. Both ends of each stretch are left out. Where `own_validation == false`, all but the

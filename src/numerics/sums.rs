@@ -1,6 +1,11 @@
-//! Sums with eight independent running sums, which fit vector registers.
+//! Sums of series.
 
-/// Sum of numbers.
+/// Root mean square, summed in order; 0 for none.
+pub(crate) fn root_mean_square(x: &[f64]) -> f64 {
+    (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt()
+}
+
+/// Sum of numbers by eight independent running sums, which fit vector registers.
 pub(crate) fn sum(x: &[f64]) -> f64 {
     let (eights, rest) = x.as_chunks::<8>();
     let mut sums = [0.0; 8];
@@ -12,7 +17,7 @@ pub(crate) fn sum(x: &[f64]) -> f64 {
     sums.iter().sum::<f64>() + rest.iter().sum::<f64>()
 }
 
-/// Sum of the squared differences of two series over their common length.
+/// Sum of the squared differences of two series over their common length, by eight running sums.
 pub(crate) fn squared_differences(a: &[f64], b: &[f64]) -> f64 {
     let n = a.len().min(b.len());
     let ((a8, a), (b8, b)) = (a[..n].as_chunks::<8>(), b[..n].as_chunks::<8>());

@@ -11,11 +11,12 @@ use crate::diagnose::hypotheses::{Hypothesis, Named, Quantity, laws};
 use crate::diagnose::search::equivalent_robot_cause;
 use crate::diagnose::search::judge::chosen_of;
 use crate::diagnose::search::merge_bodies::single_bodies;
-use crate::diagnose::select::measure::{Measured, Meter, bootstrap, matters, root_mean_square, share, taken_of};
+use crate::diagnose::select::measure::{Measured, Meter, bootstrap, matters, share, taken_of};
 use crate::diagnose::select::model_choice::{LeftOut, Paired};
 use crate::diagnose::select::offer::Rival;
 use crate::diagnose::select::refine_and_select::{Selected, Session};
 use crate::model::{DriveTerm, StandardParameter};
+use crate::numerics::sums::root_mean_square;
 use dh_codegen::robot::{EffectKind, effects};
 
 /// Share of the gain of all refitted links on left-out stretches that a single body must reach to

@@ -9,6 +9,7 @@ use nalgebra::{DMatrix, DVector};
 use crate::identify::recover_standard;
 use crate::model::{DriveTerm, PerturbableArm, StandardParameter};
 use crate::numerics::parallel::{parallel, threads_for};
+use crate::numerics::sums::root_mean_square;
 
 use super::body_limits::{independent_share, possible_values};
 use super::moments::{Moments, Solution};
@@ -564,12 +565,7 @@ impl<'a> ModelUnderTest<'a> {
     /// The regulariser of base parameters and friction, chosen while these causes are fitted too.
     fn held(&self, chosen: &[Chosen]) -> Regulariser {
         let wanted = if self.mode == Mode::Refitted { inertial(self.plant) } else { Vec::new() };
-        let torque: Vec<f64> = self
-            .scene
-            .y
-            .iter()
-            .map(|y| (y.iter().map(|y| y * y).sum::<f64>() / y.len().max(1) as f64).sqrt())
-            .collect();
+        let torque: Vec<f64> = self.scene.y.iter().map(|y| root_mean_square(y)).collect();
         let Some(prior) = prior(self.plant, &wanted, &torque) else { return Regulariser::none() };
         let free = self.fit_once(chosen, None);
         let weights = &free.solution.weights;

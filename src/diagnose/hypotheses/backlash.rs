@@ -21,6 +21,7 @@ use super::Symbol;
 use super::Term;
 use crate::data::signal::low_pass;
 use crate::diagnose::windows::windowed_data::WindowedData;
+use crate::numerics::sums::root_mean_square;
 
 /// Link angle `q - (BL / 2) load / sqrt(load^2 + (TB rms)^2)`.
 pub struct Backlash;
@@ -34,7 +35,7 @@ const ROUNDS: usize = 3;
 /// Whether the joint carries load to both sides, so that it crosses a gap.
 pub(super) fn both_ways(scene: &WindowedData<'_>, j: usize) -> bool {
     let torque = &scene.rigid[j];
-    let rms = (torque.iter().map(|t| t * t).sum::<f64>() / scene.len.max(1) as f64).sqrt();
+    let rms = root_mean_square(torque);
     rms > 0.0 && torque.iter().any(|t| *t > 0.05 * rms) && torque.iter().any(|t| *t < -0.05 * rms)
 }
 
@@ -80,7 +81,7 @@ impl Hypothesis for Backlash {
         let mut load = slow(scene, &whole, shape[2]);
         let mut round = 1;
         loop {
-            let rms = (load.iter().map(|t| t * t).sum::<f64>() / scene.len.max(1) as f64).sqrt();
+            let rms = root_mean_square(&load);
             let small = (shape[1] * rms).max(1e-12);
             let behind = scene.seen_through(j, &load, |t| -0.5 * t / (t * t + small * small).sqrt());
             let mut rows = scene.moved(j, &behind, scale);

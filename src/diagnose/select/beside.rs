@@ -8,10 +8,11 @@
 use super::excess::{CHANGED, EXCESS};
 use std::ops::Range;
 
-use super::measure::{Figures, Measured, Meter, bootstrap, bootstrap_within, here, leave_out, root_mean_square, share};
+use super::measure::{Figures, Measured, Meter, bootstrap, bootstrap_within, here, leave_out, share};
 use super::refine_and_select::Session;
 use crate::diagnose::findings::reported_cause::Item;
 use crate::diagnose::fit::model::{Chosen, ModelUnderTest};
+use crate::numerics::sums::root_mean_square;
 
 /// Shares of its joint's error that a cause removes, where not measured on all validating logs.
 #[derive(Clone, Copy)]

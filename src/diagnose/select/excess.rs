@@ -1,6 +1,6 @@
 //! Error above the noise, and error that occurs on the validating logs and not on the fitted ones.
 
-use super::measure::{Measured, Meter, root_mean_square, taken_of};
+use super::measure::{Measured, Meter, taken_of};
 use super::refine_and_select::{Selected, Session};
 use crate::diagnose::findings::evidence::short;
 use crate::diagnose::findings::result::Cause;
@@ -9,6 +9,7 @@ use crate::diagnose::fit::model::{Chosen, Fitted, Mode, ModelUnderTest};
 use crate::diagnose::search::judge::chosen_of;
 use crate::diagnose::windows::recording::Recording;
 use crate::model::PerturbableArm;
+use crate::numerics::sums::root_mean_square;
 
 /// Ratio of error to noise floor above which it is more than noise.
 pub(in crate::diagnose) const EXCESS: f64 = 1.5;

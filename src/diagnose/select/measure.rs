@@ -11,6 +11,7 @@ use crate::diagnose::hypotheses::{Hypothesis, Kind, Term};
 use crate::diagnose::windows::recording::Recording;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::{PerturbableArm, States};
+use crate::numerics::sums::root_mean_square;
 use dh_codegen::robot::EffectKind;
 
 /// Errors per joint and sample at the logs' own rate.
@@ -270,10 +271,6 @@ impl<'a> Meter<'a> {
             shown: Vec::new(),
         }
     }
-}
-
-pub(in crate::diagnose) fn root_mean_square(x: &[f64]) -> f64 {
-    (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt()
 }
 
 /// Dry friction of a joint by the chosen laws, N m: root mean square where they act on the fitted

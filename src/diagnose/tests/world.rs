@@ -13,6 +13,7 @@ use crate::diagnose::{HIGHEST, Recording, Stretch, preparation};
 use crate::model::States;
 use crate::model::rigid_body::Numeric;
 use crate::numerics::prng::Random;
+use crate::numerics::sums::root_mean_square;
 
 /// A hidden effect.
 #[derive(Debug, Clone, PartialEq)]
@@ -136,10 +137,6 @@ pub(super) fn motion(robot: &Robot, seconds: f64, rate: f64, random: &mut Random
         .collect()
 }
 
-fn rms(x: &[f64]) -> f64 {
-    (x.iter().map(|x| x * x).sum::<f64>() / x.len() as f64).sqrt()
-}
-
 /// A simulated robot with hidden effects (effect, joint, size in units of the noise).
 pub(super) struct World<'a> {
     pub robot: &'a Robot,
@@ -202,7 +199,7 @@ impl World<'_> {
         let same = |_: usize, _: usize, s: [f64; 3]| s;
         // Scales a torque on joint j to the wanted size.
         let scaled = |mut x: Vec<f64>| {
-            let by = self.sized(number, || size / rms(&x).max(1e-12));
+            let by = self.sized(number, || size / root_mean_square(&x).max(1e-12));
             x.iter_mut().for_each(|x| *x *= by);
             x
         };
@@ -212,7 +209,8 @@ impl World<'_> {
                 let mut x = at;
                 for _ in 0..4 {
                     let found = make(x);
-                    let now = (0..dof).map(|k| rms(&found[k]) / self.noise[k]).fold(0.0, f64::max) * self.noise[j];
+                    let now = (0..dof).map(|k| root_mean_square(&found[k]) / self.noise[k]).fold(0.0, f64::max)
+                        * self.noise[j];
                     x *= size / now.max(1e-15);
                 }
                 x
@@ -281,7 +279,9 @@ impl World<'_> {
                 sizes.sort_by(f64::total_cmp);
                 let clip = |bound: f64| clean[j].iter().map(|t| t.clamp(-bound, bound) - t).collect::<Vec<f64>>();
                 let bound = self.sized(number, || {
-                    let index = (0..100).find(|i| rms(&clip(sizes[(n - 1) * (99 - i) / 100])) >= size).unwrap_or(60);
+                    let index = (0..100)
+                        .find(|i| root_mean_square(&clip(sizes[(n - 1) * (99 - i) / 100])) >= size)
+                        .unwrap_or(60);
                     sizes[(n - 1) * (99 - index) / 100]
                 });
                 out[j] = clip(bound);

@@ -4,6 +4,7 @@ use super::recording::Stretch;
 use super::windowed_data::WindowedData;
 use crate::data::signal::repeatability;
 use crate::identify::{ErrorBudget, thinned, torque_of_errors};
+use crate::numerics::sums::root_mean_square;
 
 /// Number of windows at which the model's sensitivities are evaluated.
 const SAMPLES: usize = 128;
@@ -26,10 +27,7 @@ pub(in crate::diagnose) fn budget<'r>(
         None => vec![0.0; dof],
     };
     let time = mean(&|s| s.clock_error * s.clock_error).sqrt();
-    let rate = |j: usize| {
-        let rates = scene.rate_of(&scene.by_motion(j));
-        (rates.iter().map(|r| r * r).sum::<f64>() / rates.len().max(1) as f64).sqrt()
-    };
+    let rate = |j: usize| root_mean_square(&scene.rate_of(&scene.by_motion(j)));
     ErrorBudget {
         sensor: noise.to_vec(),
         motion,

@@ -5,6 +5,7 @@ use std::fmt::Write;
 use super::text::{for_the_file, place};
 use crate::diagnose::{Cause, Diagnosis};
 use crate::identify::Identification;
+use crate::numerics::sums::root_mean_square;
 use crate::report::Warnings;
 use crate::report::parts::number::{digits, pad, percent};
 
@@ -41,7 +42,6 @@ fn main_cause(found: &Diagnosis, joint: usize) -> Option<&Cause> {
 /// Summary in three sentences: error of the most improved joint, its likely cause, error over all
 /// joints.
 pub fn calibrate_verdict(found: &Diagnosis) -> String {
-    let mean = |x: &[f64]| (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt();
     let (before, after) = (&found.baseline.validate, &found.extended.validate);
     let mut text = String::new();
     if let Some(j) = most_improved_joint(found) {
@@ -61,9 +61,9 @@ pub fn calibrate_verdict(found: &Diagnosis) -> String {
     let _ = write!(
         text,
         "All joints: {} N m (RMS over joints), then {} N m; the noise is {} N m.",
-        digits(mean(before), 3),
-        digits(mean(after), 3),
-        digits(mean(&found.noise_floor), 3)
+        digits(root_mean_square(before), 3),
+        digits(root_mean_square(after), 3),
+        digits(root_mean_square(&found.noise_floor), 3)
     );
     text
 }

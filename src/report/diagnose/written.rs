@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::diagnose::measured_on;
+use crate::numerics::sums::root_mean_square;
 use crate::report::parts::number::digits;
 
 /// Largest relative difference of the errors: the file's laws are evaluated sample by sample, those
@@ -26,8 +27,7 @@ pub struct WrittenCheck {
 impl WrittenCheck {
     /// Root mean square over joints, N m: of the file, of the offered model.
     fn figures(&self) -> Option<[f64; 2]> {
-        let mean = |x: &[f64]| (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt();
-        self.rms.as_ref().map(|rms| [mean(rms), mean(&self.offered)])
+        self.rms.as_ref().map(|rms| [rms, &self.offered].map(|x| root_mean_square(x)))
     }
 
     /// Difference of the two relative to the larger; 0 where the file cannot be evaluated.

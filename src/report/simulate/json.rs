@@ -3,6 +3,7 @@
 use serde_json::{Value, json};
 
 use crate::data::log::Quantity;
+use crate::numerics::sums::root_mean_square;
 use crate::report::Warnings;
 use crate::simulate::{Method, Mode, Recording, Request};
 
@@ -16,8 +17,8 @@ pub fn simulate_json(robot: &str, recording: &Recording, request: &Request, warn
         let method = if i.method == Method::DormandPrince { "dormand-prince" } else { "rosenbrock" };
         json!({ "method": method, "steps": i.steps, "rejected": i.rejected })
     });
-    let rms = |values: &[f64]| (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt();
-    let torques: Vec<f64> = (0..log.layout.dof).map(|j| rms(log.joint(Quantity::Tau, j).unwrap_or_default())).collect();
+    let torques: Vec<f64> =
+        (0..log.layout.dof).map(|j| root_mean_square(log.joint(Quantity::Tau, j).unwrap_or_default())).collect();
     json!({
         "robot": robot,
         "warnings": warnings.json(),

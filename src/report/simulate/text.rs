@@ -1,6 +1,7 @@
 //! A simulation as text.
 
 use crate::data::log::Quantity;
+use crate::numerics::sums::root_mean_square;
 use crate::report::Warnings;
 use crate::simulate::{Method, Mode, Recording, Request};
 
@@ -34,8 +35,7 @@ pub fn simulate_text(
     let of = |f: &dyn Fn(usize) -> f64| row((0..n).map(f).collect());
     out += &format!("{:<34}{}\n", "joint", (1..=n).map(|j| format!("{j:>10}")).collect::<String>());
     let tau = |j: usize| log.joint(Quantity::Tau, j).unwrap_or_default();
-    let rms = |values: &[f64]| (values.iter().map(|v| v * v).sum::<f64>() / values.len().max(1) as f64).sqrt();
-    out += &format!("{:<34}{}\n", "torque, rms (N m)", of(&|j| rms(tau(j))));
+    out += &format!("{:<34}{}\n", "torque, rms (N m)", of(&|j| root_mean_square(tau(j))));
     out +=
         &format!("{:<34}{}\n", "torque, largest (N m)", of(&|j| tau(j).iter().fold(0.0, |a: f64, v| a.max(v.abs()))));
     if !matches!(request.control.mode, Mode::Free | Mode::Torque) {

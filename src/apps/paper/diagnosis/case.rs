@@ -17,6 +17,7 @@ use crate::diagnose::{self, Diagnosis, Recording};
 use crate::model::perturbable_robot::PerturbableRobot;
 use crate::model::{Arm, States};
 use crate::numerics::prng::Random;
+use crate::numerics::sums::root_mean_square as rms;
 use crate::simulate::{Control, Mode, Request, Sensors, Simulator, Trajectory};
 
 /// Arms with known links. `PUMA` has torque limits, N m, for the arm whose file has none
@@ -213,10 +214,6 @@ fn motion(robot: &Robot, seconds: f64, random: &mut Random) -> Result<Trajectory
         }
     }
     Trajectory::new(rows.len(), t, q, Some(dq), Some(ddq)).map_err(|e| ReproduceError::Simulate(e.into()))
-}
-
-fn rms(x: &[f64]) -> f64 {
-    (x.iter().map(|x| x * x).sum::<f64>() / x.len().max(1) as f64).sqrt()
 }
 
 /// Torque error of a simulation of the given file on a noise-free log, per joint, N m.
