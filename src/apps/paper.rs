@@ -19,9 +19,9 @@ pub mod lwr;
 mod many;
 pub mod motions;
 pub mod painting;
-mod share;
 pub mod table2;
 pub mod table3;
+mod tally;
 pub mod tool;
 mod verdict;
 
@@ -33,7 +33,7 @@ pub use excitation::{Excitation, ExcitationSettings, excitation};
 pub use force::{Force, ForceSettings, force};
 pub use identification::{Experiment, IdentificationSettings, identification};
 pub use painting::{Painting, PaintingSettings, painting};
-pub use share::Share;
+pub use tally::Tally;
 pub use verdict::Verdict;
 
 /// Progress callback, called from any thread with the present step and the share done, 0 to 1.

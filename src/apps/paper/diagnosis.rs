@@ -20,7 +20,7 @@ use case::{Plants, case};
 
 pub use case::{CaseKind, Outcome};
 pub use hidden::{Hidden, Wanted};
-pub use score::{Claim, Scores, Tally};
+pub use score::{Claim, Scores};
 
 /// Settings of the test cases.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,7 +3,7 @@
 //! and the roller is determined as from a log that is twice as noisy.
 
 use super::ReproduceError;
-use super::Share;
+use super::Tally;
 use super::Watch;
 use super::honesty::STRIDE;
 use super::loaded::{carry, loaded, stacked};
@@ -92,7 +92,7 @@ pub struct Repeated {
     /// Data of the runs.
     pub case: LogCounts,
     /// Runs with the mass within [`ASKED`].
-    pub mass_within: Share,
+    pub mass_within: Tally,
     /// Root mean square distance from the true centre of mass, m.
     pub center_rms: f64,
     /// Reported standard deviation of the centre, root of the sum of squares over the axes, mean
@@ -101,7 +101,7 @@ pub struct Repeated {
     /// Largest distance from the true centre, m.
     pub center_worst: f64,
     /// Runs with the centre within [`ASKED`].
-    pub center_within: Share,
+    pub center_within: Tally,
     /// Root mean square of the centre's errors in their own standard deviations, over axes and
     /// runs.
     pub spread: f64,
@@ -180,11 +180,11 @@ pub fn repeated(
         let mean = |f: fn(&[f64; 4]) -> f64| each().map(|r| f(&r)).sum::<f64>() / RUNS as f64;
         Repeated {
             case,
-            mass_within: Share::of(each().map(|r| r[0].abs() <= ASKED[0])),
+            mass_within: Tally::of(each().map(|r| r[0].abs() <= ASKED[0])),
             center_rms: mean(|r| r[1]).sqrt(),
             center_std: mean(|r| r[2].sqrt()),
             center_worst: each().map(|r| r[1].sqrt()).fold(0.0, f64::max),
-            center_within: Share::of(each().map(|r| r[1].sqrt() <= ASKED[1])),
+            center_within: Tally::of(each().map(|r| r[1].sqrt() <= ASKED[1])),
             spread: mean(|r| r[3]).sqrt(),
         }
     };

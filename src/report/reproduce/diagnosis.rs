@@ -2,12 +2,14 @@
 
 use serde_json::{Value, json};
 
-use crate::apps::paper::diagnosis::{Battery, Hidden, Outcome, Tally};
+use crate::apps::paper::Tally;
+use crate::apps::paper::diagnosis::{Battery, Hidden, Outcome};
 use crate::diagnose::Cause;
 use crate::report::parts::number::{counted, digits};
 use crate::report::reproduce::text::Table;
 
-fn percent(share: Tally) -> String {
+/// A share with its counts: `97 % (97 of 100)`.
+pub(super) fn percent(share: Tally) -> String {
     share.value().map_or("–".into(), |v| format!("{:.0} % ({} of {})", 100.0 * v, share.good, share.all))
 }
 
@@ -167,10 +169,19 @@ pub(in crate::report) fn drawing(found: &Battery) -> String {
     svg
 }
 
+pub(super) fn share(share: Tally) -> Value {
+    json!({ "good": share.good, "all": share.all, "share": share.value() })
+}
+
+/// Claims binned by probability.
+pub(super) fn binned(claims: &[(f64, f64, f64, Tally)]) -> Vec<Value> {
+    let bin = |(low, high, mean, right): &(f64, f64, f64, Tally)| json!({ "from": low, "to": high, "mean": mean, "right": share(*right) });
+    claims.iter().map(bin).collect()
+}
+
 /// Settings, figures and cases as JSON.
 pub(in crate::report) fn to_json(found: &Battery) -> Value {
     let s = &found.scores;
-    let share = |share: Tally| json!({ "good": share.good, "all": share.all, "share": share.value() });
     json!({
         "settings": {
             "cases": found.settings.cases, "from": found.settings.from, "size": found.settings.size, "clean": found.settings.clean,
@@ -182,9 +193,7 @@ pub(in crate::report) fn to_json(found: &Battery) -> Value {
         "confusion": s.confusion.iter().map(|(label, answers)| json!({
             "hidden": label, "first": answers.iter().map(|(word, n)| json!({ "cause": word, "cases": n })).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
-        "reliability": s.reliability().iter().map(|(low, high, mean, right)| json!({
-            "from": low, "to": high, "mean": mean, "right": share(*right),
-        })).collect::<Vec<_>>(),
+        "reliability": binned(&s.reliability()),
         "cases": found.outcomes.iter().map(case).collect::<Vec<_>>(),
     })
 }

@@ -66,7 +66,7 @@ fn identification(found: &Experiment) -> Value {
             })).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
         "table3_repeated": found.rollers.iter().map(|r| json!({
-            "logs": r.case.logs, "scale": r.case.scale, "runs": r.center_within.of, "mass_within": r.mass_within.value(), "center_rms": finite(r.center_rms),
+            "logs": r.case.logs, "scale": r.case.scale, "runs": r.center_within.all, "mass_within": r.mass_within.value(), "center_rms": finite(r.center_rms),
             "center_std": finite(r.center_std), "center_worst": finite(r.center_worst), "center_within": r.center_within.value(),
             "center_within_interval": r.center_within.interval(), "spread": finite(r.spread), "holds": r.holds(),
         })).collect::<Vec<_>>(),

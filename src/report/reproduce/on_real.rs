@@ -2,15 +2,12 @@
 
 use serde_json::{Value, json};
 
+use super::diagnosis::{binned, percent, share};
+use crate::apps::paper::diagnosis::Claim;
 use crate::apps::paper::diagnosis::real::{Figures, RealBattery, RealCase, calibration_error, reliability};
-use crate::apps::paper::diagnosis::{Claim, Tally};
 use crate::diagnose::{Cause, Diagnosis};
 use crate::report::parts::number::digits;
 use crate::report::reproduce::text::Table;
-
-fn percent(share: Tally) -> String {
-    share.value().map_or("–".into(), |v| format!("{:.0} % ({} of {})", 100.0 * v, share.good, share.all))
-}
 
 /// Required share of cases in which the right cause is named first, by its size.
 fn wanted(size: f64) -> f64 {
@@ -143,7 +140,6 @@ fn misses(found: &RealBattery) -> Table {
 
 /// Settings, figures and cases as JSON.
 pub(in crate::report) fn to_json(found: &RealBattery) -> Value {
-    let share = |share: Tally| json!({ "good": share.good, "all": share.all, "share": share.value() });
     json!({
         "settings": { "cases": found.settings.cases, "seed": found.settings.seed, "sizes": found.settings.sizes, "seconds": found.settings.seconds },
         "figures": found.figures.iter().map(|f| json!({
@@ -152,9 +148,7 @@ pub(in crate::report) fn to_json(found: &RealBattery) -> Value {
             "within_three": share(f.within_three), "false_new_per_case": f.false_new,
         })).collect::<Vec<_>>(),
         "calibration_error": calibration_error(&claims(found)),
-        "reliability": reliability(&claims(found)).iter().map(|(low, high, mean, right)| json!({
-            "from": low, "to": high, "mean": mean, "right": share(*right),
-        })).collect::<Vec<_>>(),
+        "reliability": binned(&reliability(&claims(found))),
         "stable_above_0.8": share(found.stability.sure),
         "untouched": found.untouched.iter().map(|u| json!({
             "arm": u.arm, "residual": u.residual, "diagnosis": diagnosis(&u.whole),

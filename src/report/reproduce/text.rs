@@ -10,7 +10,7 @@ use crate::apps::paper::honesty::ASKED;
 use crate::apps::paper::motions::LINKS;
 use crate::apps::paper::table2;
 use crate::apps::paper::table3::{self, Repeated};
-use crate::apps::paper::{Excitation, Experiment, Force, Painting, Share, Verdict};
+use crate::apps::paper::{Excitation, Experiment, Force, Painting, Tally, Verdict};
 use crate::report::parts::number::{digits, figure, pad, percent};
 use crate::report::reproduce::diagnosis;
 use crate::report::reproduce::excitation;
@@ -152,7 +152,7 @@ pub(in crate::report) fn identification_verdict(found: &Experiment) -> String {
                 let _ = write!(
                     text,
                     "; over {} runs with other noise the centre's RMS error is, by the number of logs (empty + loaded): {}.",
-                    first.center_within.of,
+                    first.center_within.all,
                     each.join("; ")
                 );
             }
@@ -415,13 +415,13 @@ fn rollers(found: &Experiment) -> Vec<Table> {
 }
 
 /// A share with its interval: `97 of 100 (92 to 99 %)`.
-fn share(share: &Share) -> String {
+fn share(share: &Tally) -> String {
     let [low, high] = share.interval().map(|x| 100.0 * x);
-    format!("{} of {} ({low:.0} to {high:.0} %)", share.count, share.of)
+    format!("{} of {} ({low:.0} to {high:.0} %)", share.good, share.all)
 }
 
 fn repeated(found: &Experiment) -> Option<Table> {
-    let runs = found.rollers.first()?.center_within.of;
+    let runs = found.rollers.first()?.center_within.all;
     Some(Table {
         title: format!("Table III, the large roller {runs} times with other noise"),
         note: format!(

@@ -2,28 +2,8 @@
 
 use super::case::{CaseKind, Outcome};
 use super::hidden::Hidden;
+use crate::apps::paper::Tally;
 use crate::diagnose::{Cause, Verdict};
-
-/// A count out of a total.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Tally {
-    /// Number of successes.
-    pub good: usize,
-    /// Total number.
-    pub all: usize,
-}
-
-impl Tally {
-    pub(super) fn count(&mut self, good: bool) {
-        self.good += usize::from(good);
-        self.all += 1;
-    }
-
-    /// Share of successes, 0 to 1; `None` if the total is zero.
-    pub fn value(&self) -> Option<f64> {
-        (self.all > 0).then(|| self.good as f64 / self.all as f64)
-    }
-}
 
 /// A cause named by a diagnosis, and whether it was hidden there.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -237,16 +217,22 @@ impl Scores {
     /// Claims binned by probability: lower and upper edge, mean probability, number that were
     /// right.
     pub fn reliability(&self) -> Vec<(f64, f64, f64, Tally)> {
-        const EDGES: [f64; 7] = [0.0, 0.5, 0.7, 0.85, 0.93, 0.98, 1.0];
-        EDGES
-            .windows(2)
-            .filter_map(|edge| {
-                let here = |c: &&Claim| c.probability >= edge[0] && (c.probability < edge[1] || edge[1] == 1.0);
-                let claims: Vec<&Claim> = self.claims.iter().filter(here).collect();
-                let good = claims.iter().filter(|c| c.right).count();
-                let mean = claims.iter().map(|c| c.probability).sum::<f64>() / claims.len().max(1) as f64;
-                (!claims.is_empty()).then(|| (edge[0], edge[1], mean, Tally { good, all: claims.len() }))
-            })
-            .collect()
+        binned(&self.claims, &[0.0, 0.5, 0.7, 0.85, 0.93, 0.98, 1.0])
     }
+}
+
+/// Claims binned by probability between neighbouring `edges`, the last of which is 1; bins without
+/// a claim are left out.
+pub(super) fn binned(claims: &[Claim], edges: &[f64]) -> Vec<(f64, f64, f64, Tally)> {
+    let bin = |edge: &[f64]| {
+        let here = |c: &&Claim| c.probability >= edge[0] && (c.probability < edge[1] || edge[1] == 1.0);
+        let mut right = Tally::default();
+        let mut sum = 0.0;
+        for claim in claims.iter().filter(here) {
+            right.count(claim.right);
+            sum += claim.probability;
+        }
+        (right.all > 0).then(|| (edge[0], edge[1], sum / right.all as f64, right))
+    };
+    edges.windows(2).filter_map(bin).collect()
 }

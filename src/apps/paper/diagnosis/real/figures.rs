@@ -1,7 +1,9 @@
 //! Summary figures of the cases on real recordings.
 
 use super::{RealCase, Untouched};
-use crate::apps::paper::diagnosis::{Claim, Tally};
+use crate::apps::paper::Tally;
+use crate::apps::paper::diagnosis::Claim;
+use crate::apps::paper::diagnosis::score::binned;
 use crate::diagnose::{Cause, Diagnosis, Quantity};
 use dh_codegen::robot::effects;
 
@@ -137,18 +139,7 @@ impl Stability {
 
 /// Claims binned by probability: lower and upper edge, mean probability, number that were right.
 pub fn reliability(claims: &[Claim]) -> Vec<(f64, f64, f64, Tally)> {
-    const EDGES: [f64; 7] = [0.0, 0.2, 0.4, 0.6, 0.8, 0.9, 1.0];
-    let bin = |edge: &[f64]| {
-        let here = |c: &&Claim| c.probability >= edge[0] && (c.probability < edge[1] || edge[1] == 1.0);
-        let mut share = Tally::default();
-        let mut sum = 0.0;
-        for claim in claims.iter().filter(here) {
-            share.count(claim.right);
-            sum += claim.probability;
-        }
-        (share.all > 0).then(|| (edge[0], edge[1], sum / share.all as f64, share))
-    };
-    EDGES.windows(2).filter_map(bin).collect()
+    binned(claims, &[0.0, 0.2, 0.4, 0.6, 0.8, 0.9, 1.0])
 }
 
 /// Expected calibration error: mean difference of stated probability and share true, over the bins
