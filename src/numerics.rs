@@ -8,6 +8,7 @@ pub mod elastic_joint;
 pub(crate) mod fft;
 pub(crate) mod hermite;
 pub(crate) mod integrators;
+pub(crate) mod median;
 pub(crate) mod parallel;
 pub(crate) mod pattern_search;
 pub(crate) mod periodogram;

@@ -523,8 +523,7 @@ pub(in crate::diagnose) fn laws(effect: EffectKind) -> impl Iterator<Item = &'st
 /// All hypotheses that add columns, in the order of the vocabulary. Baseline friction is excluded,
 /// since its columns are always present.
 pub fn causes() -> impl Iterator<Item = &'static dyn Hypothesis> {
-    let plain = [EffectKind::ViscousFriction, EffectKind::CoulombFriction, EffectKind::TorqueOffset];
-    let wanted = EffectKind::ALL.iter().filter(move |effect| !plain.contains(effect));
+    let wanted = EffectKind::ALL.iter().filter(|effect| PLAIN.iter().all(|plain| plain.effect() != **effect));
     wanted.flat_map(|&effect| laws(effect))
 }
 

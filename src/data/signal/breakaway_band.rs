@@ -16,6 +16,7 @@
 
 use super::central;
 use super::central_second;
+use crate::numerics::median::median;
 
 /// Half the width of the averaging window, s: as long as a burst lasts.
 const NEAR: f64 = 0.05;
@@ -49,12 +50,8 @@ impl Derived {
         let fastest = self.dq.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
         let moving = power.iter().zip(&self.dq).filter(|(_, v)| v.abs() > STANDS * fastest).map(|(p, _)| *p);
         let mut sorted: Vec<f64> = moving.collect();
-        if sorted.is_empty() {
-            return Vec::new();
-        }
+        let Some(median) = median(&mut sorted) else { return Vec::new() };
         let mut shares: Vec<f64> = Vec::new();
-        let middle = sorted.len() / 2;
-        let median = *sorted.select_nth_unstable_by(middle, f64::total_cmp).1;
         // The effective averaging length of a raised cosine is 4/3 of its half width.
         let time = 4.0 / 3.0 * half as f64 * period;
         let freedom = 2.0 * bandwidth(cutoffs) * time;

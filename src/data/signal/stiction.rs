@@ -8,6 +8,8 @@
 
 use std::ops::Range;
 
+use crate::numerics::median::median;
+
 /// Half of the time over which a displacement is measured, s.
 const NEAR: f64 = 0.01;
 /// Least displacement that counts as motion, in standard deviations of the position's noise.
@@ -89,8 +91,7 @@ fn turns(smooth: &[f64]) -> Option<f64> {
 /// median is robust against sticks and reversals.
 fn noise(raw: &[f64], smooth: &[f64]) -> f64 {
     let mut out: Vec<f64> = raw.iter().zip(smooth).map(|(a, b)| (a - b).abs()).collect();
-    let middle = out.len() / 2;
-    *out.select_nth_unstable_by(middle, f64::total_cmp).1 / 0.6745
+    median(&mut out).unwrap_or(0.0) / 0.6745
 }
 
 #[cfg(test)]

@@ -5,12 +5,13 @@
 //! lacks `IA d'' + FV d' + FC (sign(q' + d') - sign(q'))` (M. W. Spong, *Modeling and control of
 //! elastic joint robots*, J. Dyn. Sys. Meas. Control 109, 1987).
 
+use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
 
 use super::evidence::short;
 use super::result::Cause;
 use crate::diagnose::fit::model::given_friction;
-use crate::diagnose::hypotheses::{Named, by_name};
+use crate::diagnose::hypotheses::Named;
 use crate::diagnose::select::measure::share;
 use crate::diagnose::select::refine_and_select::Selected;
 use crate::diagnose::windows::torque_noise::autocorrelation_time;
@@ -100,19 +101,12 @@ fn cause(model: &Selected<'_>, j: usize, found: &Spring, left: f64, noise: &[f64
     let mut after = before.clone();
     after[j] *= left.sqrt();
     let [stiffness, std] = found.stiffness();
-    let hypothesis = by_name(effects::JointElasticity::NAME);
     let spring = Named::new(effects::JointElasticity::KE, stiffness, Some(std));
     let spring = spring.of_joint(Some(j + 1));
     Cause {
-        refuted: None,
-        cause: effects::JointElasticity::NAME,
         joints: vec![j + 1],
         probability: found.share.min(0.97),
-        keys: Vec::new(),
-        support: 0.0,
-        margin: 0.0,
         share: share(&before, &after, noise, &[j]),
-        recurrence: 1.0,
         evidence: format!(
             "joint {}: motor and link differ by an angle of which {:.0} % goes with the torque ({} = {} +- {} N m/rad); rotor and friction move with the motor, which takes the error of the joint from {} to {} N m. The file's law is for an angle measured at the motor, so it is not written",
             j + 1,
@@ -126,14 +120,7 @@ fn cause(model: &Selected<'_>, j: usize, found: &Spring, left: f64, noise: &[f64
         parameters: vec![spring],
         rms_before: before,
         rms_after: after,
-        interval: [f64::NAN; 2],
-        on: "fit",
-        not_distinguished_from: Vec::new(),
-        shown_by: hypothesis.map_or("", |h| h.shown_by()),
-        decided_by: None,
-        law: None,
-        in_extended: true,
-        curve: None,
+        ..Cause::of_effect(EffectKind::JointElasticity)
     }
 }
 

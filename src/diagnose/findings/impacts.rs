@@ -12,11 +12,13 @@ use std::ops::Range;
 use super::evidence::short;
 use super::result::Cause;
 use super::structure::Structure;
-use crate::diagnose::hypotheses::{Named, by_name};
+use crate::diagnose::hypotheses::Named;
 use crate::diagnose::select::excess::EXCESS;
-use crate::diagnose::select::measure::Measured;
+use crate::diagnose::select::measure::{Measured, share};
 use crate::diagnose::select::refine_and_select::Selected;
 use crate::diagnose::windows::windowed_data::WindowedData;
+use crate::numerics::median::median;
+use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects;
 
 /// Ratio of an error to its usual size above which it belongs to a spike.
@@ -75,17 +77,13 @@ pub(in crate::diagnose) struct Impacts {
     spans: Vec<Range<usize>>,
 }
 
-fn median(mut x: Vec<f64>) -> Option<f64> {
-    let middle = x.len() / 2;
-    (!x.is_empty()).then(|| *x.select_nth_unstable_by(middle, f64::total_cmp).1)
-}
-
 /// Sum over joints of squared errors relative to each joint's usual size, and the largest summand.
 fn by_usual(error: &[Vec<f64>]) -> (Vec<f64>, Vec<f64>) {
     let len = error.first().map_or(0, Vec::len);
     let (mut sum, mut largest) = (vec![0.0; len], vec![0.0_f64; len]);
     for row in error {
-        let usual = median(row.iter().map(|e| e.abs()).collect()).unwrap_or(0.0) / 0.6745;
+        let mut sizes: Vec<f64> = row.iter().map(|e| e.abs()).collect();
+        let usual = median(&mut sizes).unwrap_or(0.0) / 0.6745;
         if usual <= 0.0 {
             continue;
         }
@@ -169,8 +167,10 @@ fn of_joint(joint: usize, crossings: &[Crossing], spikes: &[Spike]) -> Option<Im
     spans.dedup();
     let energy =
         spikes.iter().filter(|s| spans.contains(&s.span)).map(|s| s.energy).sum::<f64>() / all.max(f64::MIN_POSITIVE);
-    let gap = median(pairs.iter().map(|p| p.2).collect())?;
-    let off = median(pairs.iter().map(|p| (p.2 / gap).ln().abs()).collect())? / 0.6745;
+    let mut gaps: Vec<f64> = pairs.iter().map(|p| p.2).collect();
+    let gap = median(&mut gaps)?;
+    let mut apart: Vec<f64> = gaps.iter().map(|g| (g / gap).ln().abs()).collect();
+    let off = median(&mut apart)? / 0.6745;
     let (crossings, followed) = (crossings.len(), pairs.len());
     let together = followed as f64 >= SHARE * crossings as f64 && energy >= SHARE;
     (spans.len() >= FEWEST && together && off < SPREAD).then(|| Impacts {
@@ -237,16 +237,10 @@ impl Impacts {
         let probability = self.energy.min(self.followed as f64 / self.crossings as f64).min(0.97);
         let [gap, std] = self.gap;
         Cause {
-            refuted: None,
-            cause: effects::Backlash::NAME,
             joints: vec![j + 1],
             probability,
             parameters: vec![Named::new(effects::Backlash::BL, gap, Some(std)).of_joint(Some(j + 1))],
-            keys: Vec::new(),
-            support: 0.0,
-            margin: 0.0,
-            share: crate::diagnose::select::measure::share(&measured.rms, &rest, noise, &[j]),
-            recurrence: 1.0,
+            share: share(&measured.rms, &rest, noise, &[j]),
             evidence: format!(
                 "joint {}: {} of {} changes of sign of the load are followed by an impact, {} to {} s later, as in a gap of {} rad; these impacts carry {:.0} % of the energy of all spikes. The model does not play them: they lie above the band of the recorded motion",
                 j + 1,
@@ -259,14 +253,7 @@ impl Impacts {
             ),
             rms_before: measured.rms.clone(),
             rms_after: rest,
-            interval: [f64::NAN; 2],
-            on: "fit",
-            not_distinguished_from: Vec::new(),
-            shown_by: by_name(effects::Backlash::NAME).map_or("", |cause| cause.shown_by()),
-            decided_by: None,
-            law: None,
-            in_extended: true,
-            curve: None,
+            ..Cause::of_effect(EffectKind::Backlash)
         }
     }
 }

@@ -144,27 +144,14 @@ impl Session<'_> {
     /// Common part of all causes of refitted parameters.
     fn refitted(&self, model: &Selected<'_>, without: &Measured) -> Cause {
         Cause {
-            refuted: None,
-            cause: effects::LinkInertiaError::NAME,
-            evidence: String::new(),
-            joints: Vec::new(),
-            probability: 0.0,
             support: MOST_MARGIN,
             margin: MOST_MARGIN,
             share: share(&without.rms, &model.after.rms, self.noise, &[]),
-            recurrence: 1.0,
-            parameters: Vec::new(),
-            keys: Vec::new(),
             interval: bootstrap(without, &model.after, &[]),
             rms_before: without.rms.clone(),
             rms_after: model.after.rms.clone(),
             on: "validate",
-            not_distinguished_from: Vec::new(),
-            shown_by: "an exciting motion for the base parameters",
-            decided_by: None,
-            law: None,
-            in_extended: true,
-            curve: None,
+            ..Cause::blank(effects::LinkInertiaError::NAME, "an exciting motion for the base parameters")
         }
     }
 

@@ -3,7 +3,7 @@
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects::{self, Key};
 
-use crate::diagnose::hypotheses::{Named, Quantity};
+use crate::diagnose::hypotheses::{Named, Quantity, hypothesis};
 use crate::identify::ErrorBudget;
 
 /// Overall verdict.
@@ -170,6 +170,11 @@ impl Cause {
             in_extended: true,
             curve: None,
         }
+    }
+
+    /// An effect of the vocabulary, with the experiment that would show it.
+    pub(in crate::diagnose) fn of_effect(effect: EffectKind) -> Self {
+        Self::blank(effect.name(), hypothesis(effect).shown_by())
     }
 
     /// Whether it is a torque in closed form that the offered model has.

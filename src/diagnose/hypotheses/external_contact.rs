@@ -18,6 +18,7 @@ use super::Sign;
 use super::Symbol;
 use super::Term;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData, parts};
+use crate::numerics::median::median;
 
 /// A constant wrench on the tool between `start` and `end` (seconds of used data, over all logs).
 /// It is expressed in the tool's axes or, with `base` 1, in those of the base. Without `moment` it
@@ -235,6 +236,5 @@ fn pushes(scene: &WindowedData<'_>, residual: &[Vec<f64>], base: f64) -> Vec<Pus
 /// Inverse of the median of a joint's squared residual, which a short push does not affect.
 pub(super) fn quiet(row: &[f64]) -> f64 {
     let mut sizes: Vec<f64> = row.iter().map(|e| e * e).filter(|e| *e > 0.0).collect();
-    sizes.sort_by(f64::total_cmp);
-    sizes.get(sizes.len() / 2).map_or(0.0, |median| 1.0 / median)
+    median(&mut sizes).map_or(0.0, |median| 1.0 / median)
 }

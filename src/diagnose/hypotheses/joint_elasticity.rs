@@ -23,6 +23,7 @@ use super::Term;
 use super::geometric;
 use crate::diagnose::windows::windowed_data::{Slopes, WindowedData};
 use crate::numerics::elastic_joint::{Deflection, LinkLoad, Spring};
+use crate::numerics::median::median;
 
 /// `KE d + DE d'` is the torque on the link at `q - d`.
 pub struct JointElasticity;
@@ -49,9 +50,7 @@ impl<'s, 'a> Link<'s, 'a> {
         }
         let (slopes, rotor) = (scene.slopes(joint), scene.rotors[joint]);
         let mut inertia: Vec<f64> = slopes.acceleration[joint].iter().map(|m| m - rotor).collect();
-        let mut sorted = inertia.clone();
-        let middle = sorted.len() / 2;
-        let usual = *sorted.select_nth_unstable_by(middle, f64::total_cmp).1;
+        let usual = median(&mut inertia.clone())?;
         if usual.is_nan() || usual <= 0.0 {
             return None;
         }
