@@ -204,11 +204,8 @@ fn geometry_and_bodies() {
     // About z of a base whose plane contains gravity, pitch and roll shorten gravity's component in
     // the plane.
     check(&planar("", "", "effects: { base_tilt: { roll: 0.2 } }"), "base_tilt", |q, v, a| {
-        let (up, still) = (rods(q, v, a), rods(q, v, a));
-        let weight = |j: usize| rods(q, [0.0; 2], [0.0; 2])[j];
-        let tau = [0, 1].map(|j| still[j] + (0.2_f64.cos() - 1.0) * weight(j));
-        let _ = up;
-        plain(tau, v, a)
+        let (upright, weight) = (rods(q, v, a), rods(q, [0.0; 2], [0.0; 2]));
+        plain([0, 1].map(|j| upright[j] + (0.2_f64.cos() - 1.0) * weight[j]), v, a)
     });
     check(&planar("", "", "effects: { link_inertia_error: { link: 2, M: 0.1 } }"), "link_inertia_error", |q, v, a| {
         // A mass in the elbow: at 0.5 m from the shoulder.

@@ -1,7 +1,7 @@
 //! Evaluation of one candidate of equation (12): from lanes and swivel angles to cost and violated
 //! limits.
 
-use super::strokes::{Phase, Strokes};
+use super::strokes::Strokes;
 use super::surface::Roller;
 use super::task::Task;
 use super::track::{Line, Postures};
@@ -256,11 +256,4 @@ fn reversed(all: &Postures) -> Postures {
     let mut lists = all.lists.clone();
     lists.reverse();
     Postures { farthest: lists.len() - 1 - all.farthest, lists, distance: all.distance }
-}
-
-/// Whether a line is in contact with the wall.
-impl Line {
-    pub(super) fn contact(&self) -> bool {
-        self.phase.contact() && self.phase != Phase::Approach
-    }
 }

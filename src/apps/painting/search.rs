@@ -265,7 +265,7 @@ impl<'a> Search<'a> {
         let task = self.task();
         let ([low, high], closed) = task.redundancy()?;
         let step = (high - low) / 36.0 / if round == 0 { 1.0 } else { 3.0 };
-        let contact: Vec<usize> = (0..best.legs.len()).filter(|&k| best.legs[k].line.contact()).collect();
+        let contact: Vec<usize> = (0..best.legs.len()).filter(|&k| best.legs[k].line.phase.contact()).collect();
         if contact.is_empty() || best.times.len() != best.legs.len() {
             return None;
         }

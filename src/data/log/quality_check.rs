@@ -23,7 +23,7 @@ pub struct Reached {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Verdict {
     /// The row is used and continues the segment.
-    Acceptance,
+    Continue,
     /// The row is used and starts a segment.
     Start,
     /// The row is left out.
@@ -164,7 +164,7 @@ impl QualityCheck {
                 let rows = from..from + part.len();
                 let at = |row: usize| (positions.map_or(0.0, |column| column[row]), time[row], block.lines[row]);
                 from = rows.end;
-                let plain = part.iter().fold(true, |all, v| all & (*v == Verdict::Acceptance));
+                let plain = part.iter().fold(true, |all, v| all & (*v == Verdict::Continue));
                 if plain && look.passes(&values[rows.clone()], at(rows.end - 1)) {
                     continue;
                 }
@@ -195,7 +195,7 @@ impl QualityCheck {
             self.note(Kind::DuplicateTime { at: time }, self.keep.duplicates, line, time_column);
             return Verdict::Drop;
         }
-        let Some(period) = self.period else { return Verdict::Acceptance };
+        let Some(period) = self.period else { return Verdict::Continue };
         if step > GAP * period {
             self.note(Kind::Gap { longest: step, period }, self.keep.gaps, line, time_column);
             return Verdict::Start;
@@ -211,7 +211,7 @@ impl QualityCheck {
                 clock.first_far = line;
             }
         }
-        Verdict::Acceptance
+        Verdict::Continue
     }
 
     /// Counts a finding of this kind in this column, adding it if it is new.

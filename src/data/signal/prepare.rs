@@ -406,7 +406,7 @@ fn runs(verdicts: &[Verdict]) -> impl Iterator<Item = std::ops::Range<usize>> {
     let mut from = 0;
     std::iter::from_fn(move || {
         from += verdicts[from..].iter().take_while(|v| **v == Verdict::Drop).count();
-        let follow = verdicts.get(from + 1..)?.iter().take_while(|v| **v == Verdict::Acceptance);
+        let follow = verdicts.get(from + 1..)?.iter().take_while(|v| **v == Verdict::Continue);
         let run = from..from + 1 + follow.count();
         from = run.end;
         Some(run)
