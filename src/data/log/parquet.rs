@@ -15,7 +15,7 @@ use super::Table;
 use directory::{DirectoryError, Shared};
 
 use ::parquet::{
-    basic::{ConvertedType, LogicalType, TimeUnit},
+    basic::{ConvertedType, LogicalType, Repetition, TimeUnit},
     column::reader::{ColumnReader, ColumnReaderImpl},
     data_type::{DataType, DoubleType, FloatType, Int32Type, Int64Type},
     errors::ParquetError,
@@ -32,6 +32,8 @@ struct Leaf {
     name: String,
     /// Maximum repetition and definition level: `(0, 0 or 1)` for a number, `(1, n)` for a list.
     levels: (i16, i16),
+    /// Whether an element of a list may be null.
+    nullable: bool,
     /// Number of elements of the first list; 1 for a number.
     width: usize,
     /// For a time stamp column: seconds per count, and the first count, which is subtracted.
@@ -92,13 +94,16 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
             } else {
                 column.path().string()
             };
-            let width = if levels.0 == 1 { table.first_length(index, levels)? } else { 1 };
+            // The library's `is_optional` holds for a repeated element, too.
+            let element = column.self_type().get_basic_info();
+            let nullable = element.has_repetition() && element.repetition() == Repetition::OPTIONAL;
+            let width = if levels.0 == 1 { table.first_length(index, levels, nullable)? } else { 1 };
             for element in 0..width {
                 table.owner.push((index, element));
                 table.names.push(if levels.0 == 1 { format!("{name}[{element}]") } else { name.clone() });
             }
             let stamp = stamp(column).map(|seconds| (seconds, Cell::new(None)));
-            table.leaves.push(Leaf { name, levels, width, stamp });
+            table.leaves.push(Leaf { name, levels, nullable, width, stamp });
         }
         if table.names.is_empty() {
             return Err(LogError::Empty { file: file.into() });
@@ -107,9 +112,9 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
     }
 
     /// Number of elements of the first list of a column; 0 if they are not numbers, or too many.
-    fn first_length(&self, index: usize, levels: (i16, i16)) -> Result<usize, LogError> {
+    fn first_length(&self, index: usize, levels: (i16, i16), nullable: bool) -> Result<usize, LogError> {
         for group in 0..self.reader.num_row_groups() {
-            let mut list = Lists::new(levels, LONGEST_LIST);
+            let mut list = Lists::new(levels, nullable, LONGEST_LIST);
             let [reader] = &mut self.columns(group, &[index])?[..] else { return Ok(0) };
             if list.read(reader, 1).map_err(|e| failed(&self.file, e))?.is_none() {
                 return Ok(0);
@@ -166,7 +171,7 @@ impl<C: ChunkReader + 'static> ParquetTable<C> {
                 None => Err(no_numbers()),
             }
         } else {
-            let mut lists = Lists::new(leaf.levels, leaf.width);
+            let mut lists = Lists::new(leaf.levels, leaf.nullable, leaf.width);
             let n = lists.read(&mut self.columns[k], take).map_err(|e| failed(file, e))?.ok_or_else(no_numbers)?;
             if n != take {
                 return Err(short(n));
@@ -287,14 +292,16 @@ fn plain_numbers(
 /// Rows of a list column.
 struct Lists {
     levels: (i16, i16),
+    /// Whether an element may be null.
+    nullable: bool,
     /// Number of elements kept of each list.
     width: usize,
     rows: Vec<Vec<f64>>,
 }
 
 impl Lists {
-    fn new(levels: (i16, i16), width: usize) -> Self {
-        Self { levels, width, rows: Vec::new() }
+    fn new(levels: (i16, i16), nullable: bool, width: usize) -> Self {
+        Self { levels, nullable, width, rows: Vec::new() }
     }
 
     /// Reads `take` lists and returns how many there were; `None` if the elements are not numbers.
@@ -333,8 +340,9 @@ impl Lists {
                 let Some(row) = self.rows.last_mut() else { continue };
                 let full = *d == self.levels.1;
                 let value = if full { next.next().map_or(f64::NAN, &convert) } else { f64::NAN };
-                // One level below a value is a null element (NaN); lower levels are empty lists.
-                if (full || *d + 1 == self.levels.1) && row.len() <= self.width {
+                // One level below a value is a null element (NaN), if elements may be null; lower
+                // levels are empty lists.
+                if (full || self.nullable && *d + 1 == self.levels.1) && row.len() <= self.width {
                     row.push(value);
                 }
             }

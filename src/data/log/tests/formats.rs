@@ -30,6 +30,37 @@ fn three_formats_agree() {
     assert_eq!(all_of(&again).unwrap(), log);
 }
 
+/// An empty list has no element, whether or not elements may be null.
+#[test]
+fn an_empty_list_of_parquet_is_a_bad_cell() {
+    use ::parquet::{data_type::DoubleType, file::writer::SerializedFileWriter, schema::parser::parse_message_type};
+    let lists = [
+        ("repeated double x;", [1, 0, 1]),
+        ("required group x (LIST) { repeated group list { required double element; } }", [1, 0, 1]),
+        ("required group x (LIST) { repeated group list { optional double element; } }", [2, 0, 2]),
+    ];
+    for (schema, levels) in lists {
+        let schema = parse_message_type(&format!("message log {{ {schema} }}")).unwrap();
+        let mut bytes = Vec::new();
+        let mut writer = SerializedFileWriter::new(&mut bytes, schema.into(), Default::default()).unwrap();
+        let mut group = writer.next_row_group().unwrap();
+        let mut column = group.next_column().unwrap().unwrap();
+        column.typed::<DoubleType>().write_batch(&[1.0, 2.0], Some(&levels), Some(&[0; 3])).unwrap();
+        column.close().unwrap();
+        group.close().unwrap();
+        writer.close().unwrap();
+        let mut table = super::super::parquet::ParquetTable::new("log", bytes::Bytes::from(bytes)).unwrap();
+        let mut block = Block { columns: vec![Vec::new()], ..Block::default() };
+        table.select(&[0], 0).unwrap();
+        table.next_rows(3, &mut block).unwrap();
+        assert_eq!(table.names(), ["x[0]"]);
+        assert_eq!((block.columns[0][0], block.columns[0][2]), (1.0, 2.0));
+        assert!(block.columns[0][1].is_nan());
+        let bad: Vec<(usize, &str)> = block.bad.iter().map(|b| (b.row, b.text.as_str())).collect();
+        assert_eq!(bad, [(1, "0 elements in `x` where the first row has 1")]);
+    }
+}
+
 /// UTF-16 of Windows programs; characters beyond 16 bits take two units.
 #[test]
 fn text_of_two_bytes_a_letter_is_read() {
