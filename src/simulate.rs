@@ -385,7 +385,7 @@ impl Simulator {
         // Table step 2 ms: the cubic's error is 1e-6 of the amplitude of a 5 Hz motion.
         let len = (((span.end - span.start) / 2e-3).ceil() as usize).clamp(2, 2_000_000) + 1;
         let step = (span.end - span.start) / (len - 1) as f64;
-        let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
+        let mut states = States::zeros(n, len);
         let (mut hint, mut points) = (0, vec![[0.0; 3]; n]);
         for s in 0..len {
             trajectory.at((span.start + s as f64 * step).min(span.end), &mut hint, &mut points);

@@ -82,7 +82,7 @@ impl Trajectory {
     pub fn sampled(&self, rate: f64) -> (Vec<f64>, States) {
         let times = times(self.duration(), rate);
         let (n, len) = (self.dof(), times.len());
-        let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
+        let mut states = States::zeros(n, len);
         for (s, &t) in times.iter().enumerate() {
             let at = self.at(t);
             for j in 0..n {

@@ -221,13 +221,8 @@ impl<'a> Program<'a> {
 
     /// States at the times of the watched constraints.
     fn gathered(&self, x: &[f64], watched: &[Watched]) -> (States, Vec<Constraint>) {
-        let (n, len) = (self.task.dof(), watched.len());
-        let all = self.guard.states(x);
-        let pick = |part: &[f64]| -> Vec<f64> {
-            (0..n).flat_map(|j| watched.iter().map(move |&(_, s)| (j, s))).map(|(j, s)| part[j * all.len + s]).collect()
-        };
-        let states = States { len, q: pick(&all.q), dq: pick(&all.dq), ddq: pick(&all.ddq) };
-        (states, watched.iter().map(|&(c, _)| self.list[c]).collect())
+        let samples: Vec<usize> = watched.iter().map(|&(_, s)| s).collect();
+        (self.guard.states(x).gather(&samples), watched.iter().map(|&(c, _)| self.list[c]).collect())
     }
 
     /// Gradients of watched constraints with respect to the variables, one after the other.

@@ -12,7 +12,7 @@ use crate::numerics::prng::Random;
 pub(super) fn home(task: &Task<'_>) -> Result<Vec<f64>, Worst> {
     let (n, len) = (task.dof(), 4096);
     let mut random = Random::stream(7, 0);
-    let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
+    let mut states = States::zeros(n, len);
     for j in 0..n {
         let [low, high] = task.limits[j].position;
         let middle = if low < 0.0 && high > 0.0 { 0.0 } else { 0.5 * (low + high) };

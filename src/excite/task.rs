@@ -150,7 +150,7 @@ impl<'a> Task<'a> {
     fn forget_constant(&mut self) {
         let mut random = Random::stream(1, 1);
         let (n, len) = (self.dof(), 200);
-        let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
+        let mut states = States::zeros(n, len);
         for j in 0..n {
             let [low, high] = self.limits[j].position;
             states.q[j * len..(j + 1) * len].iter_mut().for_each(|q| *q = random.uniform(low, high));

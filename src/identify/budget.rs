@@ -57,12 +57,10 @@ pub fn torque_of_errors(arm: &dyn Arm, beta: &[f64], states: &States, errors: &[
 }
 
 /// At most `most` samples spread over a series of states, joint-major.
-pub fn thinned(states: &States, dof: usize, most: usize) -> States {
+pub fn thinned(states: &States, most: usize) -> States {
     let step = states.len.div_ceil(most.max(1)).max(1);
     let picks: Vec<usize> = (0..states.len).step_by(step).collect();
-    let cut =
-        |x: &[f64]| -> Vec<f64> { (0..dof).flat_map(|j| picks.iter().map(move |k| x[j * states.len + k])).collect() };
-    States { len: picks.len(), q: cut(&states.q), dq: cut(&states.dq), ddq: cut(&states.ddq) }
+    states.gather(&picks)
 }
 
 /// Composition of the residual per joint, N m: standard deviations whose squares add up.
@@ -160,7 +158,7 @@ impl BudgetCollector {
         }
         self.samples += weight;
         if self.stretches.is_multiple_of(self.step.max(1)) {
-            self.parts.push((thinned(&motion.states, dof, SAMPLES), motion.error.clone()));
+            self.parts.push((thinned(&motion.states, SAMPLES), motion.error.clone()));
         }
         self.stretches += 1;
         if self.parts.len() > STRETCHES {
@@ -185,7 +183,7 @@ impl BudgetCollector {
         let most = (SAMPLES / self.parts.len()).max(8);
         let mut motion = vec![0.0; dof];
         for (states, error) in &self.parts {
-            let states = thinned(states, dof, most);
+            let states = thinned(states, most);
             let one = torque_of_errors(arm, beta, &states, error);
             motion.iter_mut().zip(one).for_each(|(sum, s)| *sum += s * s / self.parts.len() as f64);
         }

@@ -19,10 +19,23 @@ pub struct States {
 }
 
 impl States {
+    /// All zero: `dof` joints, `len` samples.
+    pub fn zeros(dof: usize, len: usize) -> Self {
+        Self { len, q: vec![0.0; dof * len], dq: vec![0.0; dof * len], ddq: vec![0.0; dof * len] }
+    }
+
     /// Positions, velocities and accelerations of each joint, base to tip, `len` samples each.
     pub fn by_joint(&self) -> Vec<[&[f64]; 3]> {
         let row = |j: usize| [&self.q, &self.dq, &self.ddq].map(|x| &x[j * self.len..(j + 1) * self.len]);
         (0..self.q.len().checked_div(self.len).unwrap_or(0)).map(row).collect()
+    }
+
+    /// The samples with these indices.
+    #[must_use]
+    pub fn gather(&self, picks: &[usize]) -> Self {
+        let of =
+            |all: &[f64]| all.chunks_exact(self.len.max(1)).flat_map(|row| picks.iter().map(|&s| row[s])).collect();
+        Self { len: picks.len(), q: of(&self.q), dq: of(&self.dq), ddq: of(&self.ddq) }
     }
 
     /// Samples `from..to`; empty parts stay empty.

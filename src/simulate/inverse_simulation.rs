@@ -127,7 +127,7 @@ fn carried(states: &States, couplings: &[GearCoupling]) -> States {
 /// Motion on the motor side of stiff gears (desired plus encoder offset), and the desired motion.
 fn links(trajectory: &Trajectory, drives: &[Drive], times: &[f64]) -> (States, Vec<Point>) {
     let (n, len) = (drives.len(), times.len());
-    let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
+    let mut states = States::zeros(n, len);
     let mut desired = vec![[0.0; 3]; n * len];
     let (mut hint, mut points) = (0, vec![[0.0; 3]; n]);
     for (s, &t) in times.iter().enumerate() {

@@ -38,7 +38,7 @@ impl Clearance {
         list.extend((0..bodies.balls.len()).filter(|&b| bodies.balls[b].frame.is_some()).map(Watch::Wall));
         let mut all = Self { bodies, surface, margin, list };
         let (n, len) = (arm.dof(), 16);
-        let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
+        let mut states = States::zeros(n, len);
         for (k, q) in states.q.iter_mut().enumerate() {
             *q = 1.5 * (1.7 * (k % len) as f64 + 2.3 * (k / len) as f64).sin();
         }

@@ -107,7 +107,7 @@ impl Leg {
     pub(super) fn new(task: &Task<'_>, around: &Clearance, grid: &Grid, line: Line, q: DMatrix<f64>) -> Self {
         let (n, len) = (task.dof(), grid.shares.len());
         let by_share = [0, 1, 2, 3].map(|d| &grid.rows[d] * &q);
-        let mut states = States { len, q: vec![0.0; n * len], dq: vec![0.0; n * len], ddq: vec![0.0; n * len] };
+        let mut states = States::zeros(n, len);
         let mut jerk = 0.0;
         let mut fastest = (LEAST, Bound::Weight);
         let mut broken: Vec<Broken> = Vec::new();

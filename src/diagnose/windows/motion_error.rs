@@ -23,7 +23,7 @@ pub(in crate::diagnose) fn budget<'r>(
     let error = |j: usize, k: usize| mean(&|s| s.error.get(j).map_or(0.0, |e| e[k] * e[k])).sqrt();
     let errors: Vec<[f64; 3]> = (0..dof).map(|j| std::array::from_fn(|k| error(j, k))).collect();
     let motion = match scene.states.first() {
-        Some(states) => torque_of_errors(scene.plant, &scene.beta, &thinned(states, dof, SAMPLES), &errors),
+        Some(states) => torque_of_errors(scene.plant, &scene.beta, &thinned(states, SAMPLES), &errors),
         None => vec![0.0; dof],
     };
     let time = mean(&|s| s.clock_error * s.clock_error).sqrt();

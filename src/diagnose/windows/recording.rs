@@ -200,12 +200,7 @@ impl Stretch {
         let (dof, len) = (motion.dof(), motion.states.len);
         let core = motion.core.clone();
         let cut = |x: &[f64]| part(x, dof, len, core.clone());
-        let states = States {
-            len: core.len(),
-            q: cut(&motion.states.q),
-            dq: cut(&motion.states.dq),
-            ddq: cut(&motion.states.ddq),
-        };
+        let states = motion.states.part(core.start, core.end);
         let (mut tau, load) = (cut(&motion.tau), cut(&motion.load));
         // If the sensor behind the gear was off, the gear's torque is unknown.
         let off = load.chunks_exact(core.len().max(1)).map(|load| load.iter().all(|t| *t == 0.0));
@@ -236,12 +231,7 @@ impl Stretch {
         Self {
             start: self.start + range.start as f64 * self.period,
             period: self.period,
-            states: States {
-                len: range.len(),
-                q: take(&self.states.q),
-                dq: take(&self.states.dq),
-                ddq: take(&self.states.ddq),
-            },
+            states: self.states.part(range.start, range.end),
             tau: take(&self.tau),
             temperature: take(&self.temperature),
             motor: take(&self.motor),

@@ -72,12 +72,6 @@ const BATCH: usize = 1 << 11;
 /// Number of joints whose slopes are cached: a few threads search one joint after the other.
 const SLOPES: usize = 2;
 
-/// States of a range of samples.
-fn part_of(states: &States, dof: usize, span: std::ops::Range<usize>) -> States {
-    let of = |x: &[f64]| (0..dof).map(|j| &x[j * states.len..][span.clone()]).collect::<Vec<_>>().concat();
-    States { len: span.len(), q: of(&states.q), dq: of(&states.dq), ddq: of(&states.ddq) }
-}
-
 /// Signs of a velocity, one byte each: -1, 0 or 1.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Signs(Vec<i8>);
@@ -705,7 +699,7 @@ impl<'a> WindowedData<'a> {
         let pattern = self.plant.base_pattern();
         let mut out = vec![0.0; pattern.len() * PART.min(self.len)];
         for first in (0..self.len).step_by(PART) {
-            let states = part_of(&self.states[index], self.dof(), first..(first + PART).min(self.len));
+            let states = self.states[index].part(first, (first + PART).min(self.len));
             let out = &mut out[..pattern.len() * states.len];
             self.plant.base_regressor(&states, out);
             for (entry, (part, at)) in out.chunks_exact(states.len).zip(pattern).enumerate() {
@@ -728,7 +722,7 @@ impl<'a> WindowedData<'a> {
         for index in (0..self.states.len()).filter(used) {
             let span = |k: usize| k * BATCH..((k + 1) * BATCH).min(self.len);
             let parts = parallel(threads_for(self.len * self.dof()), self.len.div_ceil(BATCH), |k| {
-                let mut states = part_of(&self.states[index], self.dof(), span(k));
+                let mut states = self.states[index].part(span(k).start, span(k).end);
                 change(&mut states, span(k));
                 let mut out = vec![0.0; self.dof() * states.len];
                 self.plant.base_torques(&states, base, &mut out);
