@@ -28,6 +28,7 @@ mod quality_check;
 mod replay;
 pub(crate) mod ros;
 mod rounded;
+mod smallest_hashes;
 mod table;
 mod unit;
 mod utf16;

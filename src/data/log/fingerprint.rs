@@ -1,12 +1,10 @@
 //! Recognises samples of one log in another, independently of the file format.
 //!
 //! A row is hashed by its measurements: positions and torques, not time. Of each log the rows with
-//! the smallest hashes are kept (Broder 1997, min-wise sampling). Two logs therefore select the
-//! same rows wherever they share some, in bounded memory. Order of columns, format, compression,
-//! shifted time stamps and omitted rows make no difference. A copy with fewer digits is recognised
-//! by [`super::rounded`].
+//! the smallest hashes are kept ([`super::smallest_hashes`]). Order of columns, format,
+//! compression, shifted time stamps and omitted rows make no difference. A copy with fewer digits
+//! is recognised by [`super::rounded`].
 
-use std::collections::HashMap;
 use std::hash::{BuildHasher, Hash, Hasher};
 
 use foldhash::quality::{FixedState, FoldHasher};
@@ -18,6 +16,7 @@ use super::Quantity;
 use super::Role;
 use super::Source;
 use super::rounded::Rounded;
+use super::smallest_hashes::{Row, SmallestHashes};
 
 /// Most rows kept per log: all rows of two minutes at 1 kHz, every 28th row of an hour; 3 MB.
 const MOST_ROWS: usize = 1 << 17;
@@ -32,15 +31,6 @@ const TILE: usize = 64;
 /// Share of the shorter log below which common samples are ignored.
 const LEAST_SHARE: f64 = 0.01;
 
-/// A kept row.
-#[derive(Debug, Clone, Copy)]
-struct Row {
-    hash: u64,
-    index: u64,
-    /// Time, s.
-    time: f64,
-}
-
 /// Fingerprint by which a log is recognised.
 #[derive(Debug, Clone)]
 pub struct Fingerprint {
@@ -49,10 +39,7 @@ pub struct Fingerprint {
     rows: u64,
     /// First and last time, s.
     span: [f64; 2],
-    /// Largest hash up to which rows were kept.
-    limit: u64,
-    /// Kept rows sorted by hash; of equal rows the first.
-    kept: Vec<Row>,
+    kept: SmallestHashes<MOST_ROWS>,
     /// Kept rows at reduced precision.
     rounded: Rounded,
 }
@@ -77,8 +64,7 @@ impl Fingerprint {
 
     /// Keeps at most `rows` rows, to save memory. Common stretches that are short are then missed.
     pub fn shrink(&mut self, rows: usize) {
-        self.thin(rows.min(MOST_ROWS));
-        self.kept.shrink_to_fit();
+        self.kept.shrink(rows);
         self.rounded.shrink(rows / (MOST_ROWS / super::rounded::MOST_ROWS));
     }
 
@@ -103,11 +89,7 @@ impl Fingerprint {
 
     /// Duration of this log that is contained in the other one, s.
     fn found_in(&self, other: &Self) -> f64 {
-        let limit = self.limit.min(other.limit);
-        let within = |log: &Self| log.kept.partition_point(|row| row.hash <= limit);
-        let there: HashMap<u64, u64> = other.kept[..within(other)].iter().map(|row| (row.hash, row.index)).collect();
-        let mut rows = self.kept[..within(self)].to_vec();
-        rows.sort_unstable_by_key(|row| row.index);
+        let (rows, there) = self.kept.beside(&other.kept);
         let mut seconds = 0.0;
         // Start time of the run, its length, and the index of its last row in the other log.
         let mut run: Option<(f64, usize, u64)> = None;
@@ -162,8 +144,7 @@ impl<'a> Fingerprinted<'a> {
             digest: 0,
             rows: 0,
             span: [0.0; 2],
-            limit: u64::MAX,
-            kept: Vec::new(),
+            kept: SmallestHashes::default(),
             rounded: Rounded::new(),
         };
         Self { source, columns, time, print, all: hasher() }
@@ -174,18 +155,6 @@ impl<'a> Fingerprinted<'a> {
         self.print.digest = self.all.finish();
         self.print.shrink(MOST_ROWS);
         self.print
-    }
-}
-
-impl Fingerprint {
-    /// Keeps the rows with the smallest hashes, without duplicates.
-    fn thin(&mut self, most: usize) {
-        self.kept.sort_unstable_by_key(|row| (row.hash, row.index));
-        self.kept.dedup_by_key(|row| row.hash);
-        if self.kept.len() > most {
-            self.kept.truncate(most);
-            self.limit = self.kept.last().map_or(0, |row| row.hash);
-        }
     }
 }
 
@@ -215,12 +184,7 @@ impl Source for Fingerprinted<'_> {
                     print.span[0] = time;
                 }
                 print.span[1] = time;
-                if hash <= print.limit {
-                    print.kept.push(Row { hash, index: print.rows, time });
-                    if print.kept.len() >= 2 * MOST_ROWS {
-                        print.thin(MOST_ROWS);
-                    }
-                }
+                print.kept.push(Row { hash, index: print.rows, time });
                 let (positions, torques) = values.split_at(split);
                 print.rounded.push(print.rows, time, positions, torques);
                 print.rows += 1;

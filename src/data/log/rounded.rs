@@ -2,13 +2,12 @@
 //!
 //! A rounded copy equals the original rounded to the same precision. Rows are therefore hashed at
 //! every precision that is usual in files, and two logs are compared at the coarser of their own
-//! precisions. At each precision the rows with the smallest hashes are kept, as in
-//! [`super::Fingerprint`].
+//! precisions. At each precision the rows with the smallest hashes are kept.
 
-use std::collections::HashMap;
 use std::hash::{Hash, Hasher};
 
 use super::fingerprint::{hasher, mixed};
+use super::smallest_hashes::{Row, SmallestHashes};
 
 /// Decimal places that are tried, separately for positions and torques.
 const PLACES: [usize; 7] = [1, 2, 3, 4, 5, 6, 7];
@@ -25,75 +24,33 @@ const MISSES: usize = 5;
 /// Fewest different rows for a comparison, since an arm at rest looks alike in unrelated logs.
 const LEAST_ROWS: usize = 2 * SHORTEST_RUN;
 
-/// A kept row.
-#[derive(Debug, Clone, Copy)]
-struct Row {
-    hash: u64,
-    index: u64,
-    time: f64,
-}
-
 /// Kept rows at one precision.
-#[derive(Debug, Clone)]
-struct Rows {
-    limit: u64,
-    kept: Vec<Row>,
-}
+type Rows = SmallestHashes<MOST_ROWS>;
 
-impl Default for Rows {
-    fn default() -> Self {
-        Self { limit: u64::MAX, kept: Vec::new() }
+/// Duration of a log that is contained in the other one, s.
+fn found_in(log: &Rows, other: &Rows) -> f64 {
+    let (rows, there) = log.beside(other);
+    if rows.len() < LEAST_ROWS {
+        return 0.0;
     }
-}
-
-impl Rows {
-    fn push(&mut self, row: Row) {
-        if row.hash <= self.limit {
-            self.kept.push(row);
-            if self.kept.len() >= 2 * MOST_ROWS {
-                self.thin(MOST_ROWS);
+    let (mut seconds, mut run) = (0.0, Run::default());
+    for row in &rows {
+        match there.get(&row.hash) {
+            Some(&at) if run.matches > 0 && at > run.at => run.extend(at, row.time),
+            Some(&at) => {
+                seconds += run.seconds();
+                run = Run { start: row.time, end: row.time, matches: 1, at, missed: 0 };
             }
-        }
-    }
-
-    fn thin(&mut self, most: usize) {
-        self.kept.sort_unstable_by_key(|row| (row.hash, row.index));
-        self.kept.dedup_by_key(|row| row.hash);
-        if self.kept.len() > most {
-            self.kept.truncate(most);
-            self.limit = self.kept.last().map_or(0, |row| row.hash);
-        }
-    }
-
-    /// Duration of this log that is contained in the other one, s.
-    fn found_in(&self, other: &Self) -> f64 {
-        let limit = self.limit.min(other.limit);
-        let there: HashMap<u64, u64> =
-            other.kept.iter().filter(|row| row.hash <= limit).map(|row| (row.hash, row.index)).collect();
-        let mut rows: Vec<Row> = self.kept.iter().copied().filter(|row| row.hash <= limit).collect();
-        if rows.len() < LEAST_ROWS {
-            return 0.0;
-        }
-        rows.sort_unstable_by_key(|row| row.index);
-        let (mut seconds, mut run) = (0.0, Run::default());
-        for row in &rows {
-            match there.get(&row.hash) {
-                Some(&at) if run.matches > 0 && at > run.at => run.extend(at, row.time),
-                Some(&at) => {
+            None => {
+                run.missed += 1;
+                if run.missed > MISSES {
                     seconds += run.seconds();
-                    run = Run { start: row.time, end: row.time, matches: 1, at, missed: 0 };
-                }
-                None => {
-                    run.missed += 1;
-                    if run.missed > MISSES {
-                        seconds += run.seconds();
-                        run = Run::default();
-                    }
+                    run = Run::default();
                 }
             }
         }
-        seconds + run.seconds()
     }
+    seconds + run.seconds()
 }
 
 /// A run of rows found in the same order in the other log.
@@ -169,15 +126,14 @@ impl Rounded {
     /// Keeps at most `most` rows of each precision.
     pub(super) fn shrink(&mut self, most: usize) {
         for rows in self.places.iter_mut().chain(&mut self.digits) {
-            rows.thin(most.min(MOST_ROWS));
-            rows.kept.shrink_to_fit();
+            rows.shrink(most);
         }
     }
 
     /// Duration that both logs share after the finer one is rounded like the other, s.
     pub(super) fn shared(&self, other: &Self) -> f64 {
         let own: [usize; 3] = std::array::from_fn(|k| self.own[k].min(other.own[k]));
-        let both = |a: &Rows, b: &Rows| a.found_in(b).max(b.found_in(a));
+        let both = |a: &Rows, b: &Rows| found_in(a, b).max(found_in(b, a));
         let mut seconds = 0.0_f64;
         if own[0] < PLACES.len() && own[1] < PLACES.len() {
             let at = own[0] * PLACES.len() + own[1];
