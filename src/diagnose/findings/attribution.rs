@@ -11,7 +11,7 @@ use crate::diagnose::fit::body_limits::Body;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::moments::Moments;
 use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
-use crate::diagnose::hypotheses::{Hypothesis as _, Named, PLAIN, Quantity};
+use crate::diagnose::hypotheses::{Hypothesis as _, Kind, Named, PLAIN, Quantity};
 use crate::diagnose::search::alone::is_brief;
 use crate::diagnose::search::baseline_friction::BaselineFriction;
 use crate::diagnose::search::forward::Evidence;
@@ -63,8 +63,7 @@ impl Attribution<'_> {
         let counted = shares.far.map_or(part, |far| 0.5 * (part + far));
         let confirmed = on != "fit" && part > SHOWN || item.hypothesis.local() || shares.recurs_far();
         let rivals = confusable(tested, item, accepted, plain_rivals);
-        let worse = on != "fit" && (part < REFUTED || shares.worse) && !item.hypothesis.local();
-        let refuted = if worse { Some(Refutation::OtherData) } else { self.implausible_size(accepted) };
+        let refuted = self.refutation(item, accepted, (part, on), shares.worse);
         let features = Features { support, margin, share: counted, recurrence, confirmed };
         Cause {
             cause: item.hypothesis.name(),
@@ -104,6 +103,25 @@ impl Attribution<'_> {
 }
 
 impl Attribution<'_> {
+    /// What refutes a cause, from the share (`part`) of its joints' error that it removes `on` some
+    /// data, and whether its joint is `worse` there than with the unchanged file.
+    fn refutation(
+        &self,
+        item: &Item,
+        accepted: Option<&Accepted>,
+        (part, on): (f64, &str),
+        worse: bool,
+    ) -> Option<Refutation> {
+        let throughout = !item.hypothesis.local();
+        // Beside the other causes, its own joint may err more with it on the fitted data, too.
+        let in_a_gear = item.hypothesis.kind() == Kind::Transmission;
+        match on {
+            "fit" if throughout && in_a_gear && part < REFUTED => Some(Refutation::OwnJoints),
+            on if throughout && on != "fit" && (part < REFUTED || worse) => Some(Refutation::OtherData),
+            _ => self.implausible_size(accepted),
+        }
+    }
+
     /// A refutation if the size of a cause became implausible beside the others.
     fn implausible_size(&self, accepted: Option<&Accepted>) -> Option<Refutation> {
         let of = |c: &Chosen| !c.x.is_empty() && !c.cause.plausible(&self.tested.scene, &c.place, &c.shape, &c.x);

@@ -466,6 +466,10 @@ impl Forward<'_, '_> {
         if share(main) <= 0.6 * self.settings.least_gain || worst <= -spoilt {
             return None;
         }
+        // What is wrong in a gear shows on its joint.
+        if cause.kind() == Kind::Transmission && place.iter().all(|&j| shares[j] <= 0.0) {
+            return None;
+        }
         let taken = 1.0 - after.solution.rss[main] / before.solution.rss[main].max(f64::MIN_POSITIVE);
         evidence(taken)
     }

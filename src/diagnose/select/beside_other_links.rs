@@ -21,6 +21,10 @@ use crate::diagnose::search::judge::chosen_of;
 /// Least joint error above the noise by which a share is divided, in units of the noise.
 const LEAST: f64 = 0.5;
 
+/// Share of a joint's squared error on left-out stretches that a body must remove for the joint to
+/// count when it is compared with refitted links.
+const SHOWN: f64 = 0.1;
+
 /// Evidence for a cause beside everything else in a model.
 pub(in crate::diagnose) struct Worth {
     /// Largest share of the squared error of one of its joints, above the noise, that it removes on
@@ -90,7 +94,8 @@ impl<'a> Session<'a> {
     }
 
     /// Gain of one body of the file's links on left-out stretches, relative to the gain of the
-    /// refitted links and to [`ONE_BODY`]; at most 1.
+    /// refitted links and to [`ONE_BODY`]; at most 1. Only joints that the body improves count: what
+    /// refitted links gain on the others has a cause of its own.
     fn part_of_links(&self, model: &Selected<'a>, name: &str, place: &[usize]) -> f64 {
         let Selected { tested, accepted, .. } = model;
         let mut believed =
@@ -103,7 +108,13 @@ impl<'a> Session<'a> {
         let Some(body) = body.first() else { return 0.0 };
         others.push(body.chosen());
         let with = believed.fit(&mut others);
-        let [body, links] = [&believed.left_out(&others, &with), &model.left_out].map(|m| m.less(&known, self.ground));
+        let with = believed.left_out(&others, &with);
+        let shown: Vec<usize> = (0..self.ground.len()).filter(|&j| shows(&known, &with, self.ground, j)).collect();
+        if shown.is_empty() {
+            return 0.0;
+        }
+        let (known, ground) = (known.of(&shown), shown.iter().map(|&j| self.ground[j]).collect::<Vec<f64>>());
+        let [body, links] = [&with, &model.left_out].map(|m| m.of(&shown).less(&known, &ground));
         if links.gain > 0.0 { (body.gain / links.gain / ONE_BODY).clamp(0.0, 1.0) } else { 1.0 }
     }
 }
@@ -142,6 +153,12 @@ pub(in crate::diagnose) fn worth(
     let own = |j: &usize| place.is_empty() || place.contains(j);
     let share = (0..noise.len()).filter(own).map(share).fold(0.0, f64::max);
     Some(Worth { share, wald })
+}
+
+/// Whether the errors of joint `j` on left-out stretches are smaller with a body than without it.
+fn shows(without: &LeftOut, with: &LeftOut, ground: &[f64], j: usize) -> bool {
+    let [a, b] = [without, with].map(|out| out.joint_rms(j).powi(2));
+    a - b > SHOWN * (a + ground[j].powi(2))
 }
 
 /// Fixes the file's friction of the joints of a place: a friction law is a change of it.

@@ -86,6 +86,12 @@ impl LeftOut {
         Paired { gain, error: (n * variance).sqrt(), whole: self.rms() < other.rms() }
     }
 
+    /// The errors of some joints alone.
+    pub fn of(&self, joints: &[usize]) -> Self {
+        let pick = |rows: &[Vec<f64>]| rows.iter().map(|row| joints.iter().map(|&j| row[j]).collect()).collect();
+        Self { squares: pick(&self.squares), counts: pick(&self.counts) }
+    }
+
     /// Whether less than a share of the squared error of `other` remains on a joint, and at most
     /// half of it in every stretch.
     pub fn nearly_all(&self, other: &Self, joint: usize, share: f64) -> bool {
@@ -207,5 +213,8 @@ mod tests {
         // A joint whose error is far below its floor has not changed.
         assert_eq!(model(1.0, 10.0).most_changed(&model(1.1, 100.0), &[0.0, 0.1, 0.1, 1e3]), 0);
         assert!((model(4.0, 9.0).joint_rms(0) - 2.0).abs() < 1e-12);
+        // Of the light joints alone, the first model is better by a third.
+        let light = model(0.25, 120.0).of(&[0, 1]).less(&model(0.5, 100.0).of(&[0, 1]), &[0.0; 2]);
+        assert!((light.gain - 1.0 / 3.0).abs() < 1e-12 && light.whole, "{light:?}");
     }
 }

@@ -79,6 +79,7 @@ fn not_named(cause: &Cause, item: &Item) -> Option<String> {
     let why = match cause.refuted {
         None => "",
         Some(Refutation::OtherData) => ", because data that were not fitted are not predicted better with it",
+        Some(Refutation::OwnJoints) => ", because its own joints err more with it than without it",
         Some(Refutation::Size) => ", because its size is implausible beside the other causes",
     };
     (cause.probability < calibration::NAMED)

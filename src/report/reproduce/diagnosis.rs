@@ -165,7 +165,7 @@ pub(in crate::report) fn drawing(found: &Battery) -> String {
             );
         }
     }
-    svg.push_str("</svg><p class=note>Tally that was right over probability that was claimed; the larger the dot, the more causes.</p>");
+    svg.push_str("</svg><p class=note>Share that was right over the stated probability; the larger the dot, the more causes.</p>");
     svg
 }
 
