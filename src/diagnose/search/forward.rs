@@ -174,7 +174,7 @@ impl Forward<'_, '_> {
         let before = self.tested.left_out(&self.chosen, fitted);
         let mut tried: Vec<usize> = Vec::new();
         while tried.len() < REFUSED {
-            let first = best(&ranked, &tried, &fitted.memory)?;
+            let first = best(&ranked, &tried)?;
             let other = self.that_suffices(&ranked, first, fitted, &before);
             let other = other.or_else(|| self.link_that_predicts_better((&ranked, first), fitted, &before));
             let at = other.filter(|i| !tried.contains(i)).unwrap_or(first);

@@ -1,5 +1,5 @@
-//! The candidate that is tried next: the one that gains most, or a simpler or likelier one in its
-//! place that gains nearly as much.
+//! The candidate that is tried next: the one that gains most, or a simpler one in its place that
+//! gains nearly as much.
 
 use super::candidate::{Candidate, plain, unknowns};
 use crate::diagnose::hypotheses::{Hypothesis as _, Kind, OFFSET, Over};
@@ -12,20 +12,13 @@ const SIMPLER: f64 = 0.05;
 /// which are nearly constant where a joint hardly moves.
 pub(super) const PLAINER: f64 = 0.2;
 
-/// Twice the logarithm of the prior odds of a changed level of plain friction to another cause on its
-/// joint: friction changes with temperature and wear, gains and springs do not. The part of a score
-/// that these odds outweigh at most.
-const LEVEL_ODDS: f64 = 4.0;
-const MOST_BY_ODDS: f64 = 0.3;
-
 /// Share of its score by which a candidate may lag behind an equivalent one.
 const SAME: f64 = 1e-3;
 
 /// The candidate to try next: the best one, or one in its place with fewer unknowns that gains
 /// nearly as much. Plain friction goes first among equivalent causes, such as a level and a
-/// difference by direction on a motion in one direction, and before any that is not likelier by
-/// more than [`LEVEL_ODDS`]. `memory`: autocorrelation time per joint, windows.
-pub(super) fn best(ranked: &[Candidate], tried: &[usize], memory: &[f64]) -> Option<usize> {
+/// difference by direction on a motion in one direction.
+pub(super) fn best(ranked: &[Candidate], tried: &[usize]) -> Option<usize> {
     let left = || (0..ranked.len()).filter(|i| !tried.contains(i));
     let first = left().next().filter(|&i| ranked[i].score > 0.0)?;
     let top = &ranked[first];
@@ -40,15 +33,7 @@ pub(super) fn best(ranked: &[Candidate], tried: &[usize], memory: &[f64]) -> Opt
         c.score > (1.0 - lag) * top.score
     };
     let same = |c: &Candidate| plain(c).is_some() && count(c) <= count(top) && c.score > (1.0 - SAME) * top.score;
-    let likelier = |c: &Candidate| {
-        let own = c.place.first().and_then(|j| memory.get(*j)).copied().unwrap_or(1.0).max(1.0);
-        let odds = (LEVEL_ODDS * own).min(MOST_BY_ODDS * top.score);
-        plain(c).is_some_and(|k| k % 3 < 2)
-            && top.place == c.place
-            && plain(top).is_none()
-            && c.score > top.score - odds
-    };
-    let simpler = |c: &Candidate| place(c) && (count(c) < count(top) && near(c) || same(c) || likelier(c));
+    let simpler = |c: &Candidate| place(c) && (count(c) < count(top) && near(c) || same(c));
     let fewest = |a: &usize, b: &usize| {
         let [a, b] = [&ranked[*a], &ranked[*b]];
         let plainer = plain(b).is_some().cmp(&plain(a).is_some());
@@ -68,22 +53,17 @@ mod tests {
         Candidate { cause: by_name(name).unwrap(), place: vec![joint], shape: Vec::new(), gain, score }
     }
 
-    /// A level of plain friction precedes a cause of its joint that gains up to four more in
-    /// independent windows, but at most three tenths more.
+    /// Of equivalent causes of a joint, the level of plain friction is tried first.
     #[test]
-    fn a_changed_level_is_likelier_than_another_cause_of_its_joint() {
-        let of = |level: &str, joint: usize, score: f64, memory: f64| {
-            let ranked = [candidate("torque_gain_error", 2, 1000.0), candidate(level, joint, score)];
-            best(&ranked, &[], &[1.0, 1.0, memory])
+    fn plain_friction_goes_first_among_equivalent_causes() {
+        let of = |level: &str, joint: usize, score: f64| {
+            best(&[candidate("torque_gain_error", 2, 1000.0), candidate(level, joint, score)], &[])
         };
-        assert_eq!(of("viscous_friction", 2, 900.0, 50.0), Some(1));
-        assert_eq!(of("viscous_friction", 2, 900.0, 20.0), Some(0));
-        assert_eq!(of("viscous_friction", 2, 600.0, 500.0), Some(0));
-        // Neither on another joint nor for an offset.
-        assert_eq!(of("viscous_friction", 1, 900.0, 50.0), Some(0));
-        assert_eq!(of("torque_offset", 2, 900.0, 50.0), Some(0));
+        assert_eq!(of("viscous_friction", 2, 999.5), Some(1));
+        assert_eq!(of("viscous_friction", 2, 990.0), Some(0));
+        assert_eq!(of("viscous_friction", 1, 999.5), Some(0));
         // Each is tried once.
-        assert_eq!(best(&[candidate("torque_gain_error", 2, 1000.0)], &[0], &[1.0; 3]), None);
-        assert_eq!(best(&[candidate("torque_gain_error", 2, -1.0)], &[], &[1.0; 3]), None);
+        assert_eq!(best(&[candidate("torque_gain_error", 2, 1000.0)], &[0]), None);
+        assert_eq!(best(&[candidate("torque_gain_error", 2, -1.0)], &[]), None);
     }
 }
