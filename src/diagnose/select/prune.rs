@@ -78,7 +78,8 @@ impl<'a> Session<'a> {
 /// Whether what a change of the joints' errors, N m, wins over all joints outweighs what it loses.
 /// Errors below `scale`, N m, do not count.
 fn pays_over_all(before: &[f64], after: &[f64], scale: &[f64]) -> bool {
-    let share = |((b, a), s): ((&f64, &f64), &f64)| 1.0 - (a * a + s * s) / (b * b + s * s).max(f64::MIN_POSITIVE);
+    let square = |error: &f64, s: &f64| (error * error + s * s).max(1e-24);
+    let share = |((b, a), s): ((&f64, &f64), &f64)| 1.0 - square(a, s) / square(b, s);
     pays_as_a_whole(&before.iter().zip(after).zip(scale).map(share).collect::<Vec<f64>>())
 }
 
