@@ -249,7 +249,7 @@ fn named<'a>(
     torque_rms: &[f64],
     why: &mut Vec<String>,
 ) -> Result<(Selected<'a>, Vec<Cause>, Vec<Structure>), ConsistentError> {
-    let mut suspects = session.suspected(suspects, &mut model, why);
+    let mut suspects = session.suspected(suspects, &mut model, rival, why);
     let model = session.law_instead(model, torque_rms, &mut suspects, why)?;
     let (left, unplayed) = without_columns(&model, session.left(&model, torque_rms), session.noise);
     let mut causes = model.causes.clone();
@@ -261,7 +261,7 @@ fn named<'a>(
         true => here_and_there(&model.after_fit, session.noise),
         false => left,
     };
-    let suspects = if causes.is_empty() { suspects } else { not_explained(suspects, &model.after_fit) };
+    let suspects = if causes.is_empty() { suspects } else { not_explained(suspects, &model.after_fit, rival) };
     if !causes.is_empty() || !left.is_empty() {
         name(&mut causes, suspects);
     }

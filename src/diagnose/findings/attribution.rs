@@ -113,10 +113,10 @@ impl Attribution<'_> {
         worse: bool,
     ) -> Option<Refutation> {
         let throughout = !item.hypothesis.local();
-        // Beside the other causes, its own joint may err more with it on the fitted data, too.
+        // Beside the other causes, its own joint may err as much without it on the fitted data, too.
         let in_a_gear = item.hypothesis.kind() == Kind::Transmission;
         match on {
-            "fit" if throughout && in_a_gear && part < REFUTED => Some(Refutation::OwnJoints),
+            "fit" if throughout && in_a_gear && part < SHOWN => Some(Refutation::OwnJoints),
             on if throughout && on != "fit" && (part < REFUTED || worse) => Some(Refutation::OtherData),
             _ => self.implausible_size(accepted),
         }
@@ -232,7 +232,7 @@ pub(in crate::diagnose) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
 }
 
 /// Least share of a joint's squared error above the noise that a cause must remove on unfitted data
-/// to be confirmed by them.
+/// to be confirmed by them, and a cause in a gear on the fitted data.
 const SHOWN: f64 = 0.05;
 
 /// Share below which unfitted data refute a cause: their error is larger with it than without it.

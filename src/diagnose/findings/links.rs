@@ -211,7 +211,7 @@ impl Session<'_> {
 /// Limits the probability of a refitted link to that of all of them being better than the file's
 /// links with other causes. Names those causes beside it.
 fn no_surer(cause: &mut Cause, rival: &Rival) {
-    let Rival { gain, causes: rivals } = rival;
+    let Rival { gain, causes: rivals, .. } = rival;
     let better = calibration::links(gain.gain, gain.error);
     if better >= cause.probability {
         return;
@@ -255,6 +255,8 @@ mod tests {
         let rival = |gain: f64| Rival {
             gain: Paired { gain, error: 0.04, whole: true },
             causes: vec![cause("joint_elasticity", &[1], 0.7), cause("payload", &[], 0.3)],
+            left_out: LeftOut::new(&[], &[]),
+            pushes: Vec::new(),
         };
         let capped = |rival: &Rival| {
             let mut link = cause("link_inertia_error", &[2], 0.95);

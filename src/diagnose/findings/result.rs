@@ -72,7 +72,7 @@ pub struct Evidence {
 pub enum Refutation {
     /// Data that were not fitted are predicted worse with it, or worse than by the unchanged file.
     OtherData,
-    /// Its own joints err more with it than without it.
+    /// Its own joints err as much without it.
     OwnJoints,
     /// Its size beside the other causes is implausible.
     Size,

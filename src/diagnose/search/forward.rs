@@ -466,8 +466,7 @@ impl Forward<'_, '_> {
         if share(main) <= 0.6 * self.settings.least_gain || worst <= -spoilt {
             return None;
         }
-        // What is wrong in a gear shows on its joint.
-        if cause.kind() == Kind::Transmission && place.iter().all(|&j| shares[j] <= 0.0) {
+        if !shows_on_its_gear(*cause, place, &shares) {
             return None;
         }
         let taken = 1.0 - after.solution.rss[main] / before.solution.rss[main].max(f64::MIN_POSITIVE);
@@ -515,6 +514,12 @@ pub(in crate::diagnose) fn pays_as_a_whole(shares: &[f64]) -> bool {
     won > WHOLE * lost
 }
 
+/// Whether a cause in a gear reduces the error of a joint of that gear; true of all other causes.
+/// `shares`: of each joint's squared error on left-out stretches that it removes.
+fn shows_on_its_gear(cause: &dyn Hypothesis, place: &[usize], shares: &[f64]) -> bool {
+    cause.kind() != Kind::Transmission || place.iter().any(|&j| shares[j] > 0.0)
+}
+
 /// Twice the gain in log-likelihood, in independent windows, less the cost of the unknowns and of
 /// the choice among so many candidates.
 fn gained(candidate: &Candidate, candidates: usize, before: &Fitted, after: &Fitted) -> f64 {
@@ -536,11 +541,22 @@ pub(super) fn main_joint(before: &Fitted, after: &Fitted) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagnose::hypotheses::by_name;
 
     #[test]
     fn a_body_may_spoil_a_joint_for_what_it_gains_on_the_others() {
         assert!(pays_as_a_whole(&[0.4, 0.5, -0.36, 0.3]));
         assert!(!pays_as_a_whole(&[0.4, -0.36, 0.0]) && !pays_as_a_whole(&[0.9, -2.5]));
         assert!(!pays_as_a_whole(&[0.0, 0.0]));
+    }
+
+    #[test]
+    fn an_error_of_a_gear_shows_on_its_joints() {
+        let [elasticity, coupling, friction] =
+            ["joint_elasticity", "gear_coupling", "coulomb_friction"].map(|name| by_name(name).unwrap());
+        assert!(!shows_on_its_gear(elasticity, &[1], &[0.6, -0.1, 0.2]));
+        assert!(shows_on_its_gear(elasticity, &[1], &[0.6, 0.1, 0.2]));
+        assert!(shows_on_its_gear(coupling, &[1, 2], &[0.6, -0.1, 0.2]));
+        assert!(shows_on_its_gear(friction, &[1], &[0.6, -0.1, 0.2]));
     }
 }

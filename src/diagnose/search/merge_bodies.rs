@@ -2,9 +2,8 @@
 
 use super::equivalent_robot_cause;
 use super::judge::{Accepted, adopt, chosen_of};
-use super::merge_common_delay::lost_by;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
-use crate::diagnose::fit::white_errors::cost_of_unknown;
+use crate::diagnose::fit::white_errors::{cost_of_unknown, lost_by};
 use crate::diagnose::hypotheses::{Hypothesis, hypothesis};
 use dh_codegen::robot::EffectKind;
 

@@ -2,7 +2,7 @@
 
 use super::judge::{Accepted, adopt, chosen_of};
 use crate::diagnose::fit::model::{Fitted, ModelUnderTest};
-use crate::diagnose::fit::white_errors::{cost_of_unknown, independent_windows, log_ratios};
+use crate::diagnose::fit::white_errors::{cost_of_unknown, lost_by};
 
 /// Replaces the delays of several joints that agree within their uncertainty by one common delay,
 /// as of a clock or a bus. It is accepted if it loses less than the cost of the unknowns that it
@@ -61,12 +61,4 @@ pub(in crate::diagnose) fn merge_common_delay(
     let mut chosen = chosen_of(accepted);
     *fitted = tested.fit(&mut chosen);
     adopt(accepted, &chosen);
-}
-
-/// Loss of log-likelihood from one fit to the next, and the number of independent windows, which
-/// are those of the fit `of`.
-pub(super) fn lost_by(fitted: &Fitted, next: &Fitted, of: &Fitted) -> (f64, f64) {
-    let (counts, memory) = (&of.solution.counts, &of.memory);
-    let pairs = log_ratios(&fitted.solution.rss, &next.solution.rss).zip(counts.iter().zip(memory));
-    (pairs.map(|(l, (n, m))| -l * n / m).sum(), independent_windows(counts, memory).sum())
 }

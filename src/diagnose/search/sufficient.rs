@@ -151,3 +151,27 @@ impl Forward<'_, '_> {
         seen
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnose::fit::moments::Gain;
+    use crate::diagnose::hypotheses::{Hypothesis, by_name, laws};
+
+    fn candidate(cause: &'static dyn Hypothesis, score: f64) -> Candidate {
+        let gain = Gain { x: vec![1.0], rss: Vec::new() };
+        Candidate { cause, place: Vec::new(), shape: Vec::new(), gain, score }
+    }
+
+    /// A wall must gain more than the push, a body half as much.
+    #[test]
+    fn alternatives_to_a_push() {
+        let of = |local: bool| laws(EffectKind::ExternalContact).find(|c| c.local() == local).unwrap();
+        let push = candidate(of(true), 100.0);
+        let tried = |cause, score| !lasting(&[candidate(cause, score)], &push).is_empty();
+        assert!(tried(of(false), 101.0) && !tried(of(false), 99.0));
+        let payload = by_name("payload").unwrap();
+        assert!(tried(payload, 51.0) && !tried(payload, 49.0));
+        assert!(!tried(of(true), 500.0) && !tried(by_name("time_delay").unwrap(), 500.0));
+    }
+}

@@ -5,6 +5,7 @@
 //! errors, and beside them such a cause gains nothing. A true cause still does.
 
 use super::model_choice::LeftOut;
+use super::offer::Rival;
 use super::refine_and_select::{Selected, Session};
 use super::suspects::remember;
 use crate::diagnose::findings::attribution::plain_support;
@@ -44,15 +45,20 @@ impl Worth {
 
 impl<'a> Session<'a> {
     /// Merges the suspects of the searches with the file's and with refitted links, each with its
-    /// probability beside the offered model.
+    /// probability beside the offered model. One of joints that the file's links predict as well
+    /// (`rival`) keeps its probability beside those links.
     pub(in crate::diagnose) fn suspected(
         &self,
         [mut of_file, of_refit]: [Vec<Cause>; 2],
         model: &mut Selected<'a>,
+        rival: Option<&Rival>,
         why: &mut Vec<String>,
     ) -> Vec<Cause> {
         if model.tested.mode == Mode::Refitted {
-            self.beside_other_links(model, &mut of_file, why);
+            let (kept, mut others): (Vec<Cause>, Vec<Cause>) =
+                of_file.into_iter().partition(|c| rival.is_some_and(|rival| rival.suffices(c, &model.left_out)));
+            self.beside_other_links(model, &mut others, why);
+            of_file = [kept, others].concat();
         }
         remember(&mut of_file, &of_refit);
         of_file
@@ -174,4 +180,22 @@ fn keep_friction(tested: &mut ModelUnderTest<'_>, place: &[usize]) {
 /// Errors on left-out stretches, from the fit within physical limits where it exists.
 fn left_out(tested: &ModelUnderTest<'_>, chosen: &[Chosen], fitted: &Fitted) -> LeftOut {
     tested.possible_left_out(chosen, fitted).unwrap_or_else(|_| tested.left_out(chosen, fitted))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Joint 1 errs half as much with the body, joint 2 by 3 % less, joint 3 below its noise.
+    #[test]
+    fn a_body_counts_on_the_joints_that_it_improves() {
+        let of = |squares: [f64; 3]| LeftOut::new(&[squares.to_vec(), squares.to_vec()], &vec![vec![1.0; 3]; 2]);
+        let (without, with) = (of([4.0, 4.0, 0.01]), of([1.0, 3.8, 0.001]));
+        let shown: Vec<usize> = (0..3).filter(|&j| shows(&without, &with, &[0.5; 3], j)).collect();
+        assert_eq!(shown, [0]);
+        // On that joint alone the gain is not diluted by the others.
+        let [own, all] = [&[0][..], &[0, 1, 2]]
+            .map(|joints| with.of(joints).less(&without.of(joints), &vec![0.5; joints.len()]).gain);
+        assert!(own > 2.0 * all && all > 0.0, "{own} {all}");
+    }
 }

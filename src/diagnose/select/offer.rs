@@ -29,6 +29,19 @@ pub(in crate::diagnose) struct Rival {
     /// Gain of the model with other links over this one on left-out stretches.
     pub(in crate::diagnose) gain: Paired,
     pub(in crate::diagnose) causes: Vec<Cause>,
+    /// Its errors on left-out stretches.
+    pub(in crate::diagnose) left_out: LeftOut,
+    /// Its pushes during which the model with other links errs more.
+    pub(in crate::diagnose) pushes: Vec<Cause>,
+}
+
+impl Rival {
+    /// Whether this model has a cause of single joints, and predicts each of them at least as well
+    /// as one with the errors `other`. Other links then explain nothing there that the cause does not.
+    pub(in crate::diagnose) fn suffices(&self, cause: &Cause, other: &LeftOut) -> bool {
+        let as_well = |j: &usize| self.left_out.joint_rms(j - 1) <= other.joint_rms(j - 1);
+        !cause.joints.is_empty() && cause.joints.iter().all(as_well) && self.causes.iter().any(|c| c.is(cause))
+    }
 }
 
 /// Which of the nested models this one is.
@@ -112,7 +125,9 @@ impl<'a> Session<'a> {
         let refitted = model.tested.mode == Mode::Refitted;
         let other = others.iter().find(|m| refitted && m.tested.mode == Mode::Trusted)?;
         let gain = model.left_out.less(&other.left_out, self.ground);
-        Some(Rival { gain, causes: other.causes.clone() })
+        let explains = |c: &&Cause| c.window().is_some_and(|w| other.after_fit.errs_less_within(&model.after_fit, w));
+        let pushes = other.causes.iter().filter(explains).cloned().collect();
+        Some(Rival { gain, causes: other.causes.clone(), left_out: other.left_out.clone(), pushes })
     }
 
     /// The choice of the unchanged file, because the `best` other model does not pay beside it.
@@ -231,5 +246,27 @@ impl<'a> Session<'a> {
             ends[0],
             ends[1],
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The file's links with an offset of joint 2 predict that joint better than other links do.
+    #[test]
+    fn other_links_hide_nothing_that_the_files_links_predict_as_well() {
+        let errors = |squares: [f64; 2]| LeftOut::new(&[squares.to_vec()], &[vec![1.0; 2]]);
+        let cause = |name: &'static str, joints: &[usize]| Cause { joints: joints.to_vec(), ..Cause::blank(name, "") };
+        let rival = Rival {
+            gain: Paired { gain: 0.2, error: 0.1, whole: true },
+            causes: vec![cause("torque_offset", &[2]), cause("payload", &[])],
+            left_out: errors([4.0, 1.0]),
+            pushes: Vec::new(),
+        };
+        let offset = cause("torque_offset", &[2]);
+        assert!(rival.suffices(&offset, &errors([1.0, 1.1])) && !rival.suffices(&offset, &errors([1.0, 0.9])));
+        assert!(!rival.suffices(&cause("viscous_friction", &[2]), &errors([1.0, 1.1])), "not in that model");
+        assert!(!rival.suffices(&cause("payload", &[]), &errors([9.0, 9.0])), "no joint of its own");
     }
 }

@@ -79,7 +79,7 @@ fn not_named(cause: &Cause, item: &Item) -> Option<String> {
     let why = match cause.refuted {
         None => "",
         Some(Refutation::OtherData) => ", because data that were not fitted are not predicted better with it",
-        Some(Refutation::OwnJoints) => ", because its own joints err more with it than without it",
+        Some(Refutation::OwnJoints) => ", because its own joints err as much without it",
         Some(Refutation::Size) => ", because its size is implausible beside the other causes",
     };
     (cause.probability < calibration::NAMED)
@@ -360,5 +360,28 @@ impl<'a> Session<'a> {
         };
         let left_out = tested.possible_left_out(&chosen_of(&accepted), &fitted)?;
         Ok(Selected { tested, accepted, fitted, after, after_fit, causes, suspects, left_out, rivals, evidence, why })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnose::hypotheses::hypothesis;
+    use dh_codegen::robot::EffectKind;
+
+    #[test]
+    fn a_cause_that_is_not_named_has_its_reason() {
+        let hypothesis = hypothesis(EffectKind::JointElasticity);
+        let item = Item { hypothesis, place: vec![3], accepted: Some(0), friction: Vec::new() };
+        let says = |probability: f64, refuted: Option<Refutation>| {
+            not_named(&Cause { probability, refuted, ..Cause::blank(hypothesis.name(), "") }, &item)
+        };
+        let plain = "joint_elasticity of joint 4 is not named: its probability is 0.49.";
+        assert_eq!(says(0.499, None).as_deref(), Some(plain));
+        assert_eq!(says(0.5, None), None);
+        let why = |refuted| says(0.3, Some(refuted)).unwrap();
+        assert!(why(Refutation::OtherData).contains("0.30, because data that were not fitted"));
+        assert!(why(Refutation::OwnJoints).contains("0.30, because its own joints err as much without it"));
+        assert!(why(Refutation::Size).contains("0.30, because its size is implausible"));
     }
 }
