@@ -59,7 +59,7 @@ impl Attribution<'_> {
         let part = shares.within.unwrap_or_else(|| share(&without.steady, &with.steady, noise, &item.place));
         let support =
             accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, &item.friction), |a| a.support);
-        let recurrence = self.recurrence(item);
+        let recurrence = self.recurrence(item, &keys);
         let counted = shares.far.map_or(part, |far| 0.5 * (part + far));
         let confirmed = on != "fit" && part > SHOWN || item.hypothesis.local() || shares.recurs_far();
         let rivals = confusable(tested, item, accepted, plain_rivals);
@@ -215,11 +215,17 @@ impl Attribution<'_> {
     }
 
     /// Recurrence of an item in stretches of the fitted logs. It is 1 for a local cause, which
-    /// cannot recur, and for a delay, which has shifted the data.
-    fn recurrence(&self, item: &Item) -> f64 {
+    /// cannot recur.
+    fn recurrence(&self, item: &Item, keys: &[Named]) -> f64 {
         let fitted = self.fitted;
-        if item.hypothesis.local() || item.hypothesis.moves_time() {
+        if item.hypothesis.local() {
             return 1.0;
+        }
+        if item.hypothesis.moves_time() {
+            let delay = item.accepted.map(|at| fitted.first[at]).zip(keys.first());
+            let of =
+                |(at, key): (usize, &Named)| self.stretches.recurrence_of_remainder(&fitted.solution, at, key.value);
+            return delay.map_or(1.0, of);
         }
         self.stretches.recurrence(&fitted.solution, &item.unknowns(fitted))
     }

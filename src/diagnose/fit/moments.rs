@@ -642,7 +642,28 @@ impl Moments {
                 all += information;
             }
         }
-        if all > 0.0 { 1.0 / (1.0 + off / all) } else { 0.0 }
+        recurring(off, all)
+    }
+
+    /// The same for one unknown that is the remainder of a larger `size`: of a delay, which has
+    /// shifted the data.
+    pub fn recurrence_of_remainder(&self, at: &Solution, own: usize, size: f64) -> f64 {
+        let (mut off, mut all) = (0.0, 0.0);
+        for part in 0..self.parts() {
+            let (mut information, mut pull) = (0.0, 0.0);
+            for (joint, weight) in self.joints.iter().zip(&at.weights) {
+                let Some(here) = joint.columns.iter().position(|&c| c == own) else { continue };
+                let sums = &joint.parts[part];
+                let found: f64 = joint.columns.iter().zip(sums.gram.row(here).iter()).map(|(&c, g)| g * at.x[c]).sum();
+                information += weight * sums.gram[(here, here)];
+                pull += weight * (sums.with_y[here] - found);
+            }
+            if information > 0.0 {
+                off += pull.powi(2) / information;
+                all += information * size.powi(2);
+            }
+        }
+        recurring(off, all)
     }
 
     /// Variance of each unknown from the scatter of the parts' gradients about their mean.
@@ -683,4 +704,10 @@ impl Moments {
         let solution = Solution { x, inverse: pseudo_inverse(&matrix), unlimited: None, ..at.clone() };
         (moments, solution)
     }
+}
+
+/// Recurrence from the squared deviations of parts from the whole, and the squared size of the whole,
+/// both weighted by information.
+fn recurring(off: f64, all: f64) -> f64 {
+    if all > 0.0 { 1.0 / (1.0 + off / all) } else { 0.0 }
 }
