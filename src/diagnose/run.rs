@@ -261,7 +261,7 @@ fn named<'a>(
         true => here_and_there(&model.after_fit, session.noise),
         false => left,
     };
-    let suspects = if causes.is_empty() { suspects } else { not_explained(suspects, &model.after_fit, rival) };
+    let suspects = if causes.is_empty() { suspects } else { not_explained(suspects, &model.after_fit) };
     if !causes.is_empty() || !left.is_empty() {
         name(&mut causes, suspects);
     }

@@ -221,13 +221,11 @@ impl Attribution<'_> {
         if item.hypothesis.local() {
             return 1.0;
         }
-        if item.hypothesis.moves_time() {
-            let delay = item.accepted.map(|at| fitted.first[at]).zip(keys.first());
-            let of =
-                |(at, key): (usize, &Named)| self.stretches.recurrence_of_remainder(&fitted.solution, at, key.value);
-            return delay.map_or(1.0, of);
-        }
-        self.stretches.recurrence(&fitted.solution, &item.unknowns(fitted))
+        // A delay has shifted the data, and only a remainder of it is fitted.
+        let delay = keys.first().filter(|_| item.hypothesis.moves_time());
+        let size = |k: usize| delay.map_or(fitted.solution.x[k], |delay| delay.value);
+        let own: Vec<(usize, f64)> = item.unknowns(fitted).into_iter().map(|k| (k, size(k))).collect();
+        self.stretches.recurrence(&fitted.solution, &own)
     }
 }
 

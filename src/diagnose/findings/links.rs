@@ -256,7 +256,6 @@ mod tests {
             gain: Paired { gain, error: 0.04, whole: true },
             causes: vec![cause("joint_elasticity", &[1], 0.7), cause("payload", &[], 0.3)],
             left_out: LeftOut::new(&[], &[]),
-            pushes: Vec::new(),
         };
         let capped = |rival: &Rival| {
             let mut link = cause("link_inertia_error", &[2], 0.95);

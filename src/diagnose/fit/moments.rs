@@ -621,49 +621,28 @@ impl Moments {
     /// Recurrence of a set of unknowns over the parts of the data. It is 1 if each part by itself,
     /// all else as found, gives them the size of the whole. It tends to 0 if parts give them other
     /// sizes, or none. `1 / (1 + s^2)`, `s` the deviation of the parts' factors from 1, each part
-    /// weighted by its information.
-    pub fn recurrence(&self, at: &Solution, own: &[usize]) -> f64 {
+    /// weighted by its information. `own`: each unknown with its size, which for a delay is larger
+    /// than the remainder that is fitted.
+    pub fn recurrence(&self, at: &Solution, own: &[(usize, f64)]) -> f64 {
         let (mut off, mut all) = (0.0, 0.0);
         for part in 0..self.parts() {
             let (mut information, mut pull) = (0.0, 0.0);
             for (joint, weight) in self.joints.iter().zip(&at.weights) {
                 let sums = &joint.parts[part];
-                let entry = |ours: bool| {
-                    let value = move |c: &usize| if own.contains(c) == ours { at.x[*c] } else { 0.0 };
-                    DVector::from_iterator(joint.columns.len(), joint.columns.iter().map(value))
+                let entries = |of: &dyn Fn(usize) -> f64| {
+                    DVector::from_iterator(joint.columns.len(), joint.columns.iter().map(|&c| of(c)))
                 };
-                let (ours, others) = (entry(true), entry(false));
-                let seen = &sums.gram * &ours;
-                information += weight * ours.dot(&seen);
-                pull += weight * (ours.dot(&sums.with_y) - others.dot(&seen));
-            }
-            if information > 0.0 {
-                off += (pull - information).powi(2) / information;
-                all += information;
-            }
-        }
-        recurring(off, all)
-    }
-
-    /// The same for one unknown that is the remainder of a larger `size`: of a delay, which has
-    /// shifted the data.
-    pub fn recurrence_of_remainder(&self, at: &Solution, own: usize, size: f64) -> f64 {
-        let (mut off, mut all) = (0.0, 0.0);
-        for part in 0..self.parts() {
-            let (mut information, mut pull) = (0.0, 0.0);
-            for (joint, weight) in self.joints.iter().zip(&at.weights) {
-                let Some(here) = joint.columns.iter().position(|&c| c == own) else { continue };
-                let sums = &joint.parts[part];
-                let found: f64 = joint.columns.iter().zip(sums.gram.row(here).iter()).map(|(&c, g)| g * at.x[c]).sum();
-                information += weight * sums.gram[(here, here)];
-                pull += weight * (sums.with_y[here] - found);
+                let fitted = entries(&|c| at.x[c]);
+                let ours = entries(&|c| own.iter().find(|(k, _)| *k == c).map_or(0.0, |(_, size)| *size));
+                information += weight * ours.dot(&(&sums.gram * &ours));
+                pull += weight * ours.dot(&(&sums.with_y - &sums.gram * fitted));
             }
             if information > 0.0 {
                 off += pull.powi(2) / information;
-                all += information * size.powi(2);
+                all += information;
             }
         }
-        recurring(off, all)
+        if all > 0.0 { 1.0 / (1.0 + off / all) } else { 0.0 }
     }
 
     /// Variance of each unknown from the scatter of the parts' gradients about their mean.
@@ -704,10 +683,4 @@ impl Moments {
         let solution = Solution { x, inverse: pseudo_inverse(&matrix), unlimited: None, ..at.clone() };
         (moments, solution)
     }
-}
-
-/// Recurrence from the squared deviations of parts from the whole, and the squared size of the whole,
-/// both weighted by information.
-fn recurring(off: f64, all: f64) -> f64 {
-    if all > 0.0 { 1.0 / (1.0 + off / all) } else { 0.0 }
 }

@@ -186,7 +186,7 @@ fn left_out(tested: &ModelUnderTest<'_>, chosen: &[Chosen], fitted: &Fitted) -> 
 mod tests {
     use super::*;
 
-    /// Joint 1 errs half as much with the body, joint 2 by 3 % less, joint 3 below its noise.
+    /// Joint 1 errs half as much with the body, joint 2 by 2.5 % less, joint 3 below its noise.
     #[test]
     fn a_body_counts_on_the_joints_that_it_improves() {
         let of = |squares: [f64; 3]| LeftOut::new(&[squares.to_vec(), squares.to_vec()], &vec![vec![1.0; 3]; 2]);

@@ -105,25 +105,13 @@ impl Measured {
     }
 
     /// Whether some joint's error between two times, s since a log began, is larger than elsewhere.
-    pub(in crate::diagnose) fn stands_out(&self, window: [f64; 2]) -> bool {
-        self.within(window).zip(&self.steady).any(|(part, usual)| part > STANDS_OUT * usual)
-    }
-
-    /// Whether the errors between two times, s since a log began, are smaller than those of another
-    /// model: over all joints, and by [`LESS_WITHIN`] on one.
-    pub(in crate::diagnose) fn errs_less_within(&self, other: &Self, window: [f64; 2]) -> bool {
-        let squares = |m: &Self| m.within(window).map(|e| e.powi(2).max(f64::MIN_POSITIVE)).collect::<Vec<f64>>();
-        let ratios: Vec<f64> = squares(self).iter().zip(squares(other)).map(|(own, other)| own / other).collect();
-        ratios.iter().map(|r| r.ln()).sum::<f64>() < 0.0 && ratios.iter().any(|r| *r < 1.0 - LESS_WITHIN)
-    }
-
-    /// Root mean square of each joint's error between two times, N m.
-    fn within(&self, [start, end]: [f64; 2]) -> impl Iterator<Item = f64> {
-        let inside = move |t: f64| (start..=end).contains(&t);
-        self.error.iter().map(move |error| {
+    pub(in crate::diagnose) fn stands_out(&self, [start, end]: [f64; 2]) -> bool {
+        let inside = |t: f64| (start..=end).contains(&t);
+        let larger = |(error, usual): (&Vec<f64>, &f64)| {
             let part: Vec<f64> = error.iter().zip(&self.time).filter(|(_, t)| inside(**t)).map(|(e, _)| *e).collect();
-            root_mean_square(&part)
-        })
+            root_mean_square(&part) > STANDS_OUT * usual
+        };
+        self.error.iter().zip(&self.steady).any(larger)
     }
 
     /// The figures without the series.
@@ -149,9 +137,6 @@ impl Measured {
 
 /// Ratio of a joint's error in a part of a log to that where it moves, above which it stands out.
 const STANDS_OUT: f64 = 1.5;
-
-/// Least share of a joint's squared error during a push that a model removes which has the push.
-const LESS_WITHIN: f64 = 0.25;
 
 /// Factor by which an error may grow in a part of a log.
 const WORSE_WITHIN: f64 = 1.2;

@@ -31,8 +31,6 @@ pub(in crate::diagnose) struct Rival {
     pub(in crate::diagnose) causes: Vec<Cause>,
     /// Its errors on left-out stretches.
     pub(in crate::diagnose) left_out: LeftOut,
-    /// Its pushes during which the model with other links errs more.
-    pub(in crate::diagnose) pushes: Vec<Cause>,
 }
 
 impl Rival {
@@ -125,9 +123,7 @@ impl<'a> Session<'a> {
         let refitted = model.tested.mode == Mode::Refitted;
         let other = others.iter().find(|m| refitted && m.tested.mode == Mode::Trusted)?;
         let gain = model.left_out.less(&other.left_out, self.ground);
-        let explains = |c: &&Cause| c.window().is_some_and(|w| other.after_fit.errs_less_within(&model.after_fit, w));
-        let pushes = other.causes.iter().filter(explains).cloned().collect();
-        Some(Rival { gain, causes: other.causes.clone(), left_out: other.left_out.clone(), pushes })
+        Some(Rival { gain, causes: other.causes.clone(), left_out: other.left_out.clone() })
     }
 
     /// The choice of the unchanged file, because the `best` other model does not pay beside it.
@@ -262,7 +258,6 @@ mod tests {
             gain: Paired { gain: 0.2, error: 0.1, whole: true },
             causes: vec![cause("torque_offset", &[2]), cause("payload", &[])],
             left_out: errors([4.0, 1.0]),
-            pushes: Vec::new(),
         };
         let offset = cause("torque_offset", &[2]);
         assert!(rival.suffices(&offset, &errors([1.0, 1.1])) && !rival.suffices(&offset, &errors([1.0, 0.9])));

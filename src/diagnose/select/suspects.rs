@@ -8,7 +8,6 @@
 use crate::diagnose::findings::calibration;
 use crate::diagnose::findings::result::Cause;
 use crate::diagnose::select::measure::Measured;
-use crate::diagnose::select::offer::Rival;
 use dh_codegen::robot::effects;
 
 /// Keeps the largest probability of each known cause, and adds new ones.
@@ -46,16 +45,9 @@ pub(in crate::diagnose) fn likelier(links: Vec<Cause>, suspects: &[Cause]) -> Ve
 }
 
 /// Drops suspected pushes where the offered model leaves no larger error than elsewhere on the
-/// fitted logs (`after_fit`): they were errors of a model that lacks its causes. A push of the
-/// `rival` remains if that model errs less during it.
-pub(in crate::diagnose) fn not_explained(
-    suspects: Vec<Cause>,
-    after_fit: &Measured,
-    rival: Option<&Rival>,
-) -> Vec<Cause> {
-    let of_rival = |s: &Cause| rival.is_some_and(|rival| rival.pushes.iter().any(|push| push.is(s)));
-    let left = |s: &Cause| s.window().is_none_or(|window| after_fit.stands_out(window)) || of_rival(s);
-    suspects.into_iter().filter(left).collect()
+/// fitted logs (`after_fit`): they were errors of a model that lacks its causes.
+pub(in crate::diagnose) fn not_explained(suspects: Vec<Cause>, after_fit: &Measured) -> Vec<Cause> {
+    suspects.into_iter().filter(|s| s.window().is_none_or(|window| after_fit.stands_out(window))).collect()
 }
 
 /// Adds the suspects that are likely enough to be named and not in the offered model. If one acts
@@ -129,7 +121,6 @@ pub(in crate::diagnose) fn without_neighbours(causes: &mut Vec<Cause>, joints: &
 mod tests {
     use super::*;
     use crate::diagnose::hypotheses::{Named, Quantity};
-    use crate::diagnose::select::model_choice::{LeftOut, Paired};
 
     fn cause(cause: &'static str, joints: &[usize], probability: f64) -> Cause {
         Cause { joints: joints.to_vec(), probability, on: "validate", ..Cause::blank(cause, "") }
@@ -187,28 +178,11 @@ mod tests {
             let keys = keys.into_iter().zip(window).map(|(key, at)| Named::new(key, at, None)).collect();
             Cause { keys, ..cause("external_contact", &[], 0.9) }
         };
-        let suspects = || vec![push([2.1, 2.9]), push([6.0, 7.0]), cause("payload", &[], 0.5)];
-        let left = not_explained(suspects(), &after, None);
+        let left = not_explained(vec![push([2.1, 2.9]), push([6.0, 7.0]), cause("payload", &[], 0.5)], &after);
         assert_eq!(
             left.iter().map(|c| (c.cause, c.window())).collect::<Vec<_>>(),
             [("external_contact", Some([2.1, 2.9])), ("payload", None)]
         );
-        // The file's links with the second push err less during it.
-        let gain = Paired { gain: 0.2, error: 0.1, whole: true };
-        let rival =
-            Rival { gain, causes: Vec::new(), left_out: LeftOut::new(&[], &[]), pushes: vec![push([6.0, 7.0])] };
-        assert_eq!(not_explained(suspects(), &after, Some(&rival)).len(), 3);
-    }
-
-    #[test]
-    fn a_push_explains_what_other_links_leave_during_it() {
-        let of = |inside: f64, other: f64| {
-            let error = |k: usize| if (200..300).contains(&k) { inside } else { other };
-            Measured::made(vec![(0..1000).map(error).collect()], vec![vec![true; 1000]])
-        };
-        let (with, links) = (of(0.2, 0.3), of(0.25, 0.1));
-        assert!(with.errs_less_within(&links, [2.0, 2.99]) && !with.errs_less_within(&links, [6.0, 7.0]));
-        assert!(!of(0.23, 0.1).errs_less_within(&links, [2.0, 2.99]), "less than a quarter");
     }
 
     #[test]

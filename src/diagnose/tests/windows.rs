@@ -332,7 +332,7 @@ fn a_size_that_changes_recurs_less() {
         let all = [y, vec![0.0; scene.len]];
         let moments = Moments::new(&scene, &scene.block, &all, &columns.iter().collect::<Vec<&Column>>());
         let found = moments.at(&moments.solve(None), DVector::from_vec(vec![2.0, 3.0]));
-        let recurs = moments.recurrence(&found, &[0]);
+        let recurs = moments.recurrence(&found, &[(0, 2.0)]);
         assert!((recurs - wanted).abs() < 1e-9, "{off}: {recurs} {wanted}");
         // A delay of that size has shifted the data: none of it is left.
         let rest = (0..scene.len).map(|w| all[0][w] - 2.0 * a[w]).collect();
@@ -343,7 +343,7 @@ fn a_size_that_changes_recurs_less() {
             &columns.iter().collect::<Vec<&Column>>(),
         );
         let found = shifted.at(&shifted.solve(None), DVector::from_vec(vec![0.0, 3.0]));
-        let recurs = shifted.recurrence_of_remainder(&found, 0, 2.0);
+        let recurs = shifted.recurrence(&found, &[(0, 2.0)]);
         assert!((recurs - wanted).abs() < 1e-9, "{off}: {recurs} {wanted}");
     }
     assert!((0..BLOCKS).all(|part| scene.block.contains(&part)));
