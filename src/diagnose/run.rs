@@ -261,7 +261,8 @@ fn named<'a>(
         true => here_and_there(&model.after_fit, session.noise),
         false => left,
     };
-    let suspects = if causes.is_empty() { suspects } else { not_explained(suspects, &model.after_fit) };
+    let shown = |s: &Cause| rival.is_some_and(|rival| rival.suffices(s, &model.left_out));
+    let suspects = if causes.is_empty() { suspects } else { not_explained(suspects, &model.after_fit, shown) };
     if !causes.is_empty() || !left.is_empty() {
         name(&mut causes, suspects);
     }

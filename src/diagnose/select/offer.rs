@@ -36,10 +36,22 @@ pub(in crate::diagnose) struct Rival {
 impl Rival {
     /// Whether this model has a cause of single joints, and predicts each of them at least as well
     /// as one with the errors `other`. Other links then explain nothing there that the cause does not.
+    /// A push counts on the joints that it eases: links that were fitted to it seem to explain it,
+    /// but not where they are fitted to other stretches.
     pub(in crate::diagnose) fn suffices(&self, cause: &Cause, other: &LeftOut) -> bool {
+        let joints = if cause.window().is_some() { eased(cause) } else { cause.joints.clone() };
         let as_well = |j: &usize| self.left_out.joint_rms(j - 1) <= other.joint_rms(j - 1);
-        !cause.joints.is_empty() && cause.joints.iter().all(as_well) && self.causes.iter().any(|c| c.is(cause))
+        !joints.is_empty() && joints.iter().all(as_well) && self.causes.iter().any(|c| c.is(cause))
     }
+}
+
+/// Least share of a joint's squared error that a push removes from a joint that it eases.
+const EASED: f64 = 0.25;
+
+/// Joints, from 1, on which a push explains a considerable part of the error.
+fn eased(push: &Cause) -> Vec<usize> {
+    let pairs = push.rms_before.iter().zip(&push.rms_after).enumerate();
+    pairs.filter(|(_, (before, after))| after.powi(2) < (1.0 - EASED) * before.powi(2)).map(|(j, _)| j + 1).collect()
 }
 
 /// Which of the nested models this one is.
@@ -248,6 +260,8 @@ impl<'a> Session<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::diagnose::hypotheses::Named;
+    use dh_codegen::robot::effects;
 
     /// The file's links with an offset of joint 2 predict that joint better than other links do.
     #[test]
@@ -263,5 +277,23 @@ mod tests {
         assert!(rival.suffices(&offset, &errors([1.0, 1.1])) && !rival.suffices(&offset, &errors([1.0, 0.9])));
         assert!(!rival.suffices(&cause("viscous_friction", &[2]), &errors([1.0, 1.1])), "not in that model");
         assert!(!rival.suffices(&cause("payload", &[]), &errors([9.0, 9.0])), "no joint of its own");
+    }
+
+    /// A push that eases joint 2 stands where other links predict that joint worse.
+    #[test]
+    fn other_links_hide_no_push_that_they_do_not_predict() {
+        let errors = |squares: [f64; 2]| LeftOut::new(&[squares.to_vec()], &[vec![1.0; 2]]);
+        let keys = [(effects::ExternalContact::START, 1.0), (effects::ExternalContact::END, 2.0)];
+        let push = |rms_after: [f64; 2]| Cause {
+            keys: keys.map(|(key, at)| Named::new(key, at, None)).to_vec(),
+            rms_before: vec![2.0, 2.0],
+            rms_after: rms_after.to_vec(),
+            ..Cause::blank(effects::ExternalContact::NAME, "")
+        };
+        let gain = Paired { gain: 0.2, error: 0.1, whole: true };
+        let rival = Rival { gain, causes: vec![push([1.9, 1.0])], left_out: errors([4.0, 1.0]) };
+        assert!(rival.suffices(&push([1.9, 1.0]), &errors([1.0, 1.1])));
+        assert!(!rival.suffices(&push([1.9, 1.0]), &errors([1.0, 0.9])), "other links predict joint 2 better");
+        assert!(!rival.suffices(&push([1.9, 1.8]), &errors([9.0, 9.0])), "it eases no joint");
     }
 }

@@ -45,9 +45,15 @@ pub(in crate::diagnose) fn likelier(links: Vec<Cause>, suspects: &[Cause]) -> Ve
 }
 
 /// Drops suspected pushes where the offered model leaves no larger error than elsewhere on the
-/// fitted logs (`after_fit`): they were errors of a model that lacks its causes.
-pub(in crate::diagnose) fn not_explained(suspects: Vec<Cause>, after_fit: &Measured) -> Vec<Cause> {
-    suspects.into_iter().filter(|s| s.window().is_none_or(|window| after_fit.stands_out(window))).collect()
+/// fitted logs (`after_fit`): they were errors of a model that lacks its causes. Those that are
+/// `shown` nevertheless stay.
+pub(in crate::diagnose) fn not_explained(
+    suspects: Vec<Cause>,
+    after_fit: &Measured,
+    shown: impl Fn(&Cause) -> bool,
+) -> Vec<Cause> {
+    let left = |s: &Cause| s.window().is_none_or(|window| after_fit.stands_out(window)) || shown(s);
+    suspects.into_iter().filter(left).collect()
 }
 
 /// Adds the suspects that are likely enough to be named and not in the offered model. If one acts
@@ -178,11 +184,13 @@ mod tests {
             let keys = keys.into_iter().zip(window).map(|(key, at)| Named::new(key, at, None)).collect();
             Cause { keys, ..cause("external_contact", &[], 0.9) }
         };
-        let left = not_explained(vec![push([2.1, 2.9]), push([6.0, 7.0]), cause("payload", &[], 0.5)], &after);
+        let suspects = || vec![push([2.1, 2.9]), push([6.0, 7.0]), cause("payload", &[], 0.5)];
+        let left = not_explained(suspects(), &after, |_| false);
         assert_eq!(
             left.iter().map(|c| (c.cause, c.window())).collect::<Vec<_>>(),
             [("external_contact", Some([2.1, 2.9])), ("payload", None)]
         );
+        assert_eq!(not_explained(suspects(), &after, |_| true).len(), 3);
     }
 
     #[test]
