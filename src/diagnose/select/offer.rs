@@ -3,7 +3,7 @@
 
 use super::contenders::Refit;
 use super::excess::WORSE;
-use super::measure::taken_of;
+use super::measure::{taken_of, takes};
 use super::model_choice::{LeftOut, Paired};
 use super::refine_and_select::{Selected, Session};
 use crate::diagnose::findings::evidence;
@@ -51,7 +51,7 @@ const EASED: f64 = 0.25;
 /// Joints, from 1, on which a push explains a considerable part of the error.
 fn eased(push: &Cause) -> Vec<usize> {
     let pairs = push.rms_before.iter().zip(&push.rms_after).enumerate();
-    pairs.filter(|(_, (before, after))| after.powi(2) < (1.0 - EASED) * before.powi(2)).map(|(j, _)| j + 1).collect()
+    pairs.filter(|(_, (before, after))| takes(&[**before], &[**after], EASED)).map(|(j, _)| j + 1).collect()
 }
 
 /// Which of the nested models this one is.
