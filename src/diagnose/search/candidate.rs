@@ -188,7 +188,7 @@ const PAYLOAD_ODDS: f64 = 4.0;
 fn payload_first(all: &mut [Candidate], memory: f64) {
     let is = |c: &Candidate, effect: EffectKind| c.cause.effect() == effect;
     let Some(best) = all.first().filter(|c| is(c, EffectKind::LinkInertiaError)) else { return };
-    let least = best.score - PAYLOAD_ODDS * memory.max(1.0);
+    let least = best.score - 2.0 * PAYLOAD_ODDS * memory.max(1.0);
     if let Some(at) = all.iter().position(|c| is(c, EffectKind::Payload) && c.score > least) {
         all[..=at].rotate_right(1);
     }
