@@ -421,7 +421,7 @@ fn effects_of_the_file_are_taken_as_known() {
         dh_codegen::robot::effects::JointSpring { stiffness: Some(12.0), rest: Some(0.0), ..Default::default() };
     robot.joints[1].drive.effects.push(spring.into());
     let robot = file(&folder, "robot.yaml", robot.to_yaml());
-    let log = file(&folder, "log.csv", sprung(record(12, 31), 12.0));
+    let log = file(&folder, "log.csv", sprung(record(12, 31), 2, 12.0));
     let out = folder.join("out.yaml").display().to_string();
     let said = json(&["identify", &robot, &log, "--out", &out, "--json", "-"]);
     assert!(said["warnings"].to_string().contains("taken as known: joint_spring of joint 2"), "{}", said["warnings"]);
@@ -446,12 +446,12 @@ fn effects_of_the_file_are_taken_as_known() {
     assert!(run.out.contains("not used: base_tilt"), "{}{}", run.out, run.err);
 }
 
-/// The log with the torque of a spring on joint 2 added.
-fn sprung(log: String, stiffness: f64) -> String {
+/// The log with the torque of a spring on a joint added.
+fn sprung(log: String, joint: usize, stiffness: f64) -> String {
     let mut lines = log.lines();
     let header = lines.next().unwrap();
     let names: Vec<&str> = header.split(',').collect();
-    let [q, tau] = ["q2", "tau2"].map(|name| names.iter().position(|n| *n == name).unwrap());
+    let [q, tau] = ["q", "tau"].map(|name| names.iter().position(|n| *n == format!("{name}{joint}")).unwrap());
     let rows = lines.map(|line| {
         let mut cells: Vec<f64> = line.split(',').map(|cell| cell.parse().unwrap()).collect();
         cells[tau] += stiffness * cells[q];
@@ -472,6 +472,28 @@ fn exchanged_torque_columns_are_named_and_no_negation_is_advised() {
     let words = "the torque of joint 2 stands in `tau4`, the torque of joint 4 stands in `tau2`";
     assert!(run.out.contains(words), "{}{}", run.out, run.err);
     assert!(!run.out.contains("negate"), "{}", run.out);
+}
+
+/// Positions of joints 2 and 4 exchanged; as recorded, a cable that is most of joint 1's torque is
+/// no other order.
+#[test]
+fn exchanged_position_columns_are_named() {
+    let folder = folder("identify-positions");
+    let log = record(12, 41);
+    let (header, rows) = log.split_once('\n').unwrap();
+    let exchanged = ["q2", "q4", "dq2", "dq4"]
+        .iter()
+        .fold(format!(",{header},"), |header, name| header.replace(&format!(",{name},"), &format!(",{name}?,")));
+    let exchanged = [("q2", "q4"), ("q4", "q2"), ("dq2", "dq4"), ("dq4", "dq2")]
+        .iter()
+        .fold(exchanged, |header, (old, new)| header.replace(&format!("{old}?"), new));
+    let exchanged = file(&folder, "exchanged.csv", format!("{}\n{rows}", exchanged.trim_matches(',')));
+    let words = "the position of joint 2 stands in `q4`, the position of joint 4 stands in `q2`";
+    let run = denavit(&["identify", ROBOT, &exchanged]);
+    assert!(format!("{}{}", run.out, run.err).contains(words), "{}{}", run.out, run.err);
+    let sprung = file(&folder, "sprung.csv", sprung(log, 1, 60.0));
+    let run = denavit(&["identify", ROBOT, &sprung, "--consistent=never"]);
+    assert!(!format!("{}{}", run.out, run.err).contains("stands in"), "{}{}", run.out, run.err);
 }
 
 #[test]

@@ -186,7 +186,8 @@ impl<'a> TorqueColumns<'a> {
                 let joints = (0..n).filter(|&j| order.columns[j] != j).map(|j| j + 1).collect();
                 return Some(finding(Explanation::PositionsOrTorques { joints }, recorded, order.left));
             }
-            if far_better(order.left, order.recorded, signs) && !(torques && left < order.left) {
+            let far = order.shows_on_several() && far_better(order.left, order.recorded, signs);
+            if far && !(torques && left < order.left) {
                 let columns = order.columns.iter().map(|c| c + 1).collect();
                 return Some(finding(Explanation::Positions { columns }, order.recorded, order.left));
             }
@@ -223,22 +224,36 @@ impl<'a> TorqueColumns<'a> {
     /// Residual share of the torques (root mean square, joints equally weighted). `samples`: number
     /// of samples in the factors.
     fn unexplained(&self, factors: &[RFactor], samples: usize, reading: &Reading, reference: Reference<'_>) -> f64 {
+        self.unexplained_beside(None, (factors, samples), reading, reference)
+    }
+
+    /// The same over all joints but one. `factors`, with the number of samples in them.
+    fn unexplained_beside(
+        &self,
+        joint: Option<usize>,
+        (factors, samples): (&[RFactor], usize),
+        reading: &Reading,
+        reference: Reference<'_>,
+    ) -> f64 {
         match reference {
-            Reference::Fit => self.left_by_fit(factors, samples, reading),
+            Reference::Fit => self.left_by_fit(joint, (factors, samples), reading),
             Reference::Model(beta) => {
-                let squares = (0..self.arm.dof())
-                    .map(|j| self.left_by_model(factors, beta, j, reading.column[j], reading.negated[j]));
-                (squares.sum::<f64>() / self.arm.dof() as f64).sqrt()
+                let of = |j: usize| self.left_by_model(factors, beta, j, reading.column[j], reading.negated[j]);
+                let squares: Vec<f64> = (0..self.arm.dof()).filter(|j| joint != Some(*j)).map(of).collect();
+                (squares.iter().sum::<f64>() / squares.len().max(1) as f64).sqrt()
             }
         }
     }
 
-    fn left_by_fit(&self, factors: &[RFactor], samples: usize, reading: &Reading) -> f64 {
+    fn left_by_fit(&self, without: Option<usize>, (factors, samples): (&[RFactor], usize), reading: &Reading) -> f64 {
         let systems: Vec<JointSystem> = (0..self.arm.dof())
             .map(|j| self.system(&factors[j], samples, j, (reading.column[j], reading.negated[j])))
             .collect();
-        let scale: Vec<f64> =
-            systems.iter().map(|s| if s.torque_rms > 0.0 { s.torque_rms.recip() } else { 0.0 }).collect();
+        let scale = |(j, s): (usize, &JointSystem)| match s.torque_rms {
+            rms if rms > 0.0 && without != Some(j) => rms.recip(),
+            _ => 0.0,
+        };
+        let scale: Vec<f64> = systems.iter().enumerate().map(scale).collect();
         let parameters = self.arm.base_parameters().len();
         let active: Vec<usize> = (0..parameters).collect();
         let triangle = stacked(&systems, &scale, &active, parameters);
