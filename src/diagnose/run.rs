@@ -332,8 +332,21 @@ fn once(
     // Unit of a gain: the noise, or a fiftieth of the torque where the noise is less.
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
     let file = &baseline.moving.clone()[..];
-    let session =
-        Session { plant, fit, validate, own_validation, noise, motion, file, ground, scale, rate, settings, progress };
+    let session = Session {
+        plant,
+        fit,
+        validate,
+        own_validation,
+        noise,
+        motion,
+        file,
+        refit: &refit.errors,
+        ground,
+        scale,
+        rate,
+        settings,
+        progress,
+    };
     let Searched { models, said, suspects } = session.models(has_links.then_some(&file_out), &refit, &torque_rms)?;
     let Choice { offered, mut why, changed, file_holds, model, rival } = session.choose(models, &file_out, &refit)?;
     why.extend(said);
@@ -357,7 +370,7 @@ fn once(
         budget: budget.of_errors(&extended.moving),
         torque_rms: torque_rms.clone(),
         baseline,
-        refitted: refit.errors,
+        refitted: refit.errors.clone(),
         extended,
         has_links: has_values(plant),
         transmission: !plant.has_bodies(),

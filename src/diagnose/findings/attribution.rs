@@ -60,10 +60,10 @@ impl Attribution<'_> {
         let support =
             accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, &item.friction), |a| a.support);
         let recurrence = self.recurrence(item, &keys);
-        let counted = shares.far.map_or(part, |far| 0.5 * (part + far));
+        let counted = shares.far.map_or(part, |far| 0.5 * (part + far)).min(shares.beside_levels.unwrap_or(1.0));
         let confirmed = on != "fit" && part > SHOWN || item.hypothesis.local() || shares.recurs_far();
         let rivals = confusable(tested, item, accepted, plain_rivals);
-        let refuted = self.refutation(item, accepted, (part, on), shares.worse);
+        let refuted = self.refutation(item, accepted, (part, on), shares);
         let features = Features { support, margin, share: counted, recurrence, confirmed };
         Cause {
             cause: item.hypothesis.name(),
@@ -104,20 +104,22 @@ impl Attribution<'_> {
 
 impl Attribution<'_> {
     /// What refutes a cause, from the share (`part`) of its joints' error that it removes `on` some
-    /// data, and whether its joint is `worse` there than with the unchanged file.
+    /// data, whether its joint is worse there than with the unchanged file, and whether it removes
+    /// next to nothing there.
     fn refutation(
         &self,
         item: &Item,
         accepted: Option<&Accepted>,
         (part, on): (f64, &str),
-        worse: bool,
+        Shares { worse, nothing, .. }: Shares,
     ) -> Option<Refutation> {
         let throughout = !item.hypothesis.local();
         // Beside the other causes, its own joint may err as much without it on the fitted data, too.
         let in_a_gear = item.hypothesis.kind() == Kind::Transmission;
         match on {
             "fit" if throughout && in_a_gear && part < SHOWN => Some(Refutation::OwnJoints),
-            on if throughout && on != "fit" && (part < REFUTED || worse) => Some(Refutation::OtherData),
+            "fit" if throughout && nothing => Some(Refutation::OwnJoints),
+            on if throughout && on != "fit" && (part < REFUTED || worse || nothing) => Some(Refutation::OtherData),
             _ => self.implausible_size(accepted),
         }
     }

@@ -24,6 +24,12 @@ impl Item {
         friction.chain(own).collect()
     }
 
+    /// A law of friction without the plain levels that belong to it; `None` if it has none.
+    pub(in crate::diagnose) fn law_alone(&self) -> Option<Self> {
+        let law = self.accepted.is_some() && self.hypothesis.kind() == Kind::Friction && !self.friction.is_empty();
+        law.then(|| Self { friction: Vec::new(), place: self.place.clone(), ..*self })
+    }
+
     /// The causes of the model without its own.
     pub(in crate::diagnose) fn others(&self, chosen: &[Chosen]) -> Vec<Chosen> {
         chosen.iter().enumerate().filter(|(i, _)| self.accepted != Some(*i)).map(|(_, c)| c.clone()).collect()
@@ -77,8 +83,12 @@ pub(in crate::diagnose) fn items(tested: &ModelUnderTest<'_>, accepted: &[Accept
 /// levels that differ by direction.
 pub(in crate::diagnose) const BESIDE: f64 = 0.15;
 
+/// Largest ratio of an offset to a level for both to be reported as levels that differ by
+/// direction. The larger of the two levels is then five times the smaller one.
+const MOST_APART: f64 = 2.0 / 3.0;
+
 /// Merges a changed Coulomb level and an offset on one joint into one cause with as many unknowns:
-/// levels that differ with the direction. Applied if both levels remain friction.
+/// levels that differ with the direction, if friction can differ by so much.
 pub(in crate::diagnose) fn one_for_two(
     mut items: Vec<Item>,
     tested: &ModelUnderTest<'_>,
@@ -92,7 +102,7 @@ pub(in crate::diagnose) fn one_for_two(
         };
         let (Some((level_at, level)), Some((offset_at, offset))) = (plain(1), plain(2)) else { continue };
         let (small, large) = (level.abs().min(offset.abs()), level.abs().max(offset.abs()));
-        if small < BESIDE * large || offset.abs() > given[1].unwrap_or(0.0) + level {
+        if small < BESIDE * large || offset.abs() > MOST_APART * (given[1].unwrap_or(0.0) + level) {
             continue;
         }
         items[level_at] = Item {

@@ -24,8 +24,13 @@ pub(in crate::diagnose) struct Shares {
     /// Not a share: ratio of the cause's size on the validating logs to that on the fitted logs,
     /// see [`Without::repeats`].
     pub(in crate::diagnose) repeats: Option<f64>,
+    /// For a law of friction with changed plain levels: the share that it removes beside levels that
+    /// are fitted without it.
+    pub(in crate::diagnose) beside_levels: Option<f64>,
     /// Not a share: whether the validating logs are missed by more than with the unchanged file.
     pub(in crate::diagnose) worse: bool,
+    /// Not a share: whether it removes next to nothing, see [`Without::is_nothing`].
+    pub(in crate::diagnose) nothing: bool,
 }
 
 /// Range of the ratio of a cause's sizes in two recordings within which they agree.
@@ -58,12 +63,30 @@ pub(in crate::diagnose) struct Without {
     /// its size on the fitted logs; `None` where those logs cannot show it. An error of something
     /// else makes the share small and leaves this ratio at 1.
     pub(in crate::diagnose) repeats: Option<f64>,
+    /// See [`Shares::beside_levels`].
+    beside_levels: Option<f64>,
 }
+
+/// Squared error that a cause removes, relative to that of a plain refit, below which it is next to
+/// nothing. An error of a fifth of the refit's RMS has twice as much.
+const NOTHING: f64 = 0.02;
 
 impl Without {
     /// Shares of its joint's error that the cause removes by other measures: see [`Shares`].
     pub(in crate::diagnose) fn shares(&self) -> Shares {
-        Shares { within: self.within, far: self.far_share, repeats: self.repeats, worse: false }
+        let Self { within, far_share: far, repeats, beside_levels, .. } = *self;
+        Shares { within, far, repeats, beside_levels, worse: false, nothing: false }
+    }
+
+    /// Whether the model `with` the cause removes, where the joints of its place move, next to
+    /// nothing of the error of a plain `refit`, and perhaps nothing at all.
+    pub(in crate::diagnose) fn is_nothing(&self, with: &Figures, refit: &[f64], place: &[usize]) -> bool {
+        let small = |j: usize| {
+            let gain = self.measured.steady[j].powi(2) - with.steady[j].powi(2);
+            gain < NOTHING * refit[j].powi(2)
+        };
+        let own = |j: &usize| place.is_empty() || place.contains(j);
+        self.may_be_chance() && (0..refit.len()).filter(own).all(small)
     }
 
     /// Errors where joints move. On joints that differ between the logs, those of the model `with`
@@ -144,6 +167,10 @@ impl<'a> Beside<'_, 'a> {
         let Session { plant, fit, noise, own_validation, .. } = *self.session;
         let (meter, with) = if near { (&mut self.near, self.after_fit) } else { (&mut self.far, self.after) };
         let measured = leave_out(plant, fit, meter, tested, chosen, item, !near);
+        let beside_levels = item.law_alone().map(|law| {
+            let levels = leave_out(plant, fit, meter, tested, chosen, &law, !near);
+            share(&levels.steady, &with.steady, noise, &item.place)
+        });
         let apart = |j: usize| {
             let both = self.after.steady[j].min(measured.steady[j]);
             own_validation && !near && both > CHANGED * self.after_fit.steady[j].max(EXCESS * noise[j])
@@ -158,6 +185,34 @@ impl<'a> Beside<'_, 'a> {
             Some(span) => bootstrap_within(span, &measured, with),
             None => bootstrap(&measured, with, &item.place),
         };
-        Without { interval, measured: measured.figures(), within, spoils, near, apart, far_share: None, repeats }
+        let measured = measured.figures();
+        Without { interval, measured, within, spoils, near, apart, far_share: None, repeats, beside_levels }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Errors of the model without a cause, and the ends of the interval of what it removes.
+    fn without(steady: [f64; 2], interval: [f64; 2]) -> Without {
+        let measured = Figures { rms: steady.to_vec(), steady: steady.to_vec() };
+        let (within, far_share, repeats, beside_levels) = (None, None, None, None);
+        let apart = vec![false; 2];
+        Without { measured, interval, within, spoils: false, near: false, apart, far_share, repeats, beside_levels }
+    }
+
+    /// A joint's error falls from 0.030 to 0.025 N m where a plain refit misses it by 0.2: that is
+    /// nothing, unless the data surely show it, or the refit predicts as well.
+    #[test]
+    fn what_may_be_chance_and_is_small_is_nothing() {
+        let with = |second: f64| Figures { rms: vec![0.025, second], steady: vec![0.025, second] };
+        let chance = without([0.030, 0.5], [-0.1, 0.6]);
+        assert!(chance.is_nothing(&with(0.5), &[0.2, 1.0], &[0]));
+        assert!(!without([0.030, 0.5], [0.1, 0.6]).is_nothing(&with(0.5), &[0.2, 1.0], &[0]));
+        assert!(!chance.is_nothing(&with(0.5), &[0.1, 1.0], &[0]));
+        // One of the robot's joints gains a quarter of the refit's squared error.
+        assert!(!chance.is_nothing(&with(0.0), &[0.2, 1.0], &[]));
+        assert!(chance.is_nothing(&with(0.0), &[0.2, 1.0], &[0]), "of its own joints");
     }
 }

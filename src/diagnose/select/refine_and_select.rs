@@ -9,7 +9,7 @@ use super::suspects::beside_the_rest;
 use crate::diagnose::findings::attribution::Attribution;
 use crate::diagnose::findings::calibration;
 use crate::diagnose::findings::reported_cause::{Item, items, place_of};
-use crate::diagnose::findings::result::{Cause, Refutation};
+use crate::diagnose::findings::result::{Cause, Errors, Refutation};
 use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
 use crate::diagnose::fit::uncertainty::Uncertainty;
 use crate::diagnose::run::Settings;
@@ -35,6 +35,8 @@ pub(in crate::diagnose) struct Session<'a> {
     pub(in crate::diagnose) motion: &'a [f64],
     /// Error of the unchanged file on the validating logs where joints move, per joint, N m.
     pub(in crate::diagnose) file: &'a [f64],
+    /// Errors of a plain refit.
+    pub(in crate::diagnose) refit: &'a Errors,
     /// Error below which a better prediction does not count, per joint, N m.
     pub(in crate::diagnose) ground: &'a [f64],
     /// Unit of a gain, per joint, N m.
@@ -69,6 +71,14 @@ fn unlikely(causes: &[Cause]) -> Vec<usize> {
     }
     let least = below(calibration::NAMED).min_by(|&a, &b| causes[a].probability.total_cmp(&causes[b].probability));
     least.into_iter().collect()
+}
+
+/// The causes to remove of those that do not hold. If a likely one among them acts throughout, those
+/// that are unlikely go first, because they may spoil what it predicts.
+fn unlikely_first(failed: Vec<usize>, causes: &[Cause]) -> Vec<usize> {
+    let others = unlikely(causes);
+    let likely = |c: &Cause| c.probability >= calibration::NAMED && c.window().is_none();
+    if failed.iter().any(|&i| likely(&causes[i])) && !others.is_empty() { others } else { failed }
 }
 
 /// A sentence on a cause that is too unlikely to be named; `None` if it is named.
@@ -305,8 +315,12 @@ impl<'a> Session<'a> {
             .iter()
             .zip(&others)
             .map(|(item, other)| {
-                let (with, on) = if other.near { (&here, "fit") } else { (&there, "validate") };
-                let shares = Shares { worse: worse(item), ..other.shares() };
+                let (with, on, refit) = match other.near {
+                    true => (&here, "fit", &self.refit.fit),
+                    false => (&there, "validate", &self.refit.moving),
+                };
+                let nothing = other.is_nothing(with, refit, &item.place);
+                let shares = Shares { worse: worse(item), nothing, ..other.shares() };
                 weighing.attribute(item, [&other.measured, with], shares, other.interval, on)
             })
             .collect();
@@ -342,7 +356,7 @@ impl<'a> Session<'a> {
                     vec![weakest]
                 }
                 None if failed.is_empty() => unlikely(&causes),
-                None => failed,
+                None => unlikely_first(failed, &causes),
             };
             if failed.is_empty() || round >= MOST_ROUNDS {
                 break (after, after_fit, causes);
@@ -368,6 +382,19 @@ mod tests {
     use super::*;
     use crate::diagnose::hypotheses::hypothesis;
     use dh_codegen::robot::EffectKind;
+
+    /// A likely cause that fails may do so because of an unlikely one.
+    #[test]
+    fn unlikely_causes_go_before_a_likely_one_that_fails() {
+        let of = |probabilities: [f64; 3]| {
+            let causes = probabilities.map(|probability| Cause { probability, ..Cause::blank("payload", "") });
+            unlikely_first(vec![0], &causes)
+        };
+        assert_eq!(of([0.9, 0.1, 0.15]), [1, 2]);
+        assert_eq!(of([0.9, 0.4, 0.3]), [2]);
+        assert_eq!(of([0.9, 0.6, 0.7]), [0]);
+        assert_eq!(of([0.4, 0.1, 0.7]), [0], "an unlikely one that fails");
+    }
 
     #[test]
     fn a_cause_that_is_not_named_has_its_reason() {

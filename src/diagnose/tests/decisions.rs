@@ -6,6 +6,7 @@ use nalgebra::DMatrix;
 use super::columns::{PERIOD, recording};
 use super::mechanisms::{Bodies, bare, planar};
 use crate::diagnose::Recording;
+use crate::diagnose::findings::reported_cause::{Item, items};
 use crate::diagnose::fit::model::{Chosen, Mode, ModelUnderTest};
 use crate::diagnose::fit::moments::Gain;
 use crate::diagnose::fit::regulariser::Regulariser;
@@ -21,7 +22,7 @@ use crate::diagnose::search::judge::{Accepted, Judge, bearable, confirmation};
 use crate::diagnose::search::levels_instead::levels_instead;
 use crate::diagnose::select::beside::share_within;
 use crate::diagnose::select::beside_other_links::worth;
-use crate::diagnose::select::measure::Meter;
+use crate::diagnose::select::measure::{Meter, leave_out, share};
 use crate::diagnose::windows::recording::Stretch;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::perturbable_robot::PerturbableRobot;
@@ -378,6 +379,59 @@ fn levels_are_the_friction_beside_a_difference_by_direction() {
     };
     assert_eq!(of(false), (1, vec![false; 2], vec![0.75]));
     assert_eq!(of(true), (2, vec![true; 2], vec![0.5; 2]));
+}
+
+/// A law of friction by position has no part in what the plain levels explain that changed with it.
+#[test]
+fn a_law_is_measured_beside_its_levels() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let Stretch { states, .. } = recording().stretches.remove(0);
+    let (q, v) = (&states.q, &states.dq);
+    let of = |law: f64| {
+        let more = |j: usize, k: usize| match j {
+            0 => (1.0 + law * (2.0 * q[k]).cos()) * v[k].signum() + 0.5 * v[k],
+            _ => 0.0,
+        };
+        let recordings = made([0.05; 2], 6, &more);
+        let mut tested = tested(&plant, &recordings);
+        let all = [chosen(EffectKind::PositionDependentFriction, &[0], &[2.0])];
+        let mut trial = all.clone();
+        let fitted = tested.fit(&mut trial);
+        let mut meter = Meter::new(&plant, &recordings, &tested);
+        let with = meter.of(&tested, &fitted, &trial, false).steady;
+        let item = Item { hypothesis: all[0].cause, place: vec![0], accepted: Some(0), friction: vec![0, 1] };
+        [Some(&item), item.law_alone().as_ref()].map(|item| {
+            let without = leave_out(&plant, &recordings, &mut meter, &mut tested, &trial, item.unwrap(), false);
+            share(&without.steady, &with, &[0.05; 2], &[0])
+        })
+    };
+    let [whole, alone] = of(0.02);
+    assert!(whole > 0.9 && alone < 0.2, "{whole} {alone}");
+    let [whole, alone] = of(0.6);
+    assert!(whole > 0.9 && alone > 0.8, "{whole} {alone}");
+}
+
+/// A level and an offset are levels that differ by direction, unless they differ by too much to be
+/// friction of one gear.
+#[test]
+fn friction_of_one_direction_is_at_most_five_times_the_other() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let dry = robot.joints[0].drive.coulomb_friction.unwrap();
+    let of = |ratio: f64| {
+        let more = |j: usize, k: usize| match j {
+            0 => (1.0 - dry) * recording().stretches[0].states.dq[k].signum() + ratio,
+            _ => 0.0,
+        };
+        let recordings = made([0.02; 2], 7, &more);
+        let mut tested = tested(&plant, &recordings);
+        let fitted = tested.fit(&mut []);
+        let here = items(&tested, &[], &fitted).into_iter().filter(|i| i.place == [0] && i.friction != [0]);
+        here.map(|i| i.hypothesis.name()).collect::<Vec<_>>()
+    };
+    assert_eq!(of(0.6), ["asymmetric_friction"]);
+    assert_eq!(of(0.75), ["coulomb_friction", "torque_offset"]);
 }
 
 /// Changes beyond the file's values are reported as totals, under the names of the file.
