@@ -48,7 +48,7 @@ impl Settings {
     }
 
     /// Windows per second of these logs. At twice the window length reversals are still resolved.
-    fn rate_of(&self, recordings: &[Recording]) -> f64 {
+    pub(in crate::diagnose) fn rate_of(&self, recordings: &[Recording]) -> f64 {
         let seconds: f64 = recordings.iter().map(Recording::seconds).sum();
         self.rate.unwrap_or_else(|| (RATE * LONG / seconds.max(LONG)).max(0.5 * RATE))
     }
@@ -331,22 +331,9 @@ fn once(
 
     // Unit of a gain: the noise, or a fiftieth of the torque where the noise is less.
     let scale: &[f64] = &noise.iter().zip(&torque_rms).map(|(s, t)| s.hypot(0.02 * t)).collect::<Vec<f64>>();
-    let file = &baseline.moving.clone()[..];
-    let session = Session {
-        plant,
-        fit,
-        validate,
-        own_validation,
-        noise,
-        motion,
-        file,
-        refit: &refit.errors,
-        ground,
-        scale,
-        rate,
-        settings,
-        progress,
-    };
+    let (file, plain) = (&baseline.moving.clone()[..], &refit.errors);
+    let session =
+        Session { plant, fit, validate, own_validation, noise, motion, file, plain, ground, scale, settings, progress };
     let Searched { models, said, suspects } = session.models(has_links.then_some(&file_out), &refit, &torque_rms)?;
     let Choice { offered, mut why, changed, file_holds, model, rival } = session.choose(models, &file_out, &refit)?;
     why.extend(said);

@@ -55,7 +55,7 @@ impl Session<'_> {
         }
         // Fit the file's links with all other causes.
         let delays = &model.tested.scene.delays;
-        let mut believed = ModelUnderTest::new(self.plant, self.fit, self.rate, Mode::Trusted, delays, false);
+        let mut believed = ModelUnderTest::new(self.plant, self.fit, self.rate(), Mode::Trusted, delays, false);
         believed.frozen = model.tested.frozen.clone();
         let mut others = chosen_of(&model.accepted);
         let trusting = believed.fit(&mut others);

@@ -78,14 +78,14 @@ impl Without {
         Shares { within, far, repeats, beside_levels, worse: false, nothing: false }
     }
 
-    /// Whether the model `with` the cause removes, where the joints of its place move, next to
+    /// Whether the model `with` the cause removes, where these joints move (all if empty), next to
     /// nothing of the error of a plain `refit`, and perhaps nothing at all.
-    pub(in crate::diagnose) fn is_nothing(&self, with: &Figures, refit: &[f64], place: &[usize]) -> bool {
+    pub(in crate::diagnose) fn is_nothing(&self, with: &Figures, refit: &[f64], joints: &[usize]) -> bool {
         let small = |j: usize| {
             let gain = self.measured.steady[j].powi(2) - with.steady[j].powi(2);
             gain < NOTHING * refit[j].powi(2)
         };
-        let own = |j: &usize| place.is_empty() || place.contains(j);
+        let own = |j: &usize| joints.is_empty() || joints.contains(j);
         self.may_be_chance() && (0..refit.len()).filter(own).all(small)
     }
 

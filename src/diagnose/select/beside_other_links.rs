@@ -105,7 +105,7 @@ impl<'a> Session<'a> {
     fn part_of_links(&self, model: &Selected<'a>, name: &str, place: &[usize]) -> f64 {
         let Selected { tested, accepted, .. } = model;
         let mut believed =
-            ModelUnderTest::new(self.plant, self.fit, self.rate, Mode::Trusted, &tested.scene.delays, false);
+            ModelUnderTest::new(self.plant, self.fit, self.rate(), Mode::Trusted, &tested.scene.delays, false);
         believed.frozen = tested.frozen.clone();
         let mut others = chosen_of(accepted);
         let file = believed.fit(&mut others);

@@ -119,7 +119,7 @@ impl Session<'_> {
         }
         let all = [self.fit, self.validate].concat();
         let mut tested =
-            ModelUnderTest::new(self.plant, &all, self.rate, Mode::Refitted, &model.tested.scene.delays, false);
+            ModelUnderTest::new(self.plant, &all, self.rate(), Mode::Refitted, &model.tested.scene.delays, false);
         let mut chosen = chosen_of(&model.accepted);
         let fitted = tested.fit(&mut chosen);
         let of = |logs| Meter::new(self.plant, logs, &tested).of(&tested, &fitted, &chosen, true).steady;

@@ -36,13 +36,11 @@ pub(in crate::diagnose) struct Session<'a> {
     /// Error of the unchanged file on the validating logs where joints move, per joint, N m.
     pub(in crate::diagnose) file: &'a [f64],
     /// Errors of a plain refit.
-    pub(in crate::diagnose) refit: &'a Errors,
+    pub(in crate::diagnose) plain: &'a Errors,
     /// Error below which a better prediction does not count, per joint, N m.
     pub(in crate::diagnose) ground: &'a [f64],
     /// Unit of a gain, per joint, N m.
     pub(in crate::diagnose) scale: &'a [f64],
-    /// Windows per second.
-    pub(in crate::diagnose) rate: f64,
     pub(in crate::diagnose) settings: &'a Settings,
     pub(in crate::diagnose) progress: &'a (dyn Fn(&str) + Sync),
 }
@@ -178,8 +176,13 @@ pub(super) struct Attributed {
 }
 
 impl<'a> Session<'a> {
+    /// Windows per second of the fitted logs.
+    pub(in crate::diagnose) fn rate(&self) -> f64 {
+        self.settings.rate_of(self.fit)
+    }
+
     pub(super) fn tested(&self, mode: Mode) -> ModelUnderTest<'a> {
-        let mut tested = ModelUnderTest::new(self.plant, self.fit, self.rate, mode, &self.plant.delays(), false);
+        let mut tested = ModelUnderTest::new(self.plant, self.fit, self.rate(), mode, &self.plant.delays(), false);
         tested.motion_error = self.motion.to_vec();
         tested
     }
@@ -316,10 +319,12 @@ impl<'a> Session<'a> {
             .zip(&others)
             .map(|(item, other)| {
                 let (with, on, refit) = match other.near {
-                    true => (&here, "fit", &self.refit.fit),
-                    false => (&there, "validate", &self.refit.moving),
+                    true => (&here, "fit", &self.plain.fit),
+                    false => (&there, "validate", &self.plain.moving),
                 };
-                let nothing = other.is_nothing(with, refit, &item.place);
+                // A body acts on all joints, whichever link it is.
+                let joints = if item.hypothesis.within_links() { &[][..] } else { &item.place };
+                let nothing = other.is_nothing(with, refit, joints);
                 let shares = Shares { worse: worse(item), nothing, ..other.shares() };
                 weighing.attribute(item, [&other.measured, with], shares, other.interval, on)
             })
