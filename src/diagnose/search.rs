@@ -25,6 +25,7 @@ mod next_candidate;
 mod simplest_laws;
 mod stepwise_exchange;
 mod sufficient;
+pub(super) mod support;
 
 use super::fit::model::{Chosen, Fitted, Mode, ModelUnderTest};
 use super::hypotheses::Hypothesis;

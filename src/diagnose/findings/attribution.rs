@@ -14,7 +14,7 @@ use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
 use crate::diagnose::hypotheses::{Hypothesis as _, Kind, Named, PLAIN, Quantity};
 use crate::diagnose::search::alone::is_brief;
 use crate::diagnose::search::baseline_friction::BaselineFriction;
-use crate::diagnose::search::forward::Evidence;
+use crate::diagnose::search::forward::{Evidence, pays_as_a_whole};
 use crate::diagnose::search::judge::Accepted;
 use crate::diagnose::select::beside::Shares;
 use crate::diagnose::select::measure::{Figures, Measured, share, taken_of};
@@ -39,8 +39,7 @@ pub(in crate::diagnose) struct Attribution<'a> {
 
 impl Attribution<'_> {
     /// Converts an item to a reported cause, from the errors without it and with it, `on` the
-    /// fitted logs (`fit`) or the validating ones (`validate`). If it is measured on the fitted
-    /// logs because its joints differ on the others, the share that it removes there counts half.
+    /// fitted logs (`fit`) or the validating ones (`validate`).
     pub(in crate::diagnose) fn attribute(
         &self,
         item: &Item,
@@ -60,11 +59,14 @@ impl Attribution<'_> {
         let support =
             accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, &item.friction), |a| a.support);
         let recurrence = self.recurrence(item, &keys);
-        let counted = shares.far.map_or(part, |far| 0.5 * (part + far)).min(shares.beside_levels.unwrap_or(1.0));
-        let confirmed = on != "fit" && part > SHOWN || item.hypothesis.local() || shares.recurs_far();
+        // A body acts on all joints, beside errors that each joint has of its own.
+        let of = |j: usize| share(&without.steady, &with.steady, noise, &[j]);
+        let joints: Vec<f64> = (0..noise.len()).map(of).collect();
+        let pays = item.hypothesis.within_links() && pays_as_a_whole(&joints);
+        let confirmed = on != "fit" && (part > SHOWN || pays) || item.hypothesis.local() || shares.recurs_far();
         let rivals = confusable(tested, item, accepted, plain_rivals);
-        let refuted = self.refutation(item, accepted, (part, on), shares);
-        let features = Features { support, margin, share: counted, recurrence, confirmed };
+        let refuted = self.refutation(item, accepted, (part, pays, on), shares);
+        let features = Features { support, margin, share: shares.counted(part), recurrence, confirmed };
         Cause {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
@@ -104,22 +106,22 @@ impl Attribution<'_> {
 
 impl Attribution<'_> {
     /// What refutes a cause, from the share (`part`) of its joints' error that it removes `on` some
-    /// data, whether its joint is worse there than with the unchanged file, and whether it removes
-    /// next to nothing there.
+    /// data, whether a body pays over all joints there, whether its joint is worse there than with
+    /// the unchanged file, and whether it removes next to nothing there.
     fn refutation(
         &self,
         item: &Item,
         accepted: Option<&Accepted>,
-        (part, on): (f64, &str),
-        Shares { worse, nothing, .. }: Shares,
+        (part, pays, on): (f64, bool, &str),
+        shares: Shares,
     ) -> Option<Refutation> {
         let throughout = !item.hypothesis.local();
         // Beside the other causes, its own joint may err as much without it on the fitted data, too.
         let in_a_gear = item.hypothesis.kind() == Kind::Transmission;
         match on {
             "fit" if throughout && in_a_gear && part < SHOWN => Some(Refutation::OwnJoints),
-            "fit" if throughout && nothing => Some(Refutation::OwnJoints),
-            on if throughout && on != "fit" && (part < REFUTED || worse || nothing) => Some(Refutation::OtherData),
+            "fit" if throughout && shares.nothing => Some(Refutation::OwnJoints),
+            on if throughout && on != "fit" && other_data_refute(part, pays, shares) => Some(Refutation::OtherData),
             _ => self.implausible_size(accepted),
         }
     }
@@ -244,6 +246,12 @@ const SHOWN: f64 = 0.05;
 /// Share below which unfitted data refute a cause: their error is larger with it than without it.
 const REFUTED: f64 = -0.2;
 
+/// Whether data that were not fitted refute a cause that removes the share `part` of its joints'
+/// error there. One joint does not refute a body that `pays` over all.
+fn other_data_refute(part: f64, pays: bool, Shares { worse, nothing, .. }: Shares) -> bool {
+    part < REFUTED && !pays || worse || nothing
+}
+
 /// Margin above which a larger value carries no information.
 pub(in crate::diagnose) const MOST_MARGIN: f64 = 1e4;
 
@@ -305,5 +313,21 @@ pub(in crate::diagnose) fn curve(j: usize, after: &Measured, view: &View, before
         measured: fine(&view.torque[j]),
         before: fine(&before[j]),
         after: fine(&after.error[j]),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A link takes most of joint 2's error, and its own joint errs a little more with it.
+    #[test]
+    fn one_joint_does_not_refute_a_body() {
+        let shares =
+            Shares { within: None, far: None, repeats: None, beside_levels: None, worse: false, nothing: false };
+        assert!(other_data_refute(-0.43, false, shares));
+        assert!(!other_data_refute(-0.43, true, shares) && !other_data_refute(-0.1, false, shares));
+        assert!(other_data_refute(0.5, true, Shares { worse: true, ..shares }));
+        assert!(other_data_refute(0.5, true, Shares { nothing: true, ..shares }));
     }
 }

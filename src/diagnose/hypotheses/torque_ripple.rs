@@ -13,9 +13,6 @@ use super::moves;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::numerics::periodogram::{Orders, Sample, periodogram};
 
-/// The largest ripple, as a share of the joint's rated torque.
-const LARGEST: f64 = 0.3;
-
 /// `RC cos(RN q) + RS sin(RN q)`.
 pub struct TorqueRipple;
 
@@ -109,10 +106,10 @@ impl Hypothesis for TorqueRipple {
         ]
     }
 
-    /// At most [`LARGEST`]. Ripple of gears and motors was measured as 0.5 to 1.3 % of the torque
-    /// limit (see the table of effects).
+    /// At most the rated torque, as for other laws. Ripple of gears and motors was measured as 0.5 to
+    /// 1.3 % of it (see the table of effects), but a driver's or a sensor's error can be larger.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
-        x.iter().map(|x| x * x).sum::<f64>().sqrt() <= LARGEST * scene.rated[place[0]]
+        x.iter().map(|x| x * x).sum::<f64>().sqrt() <= scene.rated[place[0]]
     }
 
     fn most(&self) -> usize {

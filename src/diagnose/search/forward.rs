@@ -14,11 +14,11 @@ use super::judge::{Accepted, Judge, THROUGHOUT, adopt, chosen_of};
 use super::levels_instead::levels_instead;
 use super::merge_levels::merge_levels;
 use super::next_candidate::{PLAINER, best};
+use super::support::gained;
 use super::{SearchSettings, equivalent_robot_cause, simplify};
-use crate::diagnose::fit::likelihood::gain_in_blocks;
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::regulariser::Regulariser;
-use crate::diagnose::fit::white_errors::{cost_of_unknown, independent_windows, log_ratios, white_gain};
+use crate::diagnose::fit::white_errors::{log_ratios, white_gain};
 use crate::diagnose::hypotheses::{Hypothesis, Kind, PLAIN, causes, laws};
 use crate::diagnose::select::model_choice::LeftOut;
 use dh_codegen::robot::EffectKind;
@@ -448,7 +448,7 @@ impl Forward<'_, '_> {
         if cause.local() {
             let last = trial.last()?;
             let share = judge.share_within(last, before, after)?;
-            let holds = self.gained(candidate, ranked.len(), before, after) > 0.0 && judge.is_alone(last, before);
+            let holds = gained(self.tested, last, ranked.len(), [before, after]) > 0.0 && judge.is_alone(last, before);
             return if holds { evidence(share) } else { None };
         }
         if !judge.matters(*cause, before, after) || judge.overshadowed(*cause, place, before, after) {
@@ -499,35 +499,14 @@ impl Forward<'_, '_> {
         self.accepted.push(Accepted {
             chosen: last.clone(),
             // Left-out stretches have decided, so the support is at least this.
-            support: self.gained(&ranked[at], ranked.len(), before, after).max(THROUGHOUT),
+            support: gained(self.tested, last, ranked.len(), [before, after]).max(THROUGHOUT),
+            tried: ranked.len(),
             confirmed: 1.0,
             rivals: rivals(ranked, at, after),
             variance,
         });
     }
-
-    /// Twice the gain in log-likelihood, in independent windows, less the cost of the unknowns and of
-    /// the choice among so many candidates. What acts in a part of the logs begins and ends at once,
-    /// which stands out of slow errors.
-    fn gained(&self, candidate: &Candidate, candidates: usize, before: &Fitted, after: &Fitted) -> f64 {
-        let windows = || independent_windows(&before.solution.counts, &after.memory);
-        let slow = white_gain(&before.solution.rss, &after.solution.rss, windows());
-        let scene = &self.tested.scene;
-        let block = ((BLOCK / scene.step).round() as usize).max(1);
-        let at_once = || AT_ONCE * gain_in_blocks(&before.residual, &after.residual, &scene.live, block);
-        let gain = if candidate.cause.local() { slow.max(at_once()) } else { slow };
-        let unknowns = unknowns(candidate.cause, &candidate.shape, candidate.gain.x.len());
-        gain - unknowns * cost_of_unknown(windows().sum()) - 2.0 * (candidates as f64).ln()
-    }
 }
-
-/// Uncertainty of the time at which a push begins or ends, s.
-const BLOCK: f64 = 0.03;
-
-/// Share of the gain of innovations that counts, because they have larger outliers than normal
-/// errors. With all of it, an apparent push of an untouched recording of a KUKA LWR pays by 23 to 26,
-/// and true ones by 50 and more.
-const AT_ONCE: f64 = 0.6;
 
 /// Whether a body with these gains (shares of the joints' squared errors) pays over all joints. It
 /// acts on every joint, beside errors that each joint has of its own.

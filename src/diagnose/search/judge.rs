@@ -19,12 +19,22 @@ pub struct Accepted {
     pub chosen: Chosen,
     /// Twice the gain in log-likelihood, in independent windows, less the cost.
     pub support: f64,
+    /// Number of candidates from which it was chosen.
+    pub tried: usize,
     /// Share of the parts of the data that confirm it.
     pub confirmed: f64,
     /// Near alternatives: cause, place, difference of support.
     pub rivals: Vec<(&'static str, Vec<usize>, f64)>,
     /// Variance that it removes, summed over joints, (N m)^2.
     pub variance: f64,
+}
+
+#[cfg(test)]
+impl Accepted {
+    /// A cause with some evidence.
+    pub(in crate::diagnose) fn of(chosen: Chosen) -> Self {
+        Self { chosen, support: 1.0, tried: 1, confirmed: 1.0, rivals: Vec::new(), variance: 1.0 }
+    }
 }
 
 /// The chosen causes, as a model takes them.
@@ -214,7 +224,7 @@ impl Judge<'_> {
         {
             return None;
         }
-        Some(Accepted { chosen: last.clone(), support, confirmed, rivals: Vec::new(), variance })
+        Some(Accepted { chosen: last.clone(), support, tried: self.tried, confirmed, rivals: Vec::new(), variance })
     }
 }
 

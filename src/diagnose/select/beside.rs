@@ -37,6 +37,14 @@ pub(in crate::diagnose) struct Shares {
 const ALIKE: std::ops::RangeInclusive<f64> = 0.67..=1.5;
 
 impl Shares {
+    /// The share of its joint's error that counts, where it removes the share `part`. If that is
+    /// measured on the fitted logs because its joints differ on the others, the share that it
+    /// removes there counts half. A law of friction counts by what it removes beside levels.
+    pub(in crate::diagnose) fn counted(&self, part: f64) -> f64 {
+        let both = self.far.map_or(part, |far| 0.5 * (part + far));
+        both.min(self.beside_levels.unwrap_or(1.0))
+    }
+
     /// Whether validating logs whose joints differ otherwise still show the cause: estimated from
     /// them alone it has a similar size, and it reduces the error.
     pub(in crate::diagnose) fn recurs_far(&self) -> bool {
@@ -200,6 +208,18 @@ mod tests {
         let (within, far_share, repeats, beside_levels) = (None, None, None, None);
         let apart = vec![false; 2];
         Without { measured, interval, within, spoils: false, near: false, apart, far_share, repeats, beside_levels }
+    }
+
+    #[test]
+    fn the_smallest_share_counts() {
+        let of = |far: Option<f64>, beside_levels: Option<f64>| {
+            let shares = Shares { within: None, far, repeats: None, beside_levels, worse: false, nothing: false };
+            shares.counted(0.8)
+        };
+        assert_eq!(of(None, None), 0.8);
+        assert_eq!(of(Some(0.2), None), 0.5);
+        assert_eq!(of(None, Some(0.1)), 0.1);
+        assert_eq!(of(Some(0.2), Some(0.6)), 0.5);
     }
 
     /// A joint's error falls from 0.030 to 0.025 N m where a plain refit misses it by 0.2: that is

@@ -17,6 +17,7 @@ use crate::diagnose::search::baseline_friction::{BaselineFriction, reconsider};
 use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::{Accepted, adopt, chosen_of};
 use crate::diagnose::search::search;
+use crate::diagnose::search::support::support_beside_all;
 use crate::diagnose::windows::recording::Recording;
 use crate::identify::ConsistentError;
 use crate::model::PerturbableArm;
@@ -240,6 +241,7 @@ impl<'a> Session<'a> {
             None if !self.plant.has_bodies() => drive_terms::evidence(&mut tested, &chosen_of(&accepted), &fitted),
             known => known.unwrap_or_default(),
         };
+        let fitted = support_beside_all(&mut tested, &mut accepted).unwrap_or(fitted);
         let found = Found { rivals, why, evidence, suspects };
         self.validated(tested, accepted, fitted, found)
     }

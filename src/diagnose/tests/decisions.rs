@@ -20,6 +20,7 @@ use crate::diagnose::search::driving_friction::friction_drives;
 use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::{Accepted, Judge, bearable, confirmation};
 use crate::diagnose::search::levels_instead::levels_instead;
+use crate::diagnose::search::support::support_beside_all;
 use crate::diagnose::select::beside::share_within;
 use crate::diagnose::select::beside_other_links::worth;
 use crate::diagnose::select::measure::{Meter, leave_out, share};
@@ -124,6 +125,30 @@ fn a_push_stands_out_from_the_rest_of_the_log() {
         let most = chosen(EffectKind::ExternalContact, &[], &[at(60), at(1100), 1.0, 1.0]);
         assert!(!is_alone(&tested, &before, &most));
     }
+}
+
+/// A push that was accepted with little support, beside a cause that has left the model, has the
+/// support that it has beside the others; one of a log without it has none.
+#[test]
+fn the_support_of_a_push_is_that_beside_all_others() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let of = |force: f64| {
+        let push = |j: usize, k: usize| if j == 0 && (500..620).contains(&k) { force } else { 0.0 };
+        let recordings = made([0.05; 2], 5, &push);
+        let mut tested = tested(&plant, &recordings);
+        let samples = samples(&tested.scene);
+        let step = tested.scene.step;
+        let at = |k: usize| samples.iter().position(|s| *s >= k).unwrap() as f64 * step;
+        let push = chosen(EffectKind::ExternalContact, &[], &[at(500), at(620), 1.0, 1.0]);
+        let mut accepted = [Accepted::of(chosen(EffectKind::TorqueOffset, &[1], &[])), Accepted::of(push)];
+        assert!(support_beside_all(&mut tested, &mut accepted).is_some());
+        // What acts throughout keeps the support with which it was found.
+        assert_eq!(accepted[0].support, 1.0);
+        assert!(support_beside_all(&mut tested, &mut accepted[..1]).is_none());
+        accepted[1].support
+    };
+    assert!(of(0.5) > 50.0 && of(0.0) < 0.0, "{} {}", of(0.5), of(0.0));
 }
 
 /// Noise gives each unknown some gain, and a cause of ten unknowns ten times as much: it must pay
@@ -369,9 +394,7 @@ fn levels_are_the_friction_beside_a_difference_by_direction() {
         let difference = chosen(EffectKind::AsymmetricFriction, &[0], &[]);
         let mut all = [difference, chosen(EffectKind::NonlinearViscousFriction, &[0], &[0.5, 0.0])];
         let fitted = tested.fit(&mut all);
-        let accepted =
-            |chosen: Chosen| Accepted { chosen, support: 1.0, confirmed: 1.0, rivals: Vec::new(), variance: 1.0 };
-        let mut accepted: Vec<Accepted> = all.into_iter().map(accepted).collect();
+        let mut accepted: Vec<Accepted> = all.into_iter().map(Accepted::of).collect();
         let evidence = |effect| Evidence { effect, place: vec![0], local: false, share: 0.5 };
         let mut known = [EffectKind::AsymmetricFriction, EffectKind::NonlinearViscousFriction].map(evidence).to_vec();
         levels_instead(&mut tested, &mut accepted, fitted, &mut known);

@@ -258,7 +258,7 @@ fn couplings_of_both_joints_are_one_motor() {
     let cause = crate::diagnose::hypotheses::hypothesis(EffectKind::GearCoupling);
     let coupling = |place: [usize; 2], ratio: f64, parts: f64| {
         let chosen = Chosen { cause, place: place.to_vec(), shape: vec![ratio, parts], x: Vec::new() };
-        Accepted { chosen, support: 1.0, confirmed: 1.0, rivals: Vec::new(), variance: 1.0 }
+        Accepted::of(chosen)
     };
     for (ratio, shapes) in [(1.0, vec![vec![1.0, 5.0]]), (-1.0, vec![vec![1.0, 1.0], vec![-1.0, 4.0]])] {
         let mut tested = ModelUnderTest::new(&plant, &recordings, 100.0, Mode::Trusted, &[0.0; 2], false);
@@ -286,7 +286,7 @@ fn an_offset_is_the_rest_position_of_a_spring() {
         tested.separate[2] = true;
         let cause = laws(EffectKind::JointSpring).find(|c| c.shape().len() == shape.len()).unwrap();
         let chosen = Chosen { cause, place: vec![0], shape, x: Vec::new() };
-        let accepted = [Accepted { chosen, support: 1.0, confirmed: 1.0, rivals: Vec::new(), variance: 1.0 }];
+        let accepted = [Accepted::of(chosen)];
         let fitted = tested.fit(&mut chosen_of(&accepted));
         let found = || vec![of(EffectKind::TorqueOffset, 0.8), of(EffectKind::JointSpring, 0.5)];
         let mut evidence = found();

@@ -96,7 +96,12 @@ impl TorqueColumns<'_> {
         }
         let n = self.arm.dof();
         let mut columns: Vec<usize> = (0..n).collect();
-        let recorded = self.left_of_positions(&columns, reference);
+        let as_recorded = self.factors(&columns);
+        let left_of = |factors: &[RFactor], beside: Option<usize>| {
+            let samples = self.kept.samples.len();
+            self.unexplained_beside(beside, (factors, samples), &Reading::as_recorded(n), reference)
+        };
+        let recorded = left_of(&as_recorded, None);
         let mut left = recorded;
         // Any order is at most n - 1 exchanges away.
         for _ in 1..n {
@@ -104,7 +109,7 @@ impl TorqueColumns<'_> {
             let next = exchanges.map(|(a, b)| {
                 let mut next = columns.clone();
                 next.swap(a, b);
-                (self.left_of_positions(&next, reference), next)
+                (left_of(&self.factors(&next), None), next)
             });
             match next.min_by(|a, b| a.0.total_cmp(&b.0)) {
                 Some((better, next)) if better < STEP * left => (left, columns) = (better, next),
@@ -113,26 +118,20 @@ impl TorqueColumns<'_> {
         }
         let moved = columns.iter().enumerate().any(|(joint, column)| joint != *column);
         moved.then(|| {
-            let as_recorded: Vec<usize> = (0..n).collect();
-            let beside = |joint: usize| self.left_beside(Some(joint), &as_recorded, reference);
-            let known: Vec<f64> = (0..n).map(beside).collect();
+            let known: Vec<f64> = (0..n).map(|joint| left_of(&as_recorded, Some(joint))).collect();
             let worst = (0..n).min_by(|a, b| known[*a].total_cmp(&known[*b])).unwrap_or(0);
-            let beside_the_worst = [known[worst], self.left_beside(Some(worst), &columns, reference)];
+            let beside_the_worst = [known[worst], left_of(&self.factors(&columns), Some(worst))];
             Order { columns, recorded, left, beside_the_worst }
         })
     }
 
-    fn left_of_positions(&self, columns: &[usize], reference: Reference<'_>) -> f64 {
-        self.left_beside(None, columns, reference)
-    }
-
-    /// Residual share with positions in this order, over all joints but `joint`.
-    fn left_beside(&self, joint: Option<usize>, columns: &[usize], reference: Reference<'_>) -> f64 {
+    /// Factors of each joint's rows, with its motion read from the given column.
+    fn factors(&self, columns: &[usize]) -> Vec<RFactor> {
         let block = self.kept.read(columns);
-        let n = self.arm.dof();
-        let mut factors: Vec<RFactor> = self.rows.columns.iter().map(|c| RFactor::new(c.len() + n)).collect();
+        let mut factors: Vec<RFactor> =
+            self.rows.columns.iter().map(|c| RFactor::new(c.len() + self.arm.dof())).collect();
         absorb(&mut factors, self.arm, &self.rows, &block, &block.states);
-        self.unexplained_beside(joint, (&factors, block.states.len), &Reading::as_recorded(n), reference)
+        factors
     }
 }
 
