@@ -59,10 +59,7 @@ impl Attribution<'_> {
         let support =
             accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, &item.friction), |a| a.support);
         let recurrence = self.recurrence(item, &keys);
-        // A body acts on all joints, beside errors that each joint has of its own.
-        let of = |j: usize| share(&without.steady, &with.steady, noise, &[j]);
-        let joints: Vec<f64> = (0..noise.len()).map(of).collect();
-        let pays = item.hypothesis.within_links() && pays_as_a_whole(&joints);
+        let pays = item.hypothesis.within_links() && pays_over_all([without, with], noise);
         let confirmed = on != "fit" && (part > SHOWN || pays) || item.hypothesis.local() || shares.recurs_far();
         let rivals = confusable(tested, item, accepted, plain_rivals);
         let refuted = self.refutation(item, accepted, (part, pays, on), shares);
@@ -242,6 +239,12 @@ pub(in crate::diagnose) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
 /// Least share of a joint's squared error above the noise that a cause must remove on unfitted data
 /// to be confirmed by them, and a cause in a gear on the fitted data.
 const SHOWN: f64 = 0.05;
+
+/// Whether a body pays over all joints: it acts on each, beside errors that the joint has of its own.
+fn pays_over_all([without, with]: [&Figures; 2], noise: &[f64]) -> bool {
+    let of = |j: usize| share(&without.steady, &with.steady, noise, &[j]);
+    pays_as_a_whole(&(0..noise.len()).map(of).collect::<Vec<f64>>())
+}
 
 /// Share below which unfitted data refute a cause: their error is larger with it than without it.
 const REFUTED: f64 = -0.2;
