@@ -22,6 +22,7 @@ mod merge_common_delay;
 pub(super) mod merge_couplings;
 pub(super) mod merge_levels;
 mod next_candidate;
+pub(super) mod over_all_joints;
 mod simplest_laws;
 mod stepwise_exchange;
 mod sufficient;

@@ -14,8 +14,9 @@ use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
 use crate::diagnose::hypotheses::{Hypothesis as _, Kind, Named, PLAIN, Quantity};
 use crate::diagnose::search::alone::is_brief;
 use crate::diagnose::search::baseline_friction::BaselineFriction;
-use crate::diagnose::search::forward::{Evidence, pays_as_a_whole};
+use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::Accepted;
+use crate::diagnose::search::over_all_joints::pays_over_all;
 use crate::diagnose::select::beside::Shares;
 use crate::diagnose::select::measure::{Figures, Measured, share, taken_of};
 use dh_codegen::robot::{EffectKind, effects};
@@ -59,7 +60,7 @@ impl Attribution<'_> {
         let support =
             accepted.map_or_else(|| plain_support(fitted, &uncertainty.covariance, &item.friction), |a| a.support);
         let recurrence = self.recurrence(item, &keys);
-        let pays = item.hypothesis.within_links() && pays_over_all([without, with], noise);
+        let pays = item.hypothesis.within_links() && pays_over_all(&without.steady, &with.steady, noise);
         let confirmed = on != "fit" && (part > SHOWN || pays) || item.hypothesis.local() || shares.recurs_far();
         let rivals = confusable(tested, item, accepted, plain_rivals);
         let refuted = self.refutation(item, accepted, (part, pays, on), shares);
@@ -239,12 +240,6 @@ pub(in crate::diagnose) fn taken(cause: &Cause, noise: &[f64]) -> f64 {
 /// Least share of a joint's squared error above the noise that a cause must remove on unfitted data
 /// to be confirmed by them, and a cause in a gear on the fitted data.
 const SHOWN: f64 = 0.05;
-
-/// Whether a body pays over all joints: it acts on each, beside errors that the joint has of its own.
-fn pays_over_all([without, with]: [&Figures; 2], noise: &[f64]) -> bool {
-    let of = |j: usize| share(&without.steady, &with.steady, noise, &[j]);
-    pays_as_a_whole(&(0..noise.len()).map(of).collect::<Vec<f64>>())
-}
 
 /// Share below which unfitted data refute a cause: their error is larger with it than without it.
 const REFUTED: f64 = -0.2;

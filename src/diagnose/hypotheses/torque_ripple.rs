@@ -106,8 +106,8 @@ impl Hypothesis for TorqueRipple {
         ]
     }
 
-    /// At most the rated torque, as for other laws. Ripple of gears and motors was measured as 0.5 to
-    /// 1.3 % of it (see the table of effects), but a driver's or a sensor's error can be larger.
+    /// At most the rated torque, as for other laws. Published ripple of gears and motors is 0.5 to 1.3 %
+    /// of it (see the table of effects); no source gives an upper bound.
     fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
         x.iter().map(|x| x * x).sum::<f64>().sqrt() <= scene.rated[place[0]]
     }

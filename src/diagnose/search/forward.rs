@@ -14,6 +14,7 @@ use super::judge::{Accepted, Judge, THROUGHOUT, adopt, chosen_of};
 use super::levels_instead::levels_instead;
 use super::merge_levels::merge_levels;
 use super::next_candidate::{PLAINER, best};
+use super::over_all_joints::pays_as_a_whole;
 use super::support::gained;
 use super::{SearchSettings, equivalent_robot_cause, simplify};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
@@ -31,9 +32,6 @@ const SPOILT: f64 = 0.3;
 
 /// The same limit for a body that [`pays_as_a_whole`].
 const SPOILT_BY_BODY: f64 = 1.0;
-
-/// Factor by which the gain of a body on some joints must exceed its loss on others.
-const WHOLE: f64 = 2.0;
 
 /// Evidence for one cause at the time it was accepted.
 #[derive(Debug, Clone, PartialEq)]
@@ -508,14 +506,6 @@ impl Forward<'_, '_> {
     }
 }
 
-/// Whether a body with these gains (shares of the joints' squared errors) pays over all joints. It
-/// acts on every joint, beside errors that each joint has of its own.
-pub(in crate::diagnose) fn pays_as_a_whole(shares: &[f64]) -> bool {
-    let gains = || shares.iter().map(|share| -(1.0 - share).max(1e-3).ln());
-    let (won, lost): (f64, f64) = (gains().map(|g| g.max(0.0)).sum(), gains().map(|g| (-g).max(0.0)).sum());
-    won > WHOLE * lost
-}
-
 /// Whether a cause in a gear reduces the error of a joint of that gear; true of all other causes.
 /// `shares`: of each joint's squared error on left-out stretches that it removes.
 fn shows_on_its_gear(cause: &dyn Hypothesis, place: &[usize], shares: &[f64]) -> bool {
@@ -535,13 +525,6 @@ pub(super) fn main_joint(before: &Fitted, after: &Fitted) -> usize {
 mod tests {
     use super::*;
     use crate::diagnose::hypotheses::by_name;
-
-    #[test]
-    fn a_body_may_spoil_a_joint_for_what_it_gains_on_the_others() {
-        assert!(pays_as_a_whole(&[0.4, 0.5, -0.36, 0.3]));
-        assert!(!pays_as_a_whole(&[0.4, -0.36, 0.0]) && !pays_as_a_whole(&[0.9, -2.5]));
-        assert!(!pays_as_a_whole(&[0.0, 0.0]));
-    }
 
     #[test]
     fn an_error_of_a_gear_shows_on_its_joints() {

@@ -45,15 +45,15 @@ pub(in crate::diagnose) fn support_beside_all(
     if local.is_empty() || tested.mode != Mode::Trusted {
         return None;
     }
+    let mut chosen = chosen_of(accepted);
+    let after = tested.fit(&mut chosen);
     for index in local {
-        let mut chosen = chosen_of(accepted);
-        let after = tested.fit(&mut chosen);
-        let cause = chosen.remove(index);
-        let before = tested.fit(&mut chosen);
+        let mut others = chosen.clone();
+        let cause = others.remove(index);
+        let before = tested.fit(&mut others);
         accepted[index].support = gained(tested, &cause, accepted[index].tried, [&before, &after]);
     }
-    let mut chosen = chosen_of(accepted);
-    let fitted = tested.fit(&mut chosen);
+    tested.update_model(&after);
     adopt(accepted, &chosen);
-    Some(fitted)
+    Some(after)
 }

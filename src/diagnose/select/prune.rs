@@ -7,8 +7,8 @@ use super::measure::{Meter, leave_out, taken_of};
 use super::reduction::without;
 use super::refine_and_select::{Found, Selected, Session};
 use crate::diagnose::findings::reported_cause::{Item, items, place_of};
-use crate::diagnose::search::forward::pays_as_a_whole;
 use crate::diagnose::search::judge::chosen_of;
+use crate::diagnose::search::over_all_joints::pays_over_all;
 use crate::identify::ConsistentError;
 
 /// Maximum number of causes removed from one model.
@@ -72,33 +72,5 @@ impl<'a> Session<'a> {
         }
         tested.fit(&mut chosen_of(accepted));
         best.map(|(_, item)| item)
-    }
-}
-
-/// Whether what a change of the joints' errors, N m, wins over all joints outweighs what it loses.
-/// Errors below `scale`, N m, do not count.
-fn pays_over_all(before: &[f64], after: &[f64], scale: &[f64]) -> bool {
-    let square = |error: &f64, s: &f64| (error * error + s * s).max(1e-24);
-    let share = |((b, a), s): ((&f64, &f64), &f64)| 1.0 - square(a, s) / square(b, s);
-    pays_as_a_whole(&before.iter().zip(after).zip(scale).map(share).collect::<Vec<f64>>())
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Errors of a KUKA LWR 4+ without and with a payload: three joints improve, one errs more,
-    /// because another error had cancelled a part of it.
-    #[test]
-    fn a_cause_that_pays_over_all_joints_is_not_removed() {
-        let scale = [0.023, 0.546, 0.057, 0.210, 0.025, 0.012, 0.004];
-        let without = [0.292, 0.460, 0.298, 0.338, 0.251, 0.104, 0.027];
-        let with = [0.289, 0.289, 0.342, 0.203, 0.250, 0.084, 0.024];
-        assert!(pays_over_all(&without, &with, &scale) && !pays_over_all(&with, &without, &scale));
-        // What improves nothing, or loses more than half of what it wins, does not pay.
-        assert!(!pays_over_all(&without, &without, &scale));
-        let worse = [0.292, 0.460, 0.398, 0.238, 0.251, 0.104, 0.027];
-        assert!(!pays_over_all(&without, &worse, &scale));
-        assert!(!pays_over_all(&[1.0], &[2.0], &[10.0]) && !pays_over_all(&[0.0], &[0.0], &[0.0]));
     }
 }
