@@ -19,6 +19,7 @@ use crate::diagnose::search::judge::Accepted;
 use crate::diagnose::search::over_all_joints::pays_over_all;
 use crate::diagnose::select::beside::Shares;
 use crate::diagnose::select::measure::{Figures, Measured, share, taken_of};
+use dh_codegen::robot::effects::{LinkInertiaError, Payload};
 use dh_codegen::robot::{EffectKind, effects};
 
 /// A model whose causes are assigned probabilities.
@@ -181,9 +182,13 @@ impl Attribution<'_> {
         keys
     }
 
-    /// Probability of an item with these features, less where it is refuted.
+    /// Probability of an item with these features, less where it is refuted, or a link for which
+    /// another body would do.
     fn probability(&self, item: &Item, features: &Features, refuted: Option<Refutation>) -> f64 {
-        self.likely(item, features) * refuted.map_or(1.0, |_| calibration::REFUTED)
+        let near = near(item, item.accepted.map(|at| &self.accepted[at]), self.rivals);
+        let another = may_be_another_body(item.hypothesis.name(), &item.place, near);
+        let place = if another { calibration::ANOTHER_BODY } else { 1.0 };
+        self.likely(item, features) * place * refuted.map_or(1.0, |_| calibration::REFUTED)
     }
 
     /// The same from its features alone. For a cause found by the search from the unchanged file, it
@@ -276,6 +281,16 @@ pub(in crate::diagnose) fn near<'a>(
     }
 }
 
+/// Whether a link is one of several bodies that explain nearly as much. A payload is not: an arm
+/// carries one more often than a link of its file is wrong.
+fn may_be_another_body(cause: &str, place: &[usize], near: &[(&'static str, Vec<usize>, f64)]) -> bool {
+    let bodies = [LinkInertiaError::NAME, Payload::NAME];
+    let close = |(name, other, margin): &(&'static str, Vec<usize>, f64)| {
+        bodies.contains(name) && other != place && *margin < calibration::NEARLY_AS_MUCH
+    };
+    cause == LinkInertiaError::NAME && near.iter().any(close)
+}
+
 /// The same cause in other places that would explain nearly as much, in words.
 fn elsewhere(item: &Item, near: &[(&'static str, Vec<usize>, f64)]) -> String {
     let same = near.iter().filter(|r| r.0 == item.hypothesis.name() && r.1 != item.place);
@@ -317,6 +332,16 @@ pub(in crate::diagnose) fn curve(j: usize, after: &Measured, view: &View, before
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_link_may_be_another_body() {
+        let near = |cause, margin| may_be_another_body(LinkInertiaError::NAME, &[4], &[(cause, vec![5], margin)]);
+        assert!(near(LinkInertiaError::NAME, 0.5) && near(Payload::NAME, 2.4) && !near(Payload::NAME, 2.6));
+        assert!(!near(effects::GeometricError::NAME, 0.5));
+        assert!(!may_be_another_body(Payload::NAME, &[], &[(LinkInertiaError::NAME, vec![5], 0.0)]));
+        let same = [(LinkInertiaError::NAME, vec![4], 0.0)];
+        assert!(!may_be_another_body(LinkInertiaError::NAME, &[4], &same), "another law of that link");
+    }
 
     /// A link takes most of joint 2's error, and its own joint errs a little more with it.
     #[test]

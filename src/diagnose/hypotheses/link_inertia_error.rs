@@ -8,12 +8,28 @@ use super::Kind;
 use super::Law;
 use super::Symbol;
 use super::Term;
-use super::payload::{Payload, body_terms};
+use super::payload::{Payload, arm_mass, body_terms};
 use super::point_mass::POINT_LINK;
 use super::rotor_inertia::{DATA_SHEET, shows_as_a_rotor};
 use crate::diagnose::fit::regulariser::deviations;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::{Inertial, StandardParameter};
+
+/// Largest change of a link's mass relative to the mass of the arm: light arms carry a third to a
+/// half of their mass, and what is mounted on a link is part of it.
+const MOUNTED: f64 = 0.5;
+
+/// Whether the change of a link's mass among the coefficients `x` is at most the mass that the arm
+/// carries, or the link's mass in the file. Without a mass in the file everything is plausible.
+pub(super) fn plausible_mass(scene: &WindowedData<'_>, place: &[usize], x: &[f64]) -> bool {
+    let mass = || {
+        let at = 10 * scene.plant.rows().get(*place.first()?)?;
+        let acts = scene.plant.base_parameters().iter().any(|b| b.coefficients.iter().any(|c| c.0 == at && c.1 != 0.0));
+        let change = x.first().filter(|_| acts)?;
+        Some(change.abs() <= (MOUNTED * arm_mass(scene)?).max(*scene.plant.given()?.get(at)?))
+    };
+    mass().unwrap_or(true)
+}
 
 /// Changes of the ten parameters of the joint's link.
 pub struct LinkInertiaError;
@@ -79,6 +95,10 @@ impl Hypothesis for LinkInertiaError {
             parameters.iter().position(|p| *p == StandardParameter::Link(row, which)).map(|i| std[i])
         };
         terms.iter().map(|t| of(t.symbol)).collect()
+    }
+
+    fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
+        plausible_mass(scene, place, x)
     }
 
     fn says(&self) -> &'static str {

@@ -52,6 +52,13 @@ pub(super) fn body_terms(scene: &WindowedData<'_>, row: usize, keys: [Key; 10]) 
     columns.filter_map(term).collect()
 }
 
+/// Mass of all links in the file, kg; `None` if no link has one.
+pub(super) fn arm_mass(scene: &WindowedData<'_>) -> Option<f64> {
+    let links = scene.plant.standard_parameters().iter().zip(scene.plant.given()?);
+    let masses = links.filter(|(p, _)| matches!(p, StandardParameter::Link(_, Inertial::M)));
+    Some(masses.map(|(_, m)| m.max(0.0)).sum()).filter(|mass| *mass > 0.0)
+}
+
 impl Hypothesis for Payload {
     fn effect(&self) -> EffectKind {
         EffectKind::Payload
@@ -86,20 +93,12 @@ impl Hypothesis for Payload {
 
     /// As heavy as arms carry, at [`AWAY`] from the last frame.
     fn prior_std(&self, scene: &WindowedData<'_>, _: &[usize], terms: &[Term]) -> Option<Vec<f64>> {
-        let given = scene.plant.given()?;
-        let arm: f64 = scene
-            .plant
-            .standard_parameters()
-            .iter()
-            .zip(given)
-            .filter(|(p, _)| matches!(p, StandardParameter::Link(_, Inertial::M)))
-            .map(|(_, m)| m.max(0.0))
-            .sum();
+        let arm = arm_mass(scene)?;
         let of = |symbol: Symbol| {
             let at = effects::Payload::BODY.iter().position(|key| Symbol::Key(*key) == symbol)?;
             Some(of_size(at, CARRIED * arm, AWAY))
         };
-        if arm > 0.0 { terms.iter().map(|t| of(t.symbol)).collect() } else { None }
+        terms.iter().map(|t| of(t.symbol)).collect()
     }
 
     fn says(&self) -> &'static str {

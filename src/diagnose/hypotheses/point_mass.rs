@@ -10,7 +10,7 @@ use dh_codegen::robot::effects::{self, Key};
 use super::payload::{Payload, body_columns};
 use super::{Estimate, Hypothesis, Kind, Named, Scope, Shape, Sign, Symbol, Term, link_inertia_error};
 use crate::diagnose::windows::windowed_data::WindowedData;
-use link_inertia_error::LinkInertiaError;
+use link_inertia_error::{LinkInertiaError, plausible_mass};
 
 /// A point mass in the last frame, or in the frame of a joint's link.
 pub struct PointMass {
@@ -114,6 +114,10 @@ impl Hypothesis for PointMass {
         let centre = self.moments(terms, x).map(|h| h / mass);
         let near = centre.iter().all(|c| c.abs() <= FARTHEST);
         Some(if near { centre.to_vec() } else { vec![0.0; 3] })
+    }
+
+    fn plausible(&self, scene: &WindowedData<'_>, place: &[usize], _: &[f64], x: &[f64]) -> bool {
+        self.payload || plausible_mass(scene, place, x)
     }
 
     fn within_links(&self) -> bool {

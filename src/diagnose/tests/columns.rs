@@ -159,3 +159,27 @@ fn bristles_bend_over_their_length() {
     }
     assert!(checked > 600, "{checked}");
 }
+
+/// A link of more than half the arm's mass (and more than its own) is implausible, as ten
+/// parameters and as a point mass. Link 1 of a planar arm has no mass to the data: its first
+/// coefficient is a first moment.
+#[test]
+fn a_link_gets_no_more_mass_than_an_arm_carries() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let recordings = [recording()];
+    let scene = WindowedData::new(&plant, &recordings, 1.0 / PERIOD, &[0.0; 2], false);
+    let masses: Vec<f64> = scene.plant.rows().iter().map(|row| scene.plant.given().unwrap()[10 * row]).collect();
+    let most = (0.5 * masses.iter().sum::<f64>()).max(masses[1]);
+    let both = |effect, place: &[usize]| {
+        let ten = hypothesis(effect);
+        [ten, ten.simpler(&scene, place, &[])[0].0]
+    };
+    for cause in both(EffectKind::LinkInertiaError, &[1]) {
+        for (mass, plausible) in [(0.99 * most, true), (1.01 * most, false), (-0.9 * masses[1], true)] {
+            assert_eq!(cause.plausible(&scene, &[1], &[0.0; 3], &[mass, 0.0]), plausible, "{mass}");
+        }
+        assert!(cause.plausible(&scene, &[0], &[0.0; 3], &[10.0 * most, 0.0]));
+    }
+    assert!(both(EffectKind::Payload, &[]).iter().all(|c| c.plausible(&scene, &[], &[0.0; 3], &[1.01 * most, 0.0])));
+}
