@@ -19,8 +19,7 @@ const UNCONFIRMED: f64 = 0.5;
 /// it is not named; chosen.
 pub const REFUTED: f64 = 0.4;
 
-/// Factor for a link beside which another link, or a payload, explains nearly as much; chosen. Of
-/// seven such links on changed recordings that were likely otherwise, four were the right ones.
+/// Factor for a link beside which another link, or a payload, explains nearly as much; chosen.
 pub const ANOTHER_BODY: f64 = 0.75;
 
 /// Difference of support below which another body explains nearly as much.

@@ -25,6 +25,7 @@ pub(super) fn plausible_mass(scene: &WindowedData<'_>, place: &[usize], x: &[f64
     let mass = || {
         let at = 10 * scene.plant.rows().get(*place.first()?)?;
         let acts = scene.plant.base_parameters().iter().any(|b| b.coefficients.iter().any(|c| c.0 == at && c.1 != 0.0));
+        // Parameters without an effect have no coefficient; the mass comes before all others.
         let change = x.first().filter(|_| acts)?;
         Some(change.abs() <= (MOUNTED * arm_mass(scene)?).max(*scene.plant.given()?.get(at)?))
     };
