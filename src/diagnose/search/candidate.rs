@@ -393,3 +393,36 @@ pub(in crate::diagnose) fn rivals(
         .take(4)
         .collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::diagnose::hypotheses::hypothesis;
+
+    /// A payload that gains somewhat less than a link is first; one that gains much less is not.
+    #[test]
+    fn a_payload_is_likelier_than_a_link_by_its_prior_odds() {
+        let candidate = |effect: EffectKind, joint: usize, score: f64| Candidate {
+            cause: hypothesis(effect),
+            place: vec![joint],
+            shape: Vec::new(),
+            gain: Gain { x: vec![1.0; 10], rss: vec![1.0] },
+            score,
+        };
+        // Twice the odds, in windows that are three times as many as the independent ones.
+        for (short_by, first) in [(23.9, EffectKind::Payload), (24.1, EffectKind::LinkInertiaError)] {
+            let [link, payload] = [EffectKind::LinkInertiaError, EffectKind::Payload];
+            let mut all =
+                vec![candidate(link, 3, 100.0), candidate(link, 4, 99.0), candidate(payload, 5, 100.0 - short_by)];
+            payload_first(&mut all, 3.0);
+            assert_eq!(all[0].cause.effect(), first);
+            // The others keep their order.
+            let rest: Vec<f64> = all.iter().map(|c| c.score).filter(|score| *score > 98.0).collect();
+            assert_eq!(rest, [100.0, 99.0]);
+        }
+        // Where something else gains most, no link is to be doubted.
+        let mut all = vec![candidate(EffectKind::JointSpring, 2, 100.0), candidate(EffectKind::Payload, 5, 99.0)];
+        payload_first(&mut all, 3.0);
+        assert_eq!(all[0].cause.effect(), EffectKind::JointSpring);
+    }
+}
