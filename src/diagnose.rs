@@ -31,5 +31,6 @@ pub use robot_file::extended;
 pub use run::{DiagnoseError, Settings, diagnose, misses};
 pub use search::SearchSettings;
 pub use windows::holding::{Coming, Holding, Thinning, Use};
+pub use windows::low_passed::PositionBand;
 pub use windows::recording::{HIGHEST, Recording, Stretch, fixed_preparation, preparation};
 pub use written::written_errors;

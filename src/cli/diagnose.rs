@@ -70,8 +70,8 @@ pub(super) struct Diagnose {
     report: Option<PathBuf>,
     /// Cut-off frequency of the low-pass for positions, Hz. Default: for each joint the one at
     /// which the expected error of its acceleration is least, given the spectrum of its motion and
-    /// the noise of its encoder, at most 15. Where a joint breaks away after a reversal a wider
-    /// band is passed.
+    /// the noise of its encoder, at most 15, and less where the torques follow the motion less far.
+    /// Where a joint breaks away after a reversal a wider band is passed.
     #[arg(long)]
     cutoff: Option<f64>,
     /// Windows per second over which torques are averaged to separate causes. Default: 100; of more
@@ -202,7 +202,7 @@ impl Diagnose {
         let known = effects.as_ref().and_then(|effects| effects.known(plant, plant.given(), None));
         // The torque of a gear alone matches no interpretation of a torque column.
         let check = (!self.transmission).then(|| ColumnCheck::new(&file.robot, plant, plant.given(), known, keep));
-        let settings = Settings { rate: self.rate, ..Settings::default() };
+        let settings = Settings { rate: self.rate, keep_band: self.cutoff.is_some(), ..Settings::default() };
         let mut reading = LogsRead {
             provenance,
             logbook: Logbook::of(&file.text),
@@ -287,7 +287,7 @@ impl Diagnose {
         }
         let whole = if self.transmission { None } else { FileTorqueModel::new(&back).ok() };
         let model = whole.map(|model| model.among_walls(&back));
-        let rms = model.map(|model| diagnose::written_errors(&model, measured, found.own_validation));
+        let rms = model.map(|model| diagnose::written_errors(&model, measured, found));
         let offered = found.extended.validate.clone();
         let check =
             WrittenCheck { rms, transmission: self.transmission, offered, own_validation: found.own_validation };

@@ -41,7 +41,7 @@ pub use digest::{Digest, Digested, hexadecimal};
 pub use error::LogError;
 pub use finding::{Clock, Explanation, Finding, Kind, Severity, Unexplained};
 pub use fingerprint::{Common, Fingerprint, Fingerprinted};
-pub use inspect::{ChannelSummary, Proposal, propose};
+pub use inspect::{ChannelSummary, ClockSummary, Proposal, propose};
 pub use limits::{Limits, beyond_limits, torque_unit};
 pub use malformed::{Malformed, TooManyNumbers};
 pub use mapping::{Channel, Mapping, Reading, SourceJoint};

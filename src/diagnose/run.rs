@@ -11,12 +11,14 @@ use super::findings::result::{Cause, Diagnosis, Errors, NextExperiment, Offer, O
 use super::findings::structure::Structure;
 use super::fit::model::{Mode, ModelUnderTest};
 use super::search::SearchSettings;
+use super::search::position_band::position_band;
 use super::select::contenders::{Refit, Searched};
 use super::select::excess::{explained, here_and_there};
 use super::select::measure::{Measured, Meter};
 use super::select::offer::{Choice, Rival};
 use super::select::refine_and_select::{Selected, Session};
 use super::select::suspects::{likelier, name, not_explained};
+use super::windows::low_passed::{PositionBand, in_band};
 use super::windows::motion_error::budget;
 use super::windows::recording::{Recording, unexplained};
 use super::windows::torque_noise::torque_noise;
@@ -34,6 +36,9 @@ pub struct Settings {
     pub rate: Option<f64>,
     /// Thresholds of the search.
     pub search: SearchSettings,
+    /// Whether the positions keep the band of the recordings. Default false: where the torques
+    /// follow them less far, they are low-passed further.
+    pub keep_band: bool,
 }
 
 /// Windows per second of short logs, and the duration, s, above which logs are long. Time and
@@ -75,8 +80,10 @@ pub enum DiagnoseError {
 }
 
 /// Errors of a simulation of the unchanged robot file on logs, per joint: root mean square, N m, of
-/// all samples and of those where the joint moves.
+/// all samples and of those where the joint moves; behind the low-pass of a diagnosis.
 pub fn misses(plant: &dyn PerturbableArm, recordings: &[Recording], settings: &Settings) -> [Vec<f64>; 2] {
+    let band = narrower_band(plant, recordings, false, settings);
+    let recordings = &in_band(recordings, band.as_ref())[..];
     let recordings = &unexplained(plant, recordings)[..];
     let tested =
         ModelUnderTest::new(plant, recordings, settings.rate_of(recordings), Mode::Trusted, &plant.delays(), false);
@@ -96,6 +103,9 @@ pub fn diagnose(
     // Without rotor inertias to change, a refit assigns their effect to bodies and gears.
     let driven = plant.with_rotors();
     let plant = driven.as_deref().unwrap_or(plant);
+    let band = narrower_band(plant, fit, validate.is_empty(), settings);
+    let [fit, validate] = [fit, validate].map(|logs| in_band(logs, band.as_ref()));
+    let (fit, validate) = (&fit[..], &validate[..]);
     let mut found = consistent_with_file(plant, fit, validate, settings, progress)?;
     if !found.changed.is_empty() {
         progress("what changed between the logs");
@@ -117,7 +127,26 @@ pub fn diagnose(
             found.verdict = Verdict::Unexplained;
         }
     }
+    found.band = band;
     Ok(found)
+}
+
+/// A low-pass of the positions below that of the recordings, if the torques follow the motion less
+/// far and the settings allow it. `held_out`: whether the last part of each stretch is not fitted.
+fn narrower_band(
+    plant: &dyn PerturbableArm,
+    fit: &[Recording],
+    held_out: bool,
+    settings: &Settings,
+) -> Option<PositionBand> {
+    if settings.keep_band {
+        return None;
+    }
+    let [first, _] = if held_out { halves(fit) } else { Default::default() };
+    let fit = if held_out { &first } else { fit };
+    let rate = settings.rate_of(fit);
+    usable(&ModelUnderTest::new(plant, fit, rate, Mode::Trusted, &plant.delays(), false)).ok()?;
+    position_band(plant, fit, rate)
 }
 
 /// Causes of the fitted logs alone that the validating logs do not refute: fading friction has
@@ -341,8 +370,7 @@ fn once(
     let Selected { tested, fitted, mut after, mut after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);
     let other_values = tested.mode == Mode::Refitted && has_values(plant);
-    let with = errors_of(&after_fit, &after);
-    let verdict = verdict(&causes, &left, other_values.then_some([&baseline, &with]));
+    let verdict = verdict(&causes, &left, other_values.then_some([&baseline, &errors_of(&after_fit, &after)]));
     let errors = [&mut after_fit, &mut after];
     let left = session.explained_by_formulas(&mut causes, left, (&tested, &fitted), errors, file_holds, &torque_rms);
     let extended = errors_of(&after_fit, &after);
@@ -366,6 +394,7 @@ fn once(
         offer: Offer { offered, left_out: [file_out.rms(), refit.left_out.rms(), left_out.rms()], why },
         friction: quiet(&tested, &fitted),
         forgotten: Vec::new(),
+        band: None,
         changed: changed.into_iter().map(|j| j + 1).collect(),
         file_holds,
         changes: Vec::new(),

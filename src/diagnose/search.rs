@@ -23,6 +23,7 @@ pub(super) mod merge_couplings;
 pub(super) mod merge_levels;
 mod next_candidate;
 pub(super) mod over_all_joints;
+pub(super) mod position_band;
 mod simplest_laws;
 mod stepwise_exchange;
 mod sufficient;

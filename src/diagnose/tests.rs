@@ -5,6 +5,7 @@ mod columns;
 mod decisions;
 mod gears;
 mod mechanisms;
+mod position_band;
 mod sizes;
 mod sums;
 mod windows;

@@ -1,21 +1,24 @@
 //! Errors on logs of a robot file that contains the offered model, by the file's ordinary inverse
 //! dynamics. This path shares neither columns nor windows with the diagnosis.
 
+use super::findings::result::Diagnosis;
 use super::run::KEPT;
+use super::windows::low_passed::in_band;
 use super::windows::recording::{Recording, Stretch};
 use super::windows::windowed_data::{dead_zones, edge};
 use crate::model::{States, TorqueModel};
 use crate::numerics::sums::root_mean_square;
 
 /// Root mean square error of each joint's torque, N m, over the samples on which a diagnosis
-/// evaluates. Both ends of each stretch are left out. Where `own_validation == false`, all but the
-/// last three tenths of each stretch are left out, too.
+/// evaluates, behind its low-pass. Both ends of each stretch are left out. Without a validating log
+/// all but the last three tenths of each stretch are left out, too.
 ///
 /// The sign of a velocity inside its noise is 0 for a joint at rest most of the time, as in the
 /// diagnosis. A joint whose sensor was off has no error.
-pub fn written_errors(model: &dyn TorqueModel, recordings: &[Recording], own_validation: bool) -> Vec<f64> {
+pub fn written_errors(model: &dyn TorqueModel, recordings: &[Recording], found: &Diagnosis) -> Vec<f64> {
     let dof = model.dof();
-    let share = if own_validation { 0.0 } else { KEPT };
+    let share = if found.own_validation { 0.0 } else { KEPT };
+    let recordings = &in_band(recordings, found.band.as_ref())[..];
     let parts: Vec<Recording> = recordings.iter().map(|r| r.split(share)[1].clone()).collect();
     let zones = dead_zones(&parts, dof);
     let mut errors = vec![Vec::new(); dof];

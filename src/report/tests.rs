@@ -177,6 +177,7 @@ fn diagnosis_page_stands_alone() {
             }),
         }],
         friction: vec![],
+        band: None,
         forgotten: vec![],
         next_experiment: Some(NextExperiment {
             between: vec!["joint_elasticity", "viscous_friction"],

@@ -15,8 +15,19 @@ pub struct ChannelSummary {
     pub range: [f64; 2],
     /// Largest difference between consecutive samples.
     pub largest_step: f64,
-    /// First and last stamp, and the longest time between two samples, in the clock's unit.
-    pub clock: Option<[f64; 3]>,
+    /// Stamps of its samples, if there is a clock.
+    pub clock: Option<ClockSummary>,
+}
+
+/// Summary of the stamps of a channel, in the clock's unit.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct ClockSummary {
+    /// Duration from the first to the last sample of each part between restarts, summed.
+    pub duration: f64,
+    /// Longest time between two samples.
+    pub longest_gap: f64,
+    /// How often the stamp fell: a new recording begins there.
+    pub restarts: u64,
 }
 
 /// Accumulates the summary of a channel.
@@ -24,6 +35,7 @@ pub struct ChannelSummary {
 pub(super) struct Summing {
     summary: ChannelSummary,
     last: Option<f64>,
+    last_stamp: Option<f64>,
 }
 
 impl Summing {
@@ -36,7 +48,7 @@ impl Summing {
             largest_step: 0.0,
             clock: None,
         };
-        Self { summary, last: None }
+        Self { summary, last: None, last_stamp: None }
     }
 
     /// Adds a sample, with its stamp if there is a clock.
@@ -52,8 +64,14 @@ impl Summing {
             s.largest_step = s.largest_step.max((value - last).abs());
         }
         if let Some(t) = time {
-            let [first, last, gap] = s.clock.unwrap_or([t, t, 0.0]);
-            s.clock = Some([first, t, gap.max(t - last)]);
+            let clock = s.clock.get_or_insert_default();
+            let step = t - self.last_stamp.replace(t).unwrap_or(t);
+            if step < 0.0 {
+                clock.restarts += 1;
+            } else {
+                clock.duration += step;
+                clock.longest_gap = clock.longest_gap.max(step);
+            }
         }
     }
 
@@ -65,8 +83,8 @@ impl Summing {
 impl ChannelSummary {
     /// Mean rate, samples per unit of the clock.
     pub fn rate(&self) -> Option<f64> {
-        let [first, last, _] = self.clock?;
-        (last > first && self.samples > 1).then(|| (self.samples - 1) as f64 / (last - first))
+        let ClockSummary { duration, restarts, .. } = self.clock?;
+        (duration > 0.0).then(|| self.samples.saturating_sub(1 + restarts) as f64 / duration)
     }
 }
 
@@ -320,7 +338,7 @@ mod tests {
     use super::*;
 
     fn channel(name: &str, range: [f64; 2]) -> ChannelSummary {
-        let clock = Some([0.0, 10.0, 0.02]);
+        let clock = Some(ClockSummary { duration: 10.0, longest_gap: 0.02, restarts: 0 });
         ChannelSummary { name: name.into(), samples: 1001, missing: 0, range, largest_step: 0.1, clock }
     }
 
@@ -347,7 +365,7 @@ mod tests {
     #[test]
     fn degrees_milliseconds_and_milliamperes_are_seen() {
         let mut time = channel("Time", [0.0, 10_000.0]);
-        time.clock = Some([0.0, 10_000.0, 10.0]);
+        time.clock = Some(ClockSummary { duration: 10_000.0, longest_gap: 10.0, restarts: 0 });
         let channels = [time, channel("Axis 1 Pos", [-170.0, 100.0]), channel("Axis 1 Current", [-900.0, 900.0])];
         let found = propose(&channels, &[]);
         assert_eq!(named(&found, "t"), Some(("Time".into(), Some("ms".into()))));
@@ -366,6 +384,18 @@ mod tests {
         }
         let torque = found.mapping.columns.iter().position(|(column, _)| column == "tau*").unwrap();
         assert!(found.reasons[torque].contains("nothing was measured"), "{:?}", found.reasons);
+    }
+
+    /// Recordings in one file, each with a clock of its own, have the rate of one recording.
+    #[test]
+    fn a_clock_that_restarts_keeps_its_rate() {
+        let mut sum = Summing::new("q1");
+        (0..303).for_each(|k| sum.add(Some(f64::from(k % 101) * 0.005), 0.0));
+        let found = sum.finish();
+        let clock = found.clock.unwrap();
+        assert_eq!(clock.restarts, 2);
+        assert!((clock.duration - 1.5).abs() < 1e-9 && (clock.longest_gap - 0.005).abs() < 1e-9);
+        assert!((found.rate().unwrap() - 200.0).abs() < 1e-6);
     }
 
     #[test]

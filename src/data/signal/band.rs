@@ -5,6 +5,25 @@ use super::Filter;
 use super::low_pass;
 use crate::data::signal::breakaway_band::Derived;
 
+impl Filter {
+    /// The filtered series (even samples, `period` s apart), its first derivative (1/s) and its
+    /// second (1/s^2).
+    pub fn derivatives(self, x: &[f64], period: f64) -> [Vec<f64>; 3] {
+        let Derived { q, dq, ddq } = self.through(x, period);
+        [q, dq, ddq]
+    }
+
+    fn through(self, x: &[f64], period: f64) -> Derived {
+        let mut y = x.to_vec();
+        // A series shorter than the filter's transient is not filtered.
+        if let Ok(sos) = low_pass(self.order, self.cutoff, period.recip()) {
+            let pad = (1.0 / (period * self.cutoff)).ceil() as usize;
+            sos.forward_backward(&mut y, pad.max(sos.scipy_padding()));
+        }
+        Derived::of(y, period)
+    }
+}
+
 /// Filters that turned recorded positions into those of a motion.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Band {
@@ -32,15 +51,7 @@ impl Band {
     /// Effect on an evenly sampled series of joint `joint`: the filtered series, its first
     /// derivative (1/s) and its second (1/s^2).
     pub fn seen(&self, joint: usize, x: &[f64], period: f64) -> [Vec<f64>; 3] {
-        let through = |filter: Filter| {
-            let mut y = x.to_vec();
-            // A series shorter than the filter's transient is not filtered.
-            if let Ok(sos) = low_pass(filter.order, filter.cutoff, period.recip()) {
-                let pad = (1.0 / (period * filter.cutoff)).ceil() as usize;
-                sos.forward_backward(&mut y, pad.max(sos.scipy_padding()));
-            }
-            Derived::of(y, period)
-        };
+        let through = |filter: Filter| filter.through(x, period);
         let mut seen = match self.narrow.get(joint) {
             Some(filter) => through(*filter),
             None => Derived::of(x.to_vec(), period),

@@ -4,6 +4,7 @@ use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects::{self, Key};
 
 use crate::diagnose::hypotheses::{Named, Quantity, hypothesis};
+use crate::diagnose::windows::low_passed::PositionBand;
 use crate::identify::ErrorBudget;
 
 /// Overall verdict.
@@ -292,6 +293,9 @@ pub struct Diagnosis {
     /// Plain friction refitted in the extended model but not reported as a change; for the file
     /// alone.
     pub friction: Vec<Cause>,
+    /// Low-pass of the positions, if the torques follow the motion less far than the band that suits
+    /// the encoders.
+    pub band: Option<PositionBand>,
     /// Effects of the file that the data contradict: removed, and estimated again. Effect and joint
     /// (from 0); `None` for the whole robot.
     pub forgotten: Vec<(EffectKind, Option<usize>)>,

@@ -39,6 +39,7 @@ pub(super) fn recording() -> Recording {
         clock_error: 0.0,
         stuck: Vec::new(),
         band: Band::default(),
+        beside: [const { Vec::new() }; 2],
     };
     Recording { name: "made up".into(), begin: 0.0, stretches: vec![stretch] }
 }

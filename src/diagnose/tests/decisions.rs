@@ -32,7 +32,7 @@ use dh_codegen::robot::EffectKind;
 
 /// The planar arm's torques on the synthetic motion, with noise and an addition per joint and
 /// sample.
-fn made(noise: [f64; 2], seed: u64, more: &dyn Fn(usize, usize) -> f64) -> [Recording; 1] {
+pub(super) fn made(noise: [f64; 2], seed: u64, more: &dyn Fn(usize, usize) -> f64) -> [Recording; 1] {
     let robot = planar();
     let bodies = Bodies::of(&bare(&robot));
     let mut random = Random::new(seed);

@@ -76,7 +76,7 @@ fn found(robot: &Robot, seed: u64, tau: &dyn Fn(&[[f64; 2]; 3]) -> [f64; 2]) -> 
     let found = diagnose(&plant, &[a], &[b], &Settings::default(), &|_| {}).unwrap();
     let extended = extended(robot.clone(), &found);
     let written = FileTorqueModel::new(&extended).unwrap().among_walls(&extended);
-    let missed = written_errors(&written, &[c], true).iter().zip(NOISE).map(|(e, s)| e / s).collect();
+    let missed = written_errors(&written, &[c], &found).iter().zip(NOISE).map(|(e, s)| e / s).collect();
     (found, missed)
 }
 

@@ -434,6 +434,7 @@ fn recordings_hold_what_was_written() {
         clock_error: 0.0,
         stuck: Vec::new(),
         band: Default::default(),
+        beside: [const { Vec::new() }; 2],
     };
     assert_eq!(stretch.of(&stretch.tau, 0), [1.0, 2.0]);
 }

@@ -96,7 +96,7 @@ fn offered(file: &Robot, causes: usize, truth: &dyn Fn(&[[f64; 2]; 3]) -> [f64; 
     let robot = extended(file.clone(), &found);
     let text = robot.to_yaml();
     let robot = Robot::from_yaml(&text, &no_files).unwrap().robot;
-    let written = written_errors(&FileTorqueModel::new(&robot).unwrap(), &validate, true);
+    let written = written_errors(&FileTorqueModel::new(&robot).unwrap(), &validate, &found);
     for (is, offered) in written.iter().zip(&found.extended.validate) {
         assert!((is - offered).abs() < 0.01 * offered, "{written:?} {:?}\n{text}", found.extended.validate);
     }

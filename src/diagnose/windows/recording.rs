@@ -15,7 +15,7 @@ const BURSTS: f64 = 8.0 / 3.0;
 /// Preparation of samples for a recording: torques stay raw, and the band of each joint's positions
 /// is determined from the log, below `highest`, Hz.
 pub fn preparation(highest: f64) -> Prepare {
-    Prepare { adaptive: true, bursts: Some(BURSTS * highest), ..fixed_preparation(highest) }
+    Prepare { adaptive: true, bursts: Some(BURSTS * highest), margins: true, ..fixed_preparation(highest) }
 }
 
 /// The same with one low-pass, of `cutoff`, Hz, for the positions of all joints.
@@ -62,6 +62,9 @@ pub struct Stretch {
     pub stuck: Vec<bool>,
     /// Effect of the low-pass on the positions.
     pub band: Band,
+    /// Positions just before and just after the stretch, joint-major, rad, so that a further
+    /// low-pass does not err at its ends; may be empty.
+    pub beside: [Vec<f64>; 2],
 }
 
 /// A log.
@@ -185,6 +188,17 @@ fn settle(recording: &mut Recording, travel: &[f64]) {
     }
 }
 
+/// Duration of the positions that are kept beside a stretch, s: the transient of a low-pass of
+/// 2 Hz.
+const BESIDE: f64 = 0.5;
+
+/// The part of each joint's positions just before and just after a range, rad, joint-major.
+fn beside(q: &[f64], dof: usize, range: &std::ops::Range<usize>, period: f64) -> [Vec<f64>; 2] {
+    let (len, most) = (q.len() / dof.max(1), (BESIDE / period) as usize);
+    let after = range.end..(range.end + most).min(len);
+    [range.start.saturating_sub(most)..range.start, after].map(|range| part(q, dof, len, range))
+}
+
 /// A range of samples of each joint of a joint-major series; empty if the series has another
 /// length.
 fn part<T: Clone>(x: &[T], dof: usize, len: usize, range: std::ops::Range<usize>) -> Vec<T> {
@@ -221,6 +235,7 @@ impl Stretch {
             clock_error: motion.clock_error,
             stuck: part(&motion.stuck, dof, len, core.clone()),
             band: motion.band.cut(len, core.clone()),
+            beside: beside(&motion.states.q, dof, &core, motion.period),
         }
     }
 
@@ -228,6 +243,8 @@ impl Stretch {
     pub(super) fn cut(&self, range: std::ops::Range<usize>) -> Self {
         let (dof, len) = (self.velocity_noise.len(), self.states.len);
         let take = |x: &[f64]| part(x, dof, len, range.clone());
+        let before = self.beside[0].len() / dof.max(1);
+        let around = before + range.start..before + range.end;
         Self {
             start: self.start + range.start as f64 * self.period,
             period: self.period,
@@ -242,7 +259,23 @@ impl Stretch {
             clock_error: self.clock_error,
             stuck: part(&self.stuck, dof, len, range.clone()),
             band: self.band.cut(len, range.clone()),
+            beside: beside(&self.all_positions(), dof, &around, self.period),
         }
+    }
+
+    /// Joint-major positions of the stretch with those beside it.
+    fn all_positions(&self) -> Vec<f64> {
+        (0..self.velocity_noise.len()).flat_map(|j| self.positions_around(j)).collect()
+    }
+
+    /// Positions of joint `j` in the stretch and beside it.
+    pub(super) fn positions_around(&self, j: usize) -> Vec<f64> {
+        let [before, after] = [0, 1].map(|side| {
+            let all = &self.beside[side];
+            let len = all.len() / self.velocity_noise.len().max(1);
+            &all[j * len..(j + 1) * len]
+        });
+        [before, self.of(&self.states.q, j), after].concat()
     }
 
     /// Sample at which this share of the stretch ends: of its time, or where the rest would then hold

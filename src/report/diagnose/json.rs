@@ -44,6 +44,7 @@ pub fn diagnose_json(found: &Diagnosis, logs: &[Prepared], warnings: &Warnings, 
         })),
         "warnings": warnings.json(),
         "findings": findings,
+        "position_band": found.band.map(|band| json!({ "cutoff": band.cutoff, "removes": band.removes })),
         "provenance": provenance.iter().map(|(k, v)| (k.clone(), Value::from(v.as_str()))).collect::<Map<_, _>>(),
     })
 }

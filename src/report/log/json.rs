@@ -18,7 +18,7 @@ pub fn inspect_json(channels: &[ChannelSummary], proposal: &Proposal) -> Value {
                 "max": range.map(|r| r[1]),
                 "largest_step": c.largest_step,
                 "rate": c.rate(),
-                "longest_gap": c.clock.map(|k| k[2]),
+                "longest_gap": c.clock.map(|clock| clock.longest_gap),
             })
         })
         .collect();

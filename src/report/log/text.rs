@@ -16,7 +16,7 @@ pub fn inspect_text(file: &str, channels: &[ChannelSummary], proposal: &Proposal
     );
     for channel in channels {
         let rate = channel.rate().map_or(String::new(), |r| format!("{r:.4}"));
-        let gap = channel.clock.map_or(String::new(), |[_, _, gap]| format!("{gap:.4}"));
+        let gap = channel.clock.map_or(String::new(), |clock| format!("{:.4}", clock.longest_gap));
         let [low, high] =
             if channel.samples > 0 { channel.range.map(|v| format!("{v:.5}")) } else { [String::new(), String::new()] };
         let _ = writeln!(
@@ -55,11 +55,14 @@ fn remarks(channel: &ChannelSummary) -> String {
     if channel.samples > 1 && channel.range[0] == channel.range[1] {
         remarks.push("constant".into());
     }
-    if let (Some([first, last, gap]), Some(rate)) = (channel.clock, channel.rate())
-        && gap * rate > 5.0
-        && last > first
-    {
-        remarks.push("gaps".into());
+    if let (Some(clock), Some(rate)) = (channel.clock, channel.rate()) {
+        if clock.longest_gap * rate > 5.0 {
+            remarks.push("gaps".into());
+        }
+        if clock.restarts > 0 {
+            let times = if clock.restarts == 1 { String::new() } else { format!(" {} times", clock.restarts) };
+            remarks.push(format!("clock restarts{times}"));
+        }
     }
     remarks.join(", ")
 }
