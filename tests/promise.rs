@@ -220,7 +220,7 @@ fn what_is_fitted_from_a_bare_file_is_possible_and_is_what_was_measured() {
             assert!((refitted - offered).abs() < 1e-3 * refitted, "{refitted} compared, {offered} offered");
             assert_eq!(found.refitted.validate.len(), found.extended.validate.len());
         }
-        let is = written_errors(&FileTorqueModel::new(&back).unwrap(), &validate, true);
+        let is = written_errors(&FileTorqueModel::new(&back).unwrap(), &validate, &found);
         let promised = rms(&found.extended.validate);
         assert!((rms(&is) - promised).abs() < 0.01 * promised, "{is:?} {:?}", found.extended.validate);
         // The same samples by this file's own method.
