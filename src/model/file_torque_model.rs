@@ -207,11 +207,40 @@ fn earlier(time: &[f64], states: &States, late: f64, n: usize) -> States {
                 let between = |x: &[f64], v: &[f64]| cubic([x[a], x[b]], [v[a] * h, v[b] * h], f);
                 let at = k * len + s;
                 out.q[at] = between(&states.q, &states.dq);
-                out.dq[at] = between(&states.dq, &states.ddq);
+                // A joint that rests at both samples rests between them, whatever the noise of its
+                // acceleration: a velocity other than zero would have dry friction.
+                let rests = states.dq[a] == 0.0 && states.dq[b] == 0.0;
+                out.dq[at] = if rests { 0.0 } else { between(&states.dq, &states.ddq) };
                 out.ddq[at] = states.ddq[a] + f * (states.ddq[b] - states.ddq[a]);
             }
         }
         start = end;
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The motion of a delayed torque: between samples at rest a joint rests, though its acceleration
+    /// is not exactly zero; a moving joint is where it was.
+    #[test]
+    fn a_joint_at_rest_was_at_rest_before() {
+        let time: Vec<f64> = (0..40).map(|k| 0.005 * f64::from(k)).collect();
+        let noise = |t: &f64| 0.03 * (7e3 * t).sin();
+        // Joint 1 stands; joint 2 moves at 2 rad/s.
+        let states = States {
+            len: 40,
+            q: vec![vec![0.1; 40], time.iter().map(|t| 2.0 * t).collect()].concat(),
+            dq: [vec![0.0; 40], vec![2.0; 40]].concat(),
+            ddq: [time.iter().map(noise).collect(), vec![0.0; 40]].concat(),
+        };
+        let before = earlier(&time, &states, 0.0123, 2);
+        assert!(before.dq[..40].iter().all(|v| *v == 0.0));
+        for k in 3..40 {
+            assert!((before.q[40 + k] - 2.0 * (time[k] - 0.0123)).abs() < 1e-12);
+            assert!((before.dq[40 + k] - 2.0).abs() < 1e-12);
+        }
+    }
 }
