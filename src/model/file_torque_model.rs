@@ -232,7 +232,7 @@ mod tests {
         // Joint 1 stands; joint 2 moves at 2 rad/s.
         let states = States {
             len: 40,
-            q: vec![vec![0.1; 40], time.iter().map(|t| 2.0 * t).collect()].concat(),
+            q: [vec![0.1; 40], time.iter().map(|t| 2.0 * t).collect()].concat(),
             dq: [vec![0.0; 40], vec![2.0; 40]].concat(),
             ddq: [time.iter().map(noise).collect(), vec![0.0; 40]].concat(),
         };
