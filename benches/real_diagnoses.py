@@ -60,14 +60,13 @@ def diagnose(arm, fit, validate, options=()):
 
 
 def excerpt(path, low, high):
-    """The rows between two parts of a log's time."""
+    """The rows between two parts of a log. Times may start anew within it."""
     with open(path) as file:
         header, *rows = file.readlines()
-    times = [float(row.split(",", 1)[0]) for row in rows]
-    ends = [times[0] + part * (times[-1] - times[0]) for part in (low, high)]
+    first, end = (round(part * len(rows)) for part in (low, high))
     out = os.path.join(PLACE, f"{low}-{os.path.basename(path)}")
     with open(out, "w") as part:
-        part.writelines([header, *(row for row, t in zip(rows, times) if ends[0] <= t <= ends[1])])
+        part.writelines([header, *rows[first:end]])
     return out
 
 

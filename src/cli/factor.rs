@@ -72,7 +72,7 @@ impl Factor {
         self.preparation.check_options(None)?;
         motors::on_every_joint(&self.robot, &file.robot, "a factor takes the torque of every joint from the log")?;
         // Prepared as in `identify`.
-        let prepare = Prepare { adaptive: self.preparation.by_the_log(), ..self.preparation.prepare(&file.robot)? };
+        let prepare = self.preparation.prepare(&file.robot)?;
         let provenance = provenance.robot(&self.robot, &file).with("low-pass", Preparation::low_pass(&prepare));
         let totals = RecordingReader::with(&file.robot, digest, prepare, |reader| {
             self.write(reader, &file.robot.name, &provenance)

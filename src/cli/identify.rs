@@ -491,7 +491,7 @@ impl Identify {
             Source::Recorded => Derivatives::Recorded,
             Source::Rest => Derivatives::AtRest,
         };
-        Ok(Prepare { derivatives, adaptive: self.preparation.by_the_log(), ..self.preparation.prepare(robot)? })
+        Ok(Prepare { derivatives, ..self.preparation.prepare(robot)? })
     }
 
     /// Refuses options that are out of range, or have no effect with the others.

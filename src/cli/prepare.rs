@@ -22,9 +22,9 @@ use crate::identify::recording::{self, torque_constants};
 /// Low-pass, clock, torque column, and what to keep.
 #[derive(Args, Clone)]
 pub(super) struct Preparation {
-    /// Cut-off frequency of the low-pass, Hz; 0 for none. Default: 10. `identify` takes for each
-    /// joint the one at which the expected error of its acceleration is least, given the spectrum
-    /// of its motion and the noise of its encoder, at most 10.
+    /// Cut-off frequency of the low-pass, Hz; 0 for none. Default: for each joint the one at which
+    /// the expected error of its acceleration is least, given the spectrum of its motion and the
+    /// noise of its encoder, at most 10.
     #[arg(long)]
     cutoff: Option<f64>,
     /// Order of one pass of the Butterworth low-pass.
@@ -91,6 +91,7 @@ impl Preparation {
         }
         Ok(Prepare {
             filter: Some(self.highest()).filter(|filter| filter.cutoff > 0.0),
+            adaptive: self.cutoff.is_none(),
             dead_zone: self.dead_zone(),
             trim: self.trim,
             torque_delay: self.delay,
@@ -111,11 +112,6 @@ impl Preparation {
             Some(_) => DeadZone::Off,
             None => DeadZone::FromNoise,
         }
-    }
-
-    /// Whether the cutoff depends on the log.
-    pub(super) fn by_the_log(&self) -> bool {
-        self.cutoff.is_none()
     }
 
     /// The low-pass, or the one with the highest cutoff if it depends on the log.

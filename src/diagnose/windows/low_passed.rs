@@ -25,9 +25,6 @@ pub(in crate::diagnose) fn in_band<'a>(
     }
 }
 
-/// Order of one pass of the low-pass.
-const ORDER: usize = 4;
-
 impl Recording {
     /// The recording with the positions of all joints low-passed at `cutoff`, Hz, forward and
     /// backward, where their band is wider; torques are unchanged.
@@ -39,10 +36,11 @@ impl Recording {
 impl Stretch {
     fn low_passed(&self, cutoff: f64) -> Self {
         let mut next = self.clone();
-        let (len, filter) = (self.states.len, Filter { order: ORDER, cutoff });
+        let len = self.states.len;
         let before = self.beside[0].len() / self.velocity_noise.len().max(1);
         for j in 0..self.velocity_noise.len() {
-            let Some(known) = self.band.narrow.get(j).filter(|known| known.cutoff > cutoff) else { continue };
+            let Some(&known) = self.band.narrow.get(j).filter(|known| known.cutoff > cutoff) else { continue };
+            let filter = Filter { cutoff, ..known };
             let own = j * len..(j + 1) * len;
             let [q, dq, ddq] = filter.derivatives(&self.positions_around(j), self.period);
             let inside = before..before + len;
