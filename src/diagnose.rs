@@ -8,6 +8,7 @@
 //!
 //! Sees a robot only as a [`PerturbableArm`](crate::model::PerturbableArm); prints nothing.
 
+mod excerpts;
 mod findings;
 mod fit;
 mod hypotheses;

@@ -16,7 +16,6 @@ use super::prepare::{Preparation, hashed_pass, keep_pages};
 use super::provenance::Provenance;
 use super::terminal;
 use crate::data::log::{Digest, Source};
-use crate::data::signal::Prepare;
 use crate::identify::RecordingReader;
 use crate::report::{self, FactorRow, FactorTable};
 

@@ -1,5 +1,6 @@
 //! Runs the diagnosis: recordings in, [`Diagnosis`] out.
 
+use super::excerpts::seek_again;
 use super::findings::attribution::curve;
 use super::findings::calibration;
 use super::findings::deflection::deflections;
@@ -107,6 +108,15 @@ pub fn diagnose(
     let [fit, validate] = [fit, validate].map(|logs| in_band(logs, band.as_ref()));
     let (fit, validate) = (&fit[..], &validate[..]);
     let mut found = consistent_with_file(plant, fit, validate, settings, progress)?;
+    progress("excerpts of the logs");
+    let bare = plant.without(&found.forgotten);
+    let trusted = bare.as_deref().unwrap_or(plant);
+    let removed = seek_again(&mut found.causes, fit, |excerpt, rest| {
+        let validate = if validate.is_empty() { rest } else { validate };
+        once(trusted, excerpt, validate, settings, progress).ok().map(|found| found.causes)
+    });
+    found.offer.why.extend(removed);
+    found.next_experiment = next_experiment(&found.causes);
     if !found.changed.is_empty() {
         progress("what changed between the logs");
         // Diagnose the logs that deviate from the model by themselves, if they are long enough.

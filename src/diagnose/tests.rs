@@ -3,6 +3,7 @@
 mod battery;
 mod columns;
 mod decisions;
+mod excerpts;
 mod gears;
 mod mechanisms;
 mod position_band;

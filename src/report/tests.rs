@@ -151,6 +151,7 @@ fn diagnosis_page_stands_alone() {
         causes: vec![Cause {
             refuted: None,
             recurrence: 0.9,
+            found_again: [2, 2],
             cause: "joint_elasticity",
             joints: vec![1],
             probability: 0.95,
@@ -218,8 +219,16 @@ fn diagnosis_page_stands_alone() {
     assert!(page.contains("data-joint=0") && page.contains("Parameters as identified") && page.contains("few samples"));
     let text = calibrate_text(&found, &identified, &Warnings::default());
     assert!(text.contains("warning of the identification: few samples"), "{text}");
-    // A delay has no curve of its own.
+    // What an excerpt of the logs lacks is the first doubt.
     let mut late = found;
+    let doubt =
+        |found: &Diagnosis| diagnose_json(found, &[], &Warnings::default(), &[])["causes"][0]["against"][0].clone();
+    assert_eq!(doubt(&late), "viscous friction would explain nearly as much");
+    late.causes[0].found_again = [1, 2];
+    assert_eq!(doubt(&late), "of the first and the last six tenths of the fitted logs one alone shows it");
+    late.causes[0].found_again = [0, 2];
+    assert_eq!(doubt(&late), "no excerpt of the fitted logs shows it by itself");
+    // A delay has no curve of its own.
     late.causes[0].cause = "time_delay";
     assert!(diagnose_html(&late, &[], &Warnings::default(), None, &[]).contains("\"curve\":null"));
 }

@@ -75,6 +75,7 @@ impl Attribution<'_> {
             margin,
             share: part,
             recurrence,
+            found_again: [0; 2],
             evidence: evidence::sentence(&Shown {
                 cause: item.hypothesis,
                 shape: accepted.map(|a| a.chosen.shape.as_slice()),

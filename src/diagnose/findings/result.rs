@@ -103,6 +103,9 @@ pub struct Cause {
     pub share: f64,
     /// Recurrence in disjoint stretches of the fitted logs, 0 to 1: 1 for the same size in each.
     pub recurrence: f64,
+    /// In how many excerpts of the fitted logs it is found again, and how many were diagnosed; zero
+    /// if it acts in a part of a log only, or excerpts are too short.
+    pub found_again: [usize; 2],
     /// A sentence with figures.
     pub evidence: String,
     /// Errors with all causes but this one, per joint, N m.
@@ -163,6 +166,7 @@ impl Cause {
             margin: 0.0,
             share: 0.0,
             recurrence: 1.0,
+            found_again: [0; 2],
             evidence: String::new(),
             rms_before: Vec::new(),
             rms_after: Vec::new(),

@@ -240,7 +240,7 @@ impl Stretch {
     }
 
     /// A range of its samples.
-    pub(super) fn cut(&self, range: std::ops::Range<usize>) -> Self {
+    pub(in crate::diagnose) fn cut(&self, range: std::ops::Range<usize>) -> Self {
         let (dof, len) = (self.velocity_noise.len(), self.states.len);
         let take = |x: &[f64]| part(x, dof, len, range.clone());
         let before = self.beside[0].len() / dof.max(1);

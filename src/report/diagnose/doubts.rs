@@ -13,6 +13,11 @@ pub fn doubts(c: &Cause) -> Vec<String> {
     if c.cause == "unknown" {
         return all;
     }
+    match c.found_again {
+        [0, of] if of > 0 => all.push("no excerpt of the fitted logs shows it by itself".to_string()),
+        [1, 2] => all.push("of the first and the last six tenths of the fitted logs one alone shows it".to_string()),
+        _ => {}
+    }
     if !c.not_distinguished_from.is_empty() {
         let names: Vec<String> = c.not_distinguished_from.iter().map(|n| n.replace('_', " ")).collect();
         all.push(format!("{} would explain nearly as much", names.join(" or ")));

@@ -59,6 +59,7 @@ fn cause(c: &Cause) -> Value {
         "probability": c.probability,
         "in_extended": c.in_extended,
         "recurrence": c.recurrence,
+        "found_in_excerpts": c.found_again,
         "parameters": values,
         "parameters_std": stds,
         "evidence": c.evidence,

@@ -183,7 +183,7 @@ fn cause(c: &Cause, right: Option<bool>) -> Value {
     let parameters: Vec<Value> = c.parameters.iter().map(|p| json!([p.symbol, p.value, p.std])).collect();
     json!({
         "cause": c.cause, "joints": c.joints, "probability": c.probability, "right": right, "support": c.support,
-        "margin": c.margin, "share": c.share, "recurrence": c.recurrence, "parameters": parameters, "not_distinguished_from": c.not_distinguished_from,
+        "margin": c.margin, "share": c.share, "recurrence": c.recurrence, "found_in_excerpts": c.found_again, "parameters": parameters, "not_distinguished_from": c.not_distinguished_from,
         "rms_before": c.rms_before, "rms_after": c.rms_after, "in_extended": c.in_extended,
     })
 }
