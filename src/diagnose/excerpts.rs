@@ -1,7 +1,6 @@
 //! Whether the causes of a diagnosis are found again by diagnoses of excerpts of its logs.
 
 use super::findings::calibration;
-use super::findings::reported_cause::place_of;
 use super::findings::result::Cause;
 use super::windows::recording::{Recording, Stretch};
 
@@ -12,17 +11,17 @@ const EXCERPTS: [[f64; 2]; 2] = [[0.0, 0.6], [0.4, 1.0]];
 const SHORTEST: f64 = 0.5;
 
 /// Seeks each cause again in excerpts, and lowers the probability of those that an excerpt lacks.
-/// Causes beside the model that are then unlikely are removed; returns a sentence on each. `again`:
-/// causes of an excerpt and the rest of the recordings; `None` if it is too short to be diagnosed.
+/// `again`: causes of an excerpt, given the rest of the recordings; `None` if it is too short to be
+/// diagnosed.
 pub(super) fn seek_again(
-    causes: &mut Vec<Cause>,
+    causes: &mut [Cause],
     recordings: &[Recording],
     again: impl Fn(&[Recording], &[Recording]) -> Option<Vec<Cause>>,
-) -> Vec<String> {
+) {
     // A push has its own time, and what is left without a name has no place.
     let counts = |cause: &Cause| cause.cause != "unknown" && cause.window().is_none();
     if !causes.iter().any(counts) {
-        return Vec::new();
+        return;
     }
     for [from, to] in EXCERPTS {
         let rest = [between(recordings, [0.0, from]), between(recordings, [to, 1.0])].concat();
@@ -33,30 +32,9 @@ pub(super) fn seek_again(
             cause.found_again = [known + usize::from(here), of + 1];
         }
     }
-    let mut removed = Vec::new();
-    causes.retain_mut(|cause| {
-        let before = cause.probability;
-        cause.probability = calibration::sought_again(before, cause.found_again);
-        let unlikely = before >= calibration::NAMED && cause.probability < calibration::NAMED;
-        if unlikely && !cause.in_extended {
-            removed.push(sentence(cause));
-        } else if unlikely {
-            // A cause in the model is as likely as not.
-            cause.probability = calibration::NAMED;
-        }
-        !unlikely || cause.in_extended
-    });
-    removed
-}
-
-fn sentence(cause: &Cause) -> String {
-    let place: Vec<usize> = cause.joints.iter().map(|j| j - 1).collect();
-    format!(
-        "{} {} is not named: its probability is {:.2}, because no excerpt of the fitted logs shows it by itself.",
-        cause.cause,
-        place_of(&place),
-        cause.probability
-    )
+    for cause in causes {
+        cause.probability = calibration::sought_again(cause.probability, cause.found_again);
+    }
 }
 
 /// The motion between two shares of the recordings' whole time.

@@ -111,12 +111,10 @@ pub fn diagnose(
     progress("excerpts of the logs");
     let bare = plant.without(&found.forgotten);
     let trusted = bare.as_deref().unwrap_or(plant);
-    let removed = seek_again(&mut found.causes, fit, |excerpt, rest| {
+    seek_again(&mut found.causes, fit, |excerpt, rest| {
         let validate = if validate.is_empty() { rest } else { validate };
         once(trusted, excerpt, validate, settings, progress).ok().map(|found| found.causes)
     });
-    found.offer.why.extend(removed);
-    found.next_experiment = next_experiment(&found.causes);
     if !found.changed.is_empty() {
         progress("what changed between the logs");
         // Diagnose the logs that deviate from the model by themselves, if they are long enough.

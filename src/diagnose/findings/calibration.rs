@@ -97,22 +97,16 @@ pub fn local(support: f64, brief: bool) -> f64 {
     factor * (support.max(0.0) / (support.max(0.0) + LOCAL)).min(0.995)
 }
 
-/// Share of a probability beyond one half that is left for a cause that one of two excerpts of the
-/// fitted logs lacks, and share of the probability for one that all lack. Chosen by hand: of causes
-/// above 0.8 that an excerpt lacks, less than two thirds are found in other parts of a recording,
-/// and of less likely ones that all lack, one in seven was true (docs/diagnose.md).
-const ONE_LACKS: f64 = 0.6;
-const ALL_LACK: f64 = 0.62;
+/// Share of a probability beyond one half that is left for a cause that none, one or two excerpts of
+/// the fitted logs lack. Chosen by hand: of causes above 0.8 that an excerpt lacks, less than two
+/// thirds are found in other parts of a recording (docs/results/diagnosis.md).
+const LEFT: [f64; 3] = [1.0, 0.6, 0.4];
 
 /// Probability of a cause that was sought again in excerpts of the fitted logs: found in the first
-/// number of as many as the second.
+/// number of as many as the second. It stays named.
 pub fn sought_again(probability: f64, [found, of]: [usize; 2]) -> f64 {
-    match (found, of) {
-        (found, of) if found == of => probability,
-        (0, _) => ALL_LACK * probability,
-        _ if probability > NAMED => NAMED + ONE_LACKS * (probability - NAMED),
-        _ => probability,
-    }
+    let left = LEFT[of.saturating_sub(found).min(LEFT.len() - 1)];
+    if probability > NAMED { NAMED + left * (probability - NAMED) } else { probability }
 }
 
 /// Relative deviation of a cause's size between stretches, from its recurrence `1 / (1 + s^2)`.
