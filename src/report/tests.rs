@@ -225,9 +225,9 @@ fn diagnosis_page_stands_alone() {
         |found: &Diagnosis| diagnose_json(found, &[], &Warnings::default(), &[])["causes"][0]["against"][0].clone();
     assert_eq!(doubt(&late), "viscous friction would explain nearly as much");
     late.causes[0].found_again = [1, 2];
-    assert_eq!(doubt(&late), "of the first and the last six tenths of the fitted logs one alone shows it");
+    assert_eq!(doubt(&late), "one of two excerpts of the fitted logs does not show it");
     late.causes[0].found_again = [0, 2];
-    assert_eq!(doubt(&late), "no excerpt of the fitted logs shows it by itself");
+    assert_eq!(doubt(&late), "no excerpt of the fitted logs shows it");
     // A delay has no curve of its own.
     late.causes[0].cause = "time_delay";
     assert!(diagnose_html(&late, &[], &Warnings::default(), None, &[]).contains("\"curve\":null"));

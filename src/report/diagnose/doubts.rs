@@ -14,8 +14,8 @@ pub fn doubts(c: &Cause) -> Vec<String> {
         return all;
     }
     match c.found_again {
-        [0, of] if of > 0 => all.push("no excerpt of the fitted logs shows it by itself".to_string()),
-        [1, 2] => all.push("of the first and the last six tenths of the fitted logs one alone shows it".to_string()),
+        [0, of] if of > 0 => all.push("no excerpt of the fitted logs shows it".to_string()),
+        [1, 2] => all.push("one of two excerpts of the fitted logs does not show it".to_string()),
         _ => {}
     }
     if !c.not_distinguished_from.is_empty() {
