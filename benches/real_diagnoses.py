@@ -60,7 +60,7 @@ def diagnose(arm, fit, validate, options=()):
 
 
 def excerpt(path, low, high):
-    """The rows between two parts of a log. Times may start anew within it."""
+    """The rows between two parts of a log. Its clock may restart."""
     with open(path) as file:
         header, *rows = file.readlines()
     first, end = (round(part * len(rows)) for part in (low, high))

@@ -228,6 +228,8 @@ fn diagnosis_page_stands_alone() {
     assert_eq!(doubt(&late), "one of two excerpts of the fitted logs does not show it");
     late.causes[0].found_again = [0, 2];
     assert_eq!(doubt(&late), "no excerpt of the fitted logs shows it");
+    late.causes[0].found_again = [0, 1];
+    assert_eq!(doubt(&late), "no excerpt of the fitted logs shows it");
     // A delay has no curve of its own.
     late.causes[0].cause = "time_delay";
     assert!(diagnose_html(&late, &[], &Warnings::default(), None, &[]).contains("\"curve\":null"));
