@@ -14,7 +14,7 @@ use super::fit::model::{Mode, ModelUnderTest};
 use super::search::SearchSettings;
 use super::search::position_band::position_band;
 use super::select::contenders::{Refit, Searched};
-use super::select::excess::{explained, here_and_there};
+use super::select::excess::{explained, here_and_there, with_excess};
 use super::select::measure::{Measured, Meter};
 use super::select::offer::{Choice, Rival};
 use super::select::refine_and_select::{Selected, Session};
@@ -288,7 +288,8 @@ fn named<'a>(
 ) -> Result<(Selected<'a>, Vec<Cause>, Vec<Structure>), ConsistentError> {
     let mut suspects = session.suspected(suspects, &mut model, rival, why);
     let model = session.law_instead(model, torque_rms, &mut suspects, why)?;
-    let (left, unplayed) = without_columns(&model, session.left(&model, torque_rms), session.noise);
+    let left = with_excess(session.left(&model, torque_rms), session.late(&model));
+    let (left, unplayed) = without_columns(&model, left, session.noise);
     let mut causes = model.causes.clone();
     if model.tested.mode == Mode::Refitted && has_values(session.plant) {
         causes.extend(likelier(session.links(&model, rival), &suspects));

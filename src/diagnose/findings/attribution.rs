@@ -14,8 +14,9 @@ use crate::diagnose::fit::uncertainty::{Uncertainty, parameters};
 use crate::diagnose::hypotheses::{Hypothesis as _, Kind, Named, PLAIN, Quantity};
 use crate::diagnose::search::alone::is_brief;
 use crate::diagnose::search::baseline_friction::BaselineFriction;
+use crate::diagnose::search::driving_friction::friction_drives;
 use crate::diagnose::search::forward::Evidence;
-use crate::diagnose::search::judge::Accepted;
+use crate::diagnose::search::judge::{Accepted, chosen_of};
 use crate::diagnose::search::over_all_joints::pays_over_all;
 use crate::diagnose::select::beside::Shares;
 use crate::diagnose::select::measure::{Figures, Measured, share, taken_of};
@@ -87,7 +88,7 @@ impl Attribution<'_> {
                 on: measured_on(on, self.own_validation),
                 confirmed: accepted.map(|a| a.confirmed),
                 repeats: shares.repeats,
-            }) + &[elsewhere(item, near), self.in_the_file(item), self.assumed(item)].concat(),
+            }) + &self.notes(item, near),
             in_extended: true,
             curve: item.accepted.and_then(|index| evidence::curve(tested, fitted, index, &all[index].chosen)),
             parameters,
@@ -167,6 +168,24 @@ impl Attribution<'_> {
                 "; the motion does not show the link's mass, with the file's it can't be, and {mass} kg are assumed"
             )
         })
+    }
+
+    /// What the evidence says beside its figures.
+    fn notes(&self, item: &Item, near: &[(&'static str, Vec<usize>, f64)]) -> String {
+        [elsewhere(item, near), self.in_the_file(item), self.assumed(item), self.driving(item)].concat()
+    }
+
+    /// A note on a friction law with which the friction of its joint would do positive work.
+    fn driving(&self, item: &Item) -> String {
+        let law = item.accepted.is_some() && item.hypothesis.kind() == Kind::Friction;
+        let drives =
+            |joint| friction_drives(self.tested, joint, &chosen_of(self.accepted), self.fitted, self.noise[joint]);
+        match item.place[..] {
+            [joint] if law && drives(joint) => {
+                "; the whole friction of the joint would then drive it in a part of the motion: the file's level is too low, or the error is not friction but has this form".into()
+            }
+            _ => String::new(),
+        }
     }
 
     /// Parameters of an item under the keys of a robot file.

@@ -438,7 +438,7 @@ impl Forward<'_, '_> {
             |share: f64| Some(Evidence { effect: cause.effect(), place: place.clone(), local: cause.local(), share });
         let stands = match plain(candidate) {
             Some(k) => !level_drives(self.tested, k, after, self.noise[k / 3]),
-            None => trial.last().is_some_and(|last| judge.stands(last, after) && !judge.drives(trial, after)),
+            None => trial.last().is_some_and(|last| judge.stands(last, after) && !judge.drives(trial, [before, after])),
         };
         if !stands {
             return None;

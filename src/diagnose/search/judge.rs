@@ -53,6 +53,9 @@ pub(in crate::diagnose) const SURE: f64 = 4.5;
 
 /// Share of a joint's squared error below which a cause removes nearly all of it.
 const NEARLY: f64 = 0.1;
+/// Share of a joint's squared error below which a friction law has the form of the error, even if
+/// friction of this form would drive the joint.
+const MOSTLY: f64 = 0.3;
 /// Support assigned to a cause that holds in every stretch, where correlated windows cannot decide.
 pub(super) const THROUGHOUT: f64 = 1.0;
 
@@ -135,10 +138,12 @@ impl Judge<'_> {
     }
 
     /// Whether the last of `trial` is a friction law with which a joint's friction does positive
-    /// work.
-    pub(super) fn drives(&self, trial: &[Chosen], after: &Fitted) -> bool {
+    /// work, and that leaves too much of the joint's error to be nevertheless its form.
+    pub(in crate::diagnose) fn drives(&self, trial: &[Chosen], [before, after]: [&Fitted; 2]) -> bool {
         let joint = |c: &Chosen| c.place.first().copied().filter(|_| c.cause.kind() == Kind::Friction);
-        trial.last().and_then(joint).is_some_and(|j| friction_drives(self.tested, j, trial, after, self.noise[j]))
+        let mostly = |j: usize| after.solution.rss[j] < MOSTLY * before.solution.rss[j];
+        let drives = |j: usize| !mostly(j) && friction_drives(self.tested, j, trial, after, self.noise[j]);
+        trial.last().and_then(joint).is_some_and(drives)
     }
 
     /// Whether a cause removes enough of some joint's error beside the noise.
@@ -201,7 +206,7 @@ impl Judge<'_> {
         let last = trial.last()?;
         let Chosen { cause, place, shape, x } = last;
         let counts = &before.solution.counts;
-        if !self.stands(last, after) || self.drives(trial, after) {
+        if !self.stands(last, after) || self.drives(trial, [before, after]) {
             return None;
         }
         let support = self.support(before, after, trial, unknowns(*cause, shape, x.len()))?;

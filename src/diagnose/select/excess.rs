@@ -127,6 +127,29 @@ impl Session<'_> {
         missed.into_iter().filter(|&j| fit[j].max(validate[j]) > APART * elsewhere(j)).collect()
     }
 
+    /// Structure of joints that differ between the fitted part of the logs and the last part, which
+    /// was kept out of the fit; none if there are validating logs.
+    pub(in crate::diagnose) fn late(&self, model: &Selected<'_>) -> Vec<Structure> {
+        if self.own_validation {
+            return Vec::new();
+        }
+        let structure = |joint: usize| {
+            let [rms, before] = [model.after.steady[joint], model.after_fit.steady[joint]];
+            Structure {
+                joint,
+                rms: (rms * rms - before * before).max(0.0).sqrt(),
+                description: format!(
+                    "joint {} is missed by {} N m on the last part of the logs and by {} on the part that was fitted: \
+                     the robot or its motion is another there",
+                    joint + 1,
+                    short(rms),
+                    short(before)
+                ),
+            }
+        };
+        self.changed(model, self.noise).into_iter().map(structure).collect()
+    }
+
     /// Validating logs, by name, on which a model errs more than a plain refit (its errors by log).
     /// The limit is a fiftieth over all joints in units of `scale`, or on one joint a tenth and the
     /// noise.

@@ -17,6 +17,10 @@ use crate::identify::ConsistentError;
 /// Factor by which the error with a law alone may exceed that with a cause beside it.
 const AS_GOOD: f64 = 1.05;
 
+/// Least ratio of the error with a cause alone to that with a law alone. A cause that errs less has
+/// its name: where two joints move alike, a law of the other joint fits as well.
+const WORSE_ALONE: f64 = 1.1;
+
 impl<'a> Session<'a> {
     /// The model without causes of single joints that a law replaces; these are no longer suspects.
     /// `torque`: root mean square of each joint's torque, N m; `said`: sentences on what is not in
@@ -75,7 +79,7 @@ impl<'a> Session<'a> {
             };
             let others = [alone(fit, false), alone(validate, true)];
             let same = |j: usize| j == joint || others[1].rms[j] <= AS_GOOD * after.rms[j];
-            let stands = |law: &Formula| law.is_of_other_joints() && law.validate[1] <= AS_GOOD * known;
+            let stands = |law: &Formula| law.is_of_other_joints() && replaces(law.validate[1], known, after.rms[joint]);
             let instead = law(joint, &views, [&others[0], &others[1]]).filter(stands);
             if let Some(law) = instead.filter(|_| (0..after.rms.len()).all(same)) {
                 found = Some((item, law));
@@ -88,9 +92,29 @@ impl<'a> Session<'a> {
     }
 }
 
+/// Whether a law replaces a cause, by the errors of its joint with the law alone, with a law beside
+/// the cause (`both`), and with the cause alone, N m.
+fn replaces(law: f64, both: f64, cause: f64) -> bool {
+    law <= AS_GOOD * both && WORSE_ALONE * law <= cause
+}
+
 /// The law of a joint's errors on fitted and validating logs.
 fn law(joint: usize, [fit, validate]: &[View; 2], errors: [&Measured; 2]) -> Option<Formula> {
     let motion = [fit.motion(joint), validate.motion(joint)];
     let of = |k: usize| Errors { motion: &motion[k], error: &errors[k].error[joint] };
     formula(joint, of(0), of(1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A law replaces a cause that only came near to it: alone the cause errs more. One that errs as
+    /// much is not replaced.
+    #[test]
+    fn a_cause_that_suffices_keeps_its_name() {
+        assert!(replaces(0.2, 0.2, 0.5));
+        assert!(!replaces(0.2, 0.2, 0.2) && !replaces(0.2, 0.2, 0.21));
+        assert!(!replaces(0.3, 0.2, 0.5));
+    }
 }

@@ -543,6 +543,31 @@ fn friction_that_drives_the_joint_is_none() {
     }
 }
 
+/// A friction law that drives the joint is accepted if it takes most of the joint's error, which
+/// then has this form.
+#[test]
+fn friction_that_drives_the_joint_must_take_most_of_its_error() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let states = &recording().stretches[0].states;
+    let dry = robot.joints[1].drive.coulomb_friction.unwrap();
+    let noise = [0.05, 0.05 * dry];
+    for (slow, drives) in [(0.0, false), (5.0 * dry, true)] {
+        let along = |j: usize, k: usize| {
+            let (q, v) = (states.q[states.len + k], states.dq[states.len + k]);
+            if j == 1 { -4.0 * dry * (3.0 * q).cos() * v.signum() + slow * (2.0 * states.q[k]).sin() } else { 0.0 }
+        };
+        let recordings = made(noise, 3, &along);
+        let mut tested = tested(&plant, &recordings);
+        let before = tested.fit(&mut []);
+        let mut trial = [chosen(EffectKind::PositionDependentFriction, &[1], &[3.0])];
+        let after = tested.fit(&mut trial);
+        let settings = SearchSettings::default();
+        let judge = Judge { tested: &tested, noise: &noise, settings: &settings, accepted: &[], tried: 1 };
+        assert_eq!(judge.drives(&trial, [&before, &after]), drives, "beside {slow} N m of another error");
+    }
+}
+
 /// Links that are wrong altogether resemble a shared motor, wrong gains or rotors. Beside refitted
 /// links none of these is likely, and a real spring remains.
 #[test]

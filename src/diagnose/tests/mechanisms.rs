@@ -403,3 +403,46 @@ fn a_law_of_another_joint_stands_alone() {
         assert!(named.is_empty() && laws.len() == 1 && laws[0].ends_with(text), "{named:?} {laws:?}");
     }
 }
+
+/// Friction that varies along the travel by more than the file's level would drive the joint. It
+/// has its name, and the evidence says so.
+#[test]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
+fn friction_beyond_the_level_has_its_name() {
+    let robot = planar();
+    let bodies = Bodies::of(&bare(&robot));
+    let size = 3.0 * robot.joints[1].drive.coulomb_friction.unwrap();
+    let (found, missed) = found(&robot, 21, &|s| {
+        let (rigid, friction) = (bodies.torques(s), plain(&robot, &s[1]));
+        let wave = size * (5.3 * s[0][1] + 0.4).cos() * sign(s[1][1]);
+        [rigid[0] + friction[0], rigid[1] + friction[1] + wave]
+    });
+    assert_eq!(names(&found), [("position_dependent_friction", vec![2])]);
+    assert!((value(&found, "PN2") - 5.3).abs() < 0.1, "{}", value(&found, "PN2"));
+    assert!(found.causes[0].evidence.contains("drive it in a part"), "{}", found.causes[0].evidence);
+    assert!(missed.iter().all(|m| *m < 1.2), "{missed:?}");
+}
+
+/// An error of the last part of a log, which is not fitted, has no cause on the fitted part. The
+/// joint is named, and the part.
+#[test]
+#[cfg_attr(debug_assertions, ignore = "slow without optimisation: cargo test --release --lib")]
+fn an_error_of_the_last_part_alone_is_unknown_there() {
+    let robot = planar();
+    let bodies = Bodies::of(&bare(&robot));
+    let bytes = log(&robot, 20.0, &mut Random::new(5), &|s| {
+        let (rigid, friction) = (bodies.torques(s), plain(&robot, &s[1]));
+        [rigid[0] + friction[0], rigid[1] + friction[1]]
+    });
+    let text = String::from_utf8(bytes).unwrap();
+    let rows = text.lines().count();
+    let later = |(row, line): (usize, &str)| match line.rsplit_once(',') {
+        Some((others, tau)) if 10 * row > 8 * rows => format!("{others},{}\n", tau.parse::<f64>().unwrap() + 0.2),
+        _ => format!("{line}\n"),
+    };
+    let text: String = text.lines().enumerate().map(later).collect();
+    let plant = PerturbableRobot::new(&robot);
+    let found = diagnose(&plant, &[record("log", text.as_bytes(), 2)], &[], &Settings::default(), &|_| {}).unwrap();
+    assert_eq!(names(&found), [("unknown", vec![2])]);
+    assert!(found.causes[0].evidence.contains("on the last part of the logs"), "{}", found.causes[0].evidence);
+}
