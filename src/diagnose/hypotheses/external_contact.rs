@@ -218,16 +218,16 @@ fn pushes(scene: &WindowedData<'_>, residual: &[Vec<f64>], base: f64) -> Vec<Pus
     let mut found = Vec::new();
     let mut length = (BRIEFEST / scene.step).ceil().max(4.0) as usize;
     while length <= n / 2 {
-        // Of short ones only those that may be pushes: see `shows`.
-        let short = length as f64 * scene.step <= SHORT;
-        let end = if short { (NEAR_END / scene.step).ceil() as usize } else { 0 };
-        let starts = |run: &Range<usize>| {
-            (run.start + end..(run.end + 1).saturating_sub(length + end)).step_by((length / 8).max(1))
-        };
+        let starts =
+            |run: &Range<usize>| (run.start..(run.end + 1).saturating_sub(length)).step_by((length / 8).max(1));
         let mut all: Vec<(f64, usize)> =
             scene.runs.iter().flat_map(starts).map(|start| (gain(start, length), start)).collect();
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        if let Some(&(gain, start)) = all.last() {
+        let possible = |start: usize| {
+            let [from, to] = [start, start + length].map(|w| w as f64 * scene.step);
+            ExternalContact.shows(scene, &[], &[from, to, base, 0.0])
+        };
+        if let Some(&(gain, start)) = all.iter().rev().find(|(_, start)| possible(*start)) {
             let usual = all[all.len() * 3 / 4].0 * (1.0 + n as f64 / length as f64).ln();
             let worth = gain / usual.max(f64::MIN_POSITIVE);
             found.push(Push { windows: start..start + length, base, worth });
