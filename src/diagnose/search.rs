@@ -24,6 +24,7 @@ pub(super) mod merge_levels;
 mod next_candidate;
 pub(super) mod over_all_joints;
 pub(super) mod position_band;
+pub(super) mod shorter_push;
 mod simplest_laws;
 mod stepwise_exchange;
 mod sufficient;

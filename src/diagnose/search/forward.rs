@@ -15,6 +15,7 @@ use super::levels_instead::levels_instead;
 use super::merge_levels::merge_levels;
 use super::next_candidate::{PLAINER, best};
 use super::over_all_joints::pays_as_a_whole;
+use super::shorter_push::shorter_push;
 use super::support::gained;
 use super::{SearchSettings, equivalent_robot_cause, simplify};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
@@ -112,6 +113,7 @@ pub(in crate::diagnose) fn forward(
     progress("whether other laws explain several causes at once");
     search.unite(&mut fitted);
     search.without_errors_of_contact(&mut fitted);
+    search.with_shorter_pushes(&mut fitted);
     search.prune(&mut fitted);
     let Forward { mut accepted, friction, mut evidence, other_start, .. } = search;
     simplify(tested, &mut accepted, &mut fitted);
@@ -236,14 +238,27 @@ impl Forward<'_, '_> {
         if errors.is_empty() {
             return;
         }
-        for i in errors.into_iter().rev() {
-            let gone = self.chosen.remove(i);
-            self.accepted.remove(i);
-            // The evidence of several pushes has one name; the last belongs to the one found last.
-            let of_it = |e: &Evidence| e.local && e.effect == gone.cause.effect() && e.place == gone.place;
-            if let Some(at) = self.evidence.iter().position(of_it) {
-                self.evidence.remove(at);
-            }
+        errors.into_iter().rev().for_each(|i| self.without_push(i));
+        *fitted = self.tested.fit(&mut self.chosen);
+        adopt(&mut self.accepted, &self.chosen);
+    }
+
+    /// Removes a push with its evidence.
+    fn without_push(&mut self, i: usize) {
+        let gone = self.chosen.remove(i);
+        self.accepted.remove(i);
+        // The evidence of several pushes has one name; the last belongs to the one found last.
+        let of_it = |e: &Evidence| e.local && e.effect == gone.cause.effect() && e.place == gone.place;
+        if let Some(at) = self.evidence.iter().position(of_it) {
+            self.evidence.remove(at);
+        }
+    }
+
+    /// Replaces two pushes of which one takes back a part of the other by one shorter push.
+    fn with_shorter_pushes(&mut self, fitted: &mut Fitted) {
+        while let Some(shorter) = shorter_push(self.tested, &self.chosen, fitted) {
+            self.without_push(shorter.needless);
+            (self.chosen, *fitted) = (shorter.chosen, shorter.fitted);
         }
         *fitted = self.tested.fit(&mut self.chosen);
         adopt(&mut self.accepted, &self.chosen);

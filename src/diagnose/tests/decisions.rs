@@ -20,6 +20,7 @@ use crate::diagnose::search::driving_friction::friction_drives;
 use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::{Accepted, Judge, bearable, confirmation};
 use crate::diagnose::search::levels_instead::levels_instead;
+use crate::diagnose::search::shorter_push::shorter_push;
 use crate::diagnose::search::support::support_beside_all;
 use crate::diagnose::select::beside::share_within;
 use crate::diagnose::select::beside_other_links::worth;
@@ -565,6 +566,35 @@ fn friction_that_drives_the_joint_must_take_most_of_its_error() {
         let settings = SearchSettings::default();
         let judge = Judge { tested: &tested, noise: &noise, settings: &settings, accepted: &[], tried: 1 };
         assert_eq!(judge.drives(&trial, [&before, &after]), drives, "beside {slow} N m of another error");
+    }
+}
+
+/// A push of 0.6 s that seems to last a second, and an opposite one over its end, are one push.
+/// Two pushes with forces of their own are not.
+#[test]
+fn an_opposite_push_over_the_end_of_another_makes_it_shorter() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let states = recording().stretches[0].states.len;
+    let at = |share: f64| (share * states as f64).round();
+    let time = |share: f64| at(share) * PERIOD;
+    for (later, one) in [(0.0, true), (-1.5, false)] {
+        let force = |k: usize| match k as f64 {
+            k if (at(0.4)..at(0.5)).contains(&k) => 1.0,
+            k if (at(0.5)..at(0.57)).contains(&k) => later,
+            _ => 0.0,
+        };
+        let recordings = made([0.02; 2], 4, &|j, k| force(k) * [0.6, 0.4][j]);
+        let mut tested = tested(&plant, &recordings);
+        let push = |from: f64| chosen(EffectKind::ExternalContact, &[], &[time(from), time(0.57), 0.0, 1.0]);
+        let mut two = [push(0.4), push(0.5)];
+        let fitted = tested.fit(&mut two);
+        let found = shorter_push(&mut tested, &two, &fitted);
+        assert_eq!(found.is_some(), one, "{later}");
+        if let Some(found) = found {
+            assert_eq!((found.needless, found.chosen.len()), (1, 1));
+            assert_eq!(found.chosen[0].shape[..2], [time(0.4), time(0.5)]);
+        }
     }
 }
 
