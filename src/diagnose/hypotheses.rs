@@ -14,7 +14,7 @@ mod asymmetric_friction;
 mod backlash;
 mod base_tilt;
 mod encoder_offset;
-mod external_contact;
+pub(super) mod external_contact;
 mod friction_drift;
 mod gear_coupling;
 mod geometric_error;

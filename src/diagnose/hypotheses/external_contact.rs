@@ -30,7 +30,7 @@ const NEAR_END: f64 = 0.3;
 const SHORT: f64 = 1.0;
 
 /// Least duration, s: anything shorter is an impact, not a sustained force.
-const BRIEFEST: f64 = 0.25;
+pub(in crate::diagnose) const BRIEFEST: f64 = 0.25;
 
 /// Least duration of a push with a moment, s. At a single posture a wrench fits any error of six
 /// joints.

@@ -256,6 +256,9 @@ impl Forward<'_, '_> {
 
     /// Replaces two pushes of which one takes back a part of the other by one shorter push.
     fn with_shorter_pushes(&mut self, fitted: &mut Fitted) {
+        if self.chosen.iter().filter(|c| c.cause.local()).count() < 2 {
+            return;
+        }
         while let Some(shorter) = shorter_push(self.tested, &self.chosen, fitted) {
             self.without_push(shorter.needless);
             (self.chosen, *fitted) = (shorter.chosen, shorter.fitted);

@@ -53,9 +53,11 @@ pub(in crate::diagnose) const SURE: f64 = 4.5;
 
 /// Share of a joint's squared error below which a cause removes nearly all of it.
 const NEARLY: f64 = 0.1;
+
 /// Share of a joint's squared error below which a friction law has the form of the error, even if
 /// friction of this form would drive the joint.
 const MOSTLY: f64 = 0.3;
+
 /// Support assigned to a cause that holds in every stretch, where correlated windows cannot decide.
 pub(super) const THROUGHOUT: f64 = 1.0;
 

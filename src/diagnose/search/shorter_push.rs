@@ -5,12 +5,10 @@
 
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::fit::white_errors::white_gain;
+use crate::diagnose::hypotheses::external_contact::BRIEFEST;
 
 /// Time within which two pushes end, or begin, together, s.
 const TOGETHER: f64 = 0.05;
-
-/// Least duration of the shorter push, s: anything shorter is an impact.
-const BRIEFEST: f64 = 0.25;
 
 /// Least share of what the second push gains that the shorter one gains without it.
 const MOST_OF_IT: f64 = 0.8;
