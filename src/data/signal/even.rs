@@ -6,6 +6,9 @@
 //! through every sample would amplify the noise of two samples that are close in time. The
 //! operation is linear and the same for every channel.
 
+use crate::numerics::prng::Random;
+use crate::numerics::sums::root_mean_square;
+
 /// Weight of the penalty. The gain of a third difference is `(2 sin(w / 2))^6`, so half the
 /// amplitude is left at 0.26 of the sampling rate, half of what even samples could show.
 const PENALTY: f64 = 0.1;
@@ -85,6 +88,15 @@ impl Resampler {
         y
     }
 
+    /// Ratio of the standard deviation of white noise on the grid, root mean square over its
+    /// points, to that of the samples: the trace of the smoother, estimated with random signs
+    /// (M. F. Hutchinson, Commun. Stat. Simul. Comput. 19, 1990).
+    pub fn noise_gain(&self) -> f64 {
+        let mut random = Random::new(1);
+        let signs: Vec<f64> = self.rows.iter().map(|_| if random.chance(0.5) { 1.0 } else { -1.0 }).collect();
+        root_mean_square(&self.even(&signs))
+    }
+
     /// Values of a series on the grid at the times of the samples.
     pub fn at_samples(&self, grid: &[f64]) -> Vec<f64> {
         self.rows.iter().map(|(first, w)| (0..4).map(|a| w[a] * grid[first + a]).sum()).collect()
@@ -100,6 +112,17 @@ fn lagrange(x: f64) -> [f64; 4] {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// The gain of white noise, by its definition.
+    #[test]
+    fn noise_is_smoothed() {
+        let mut random = Random::new(3);
+        let times: Vec<f64> = (0..20_000).map(|k| 0.1 * (f64::from(k) + random.uniform(-0.2, 0.2))).collect();
+        let evener = Resampler::new(&times, 0.0, 0.1, 20_000);
+        let noise: Vec<f64> = random.vector(times.len(), 1.0);
+        let seen = root_mean_square(&evener.even(&noise)) / root_mean_square(&noise);
+        assert!((0.6..0.9).contains(&seen) && (evener.noise_gain() / seen - 1.0).abs() < 0.03, "{seen}");
+    }
 
     /// A parabola is reproduced for any times; noise of two samples at nearly the same time is
     /// averaged.

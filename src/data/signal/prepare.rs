@@ -476,6 +476,8 @@ struct RowsNoise {
     position: Vec<f64>,
     /// Standard deviations of the torques, in the column's unit.
     torque: Vec<f64>,
+    /// Ratio of the white noise of resampled rows to that of the rows.
+    gain: f64,
     /// Standard deviation of the estimated times, s.
     time: f64,
 }
@@ -694,16 +696,14 @@ impl Preparer {
         };
         let torque = (0..self.dof).map(noise).collect();
         let known = self.rows_noise.take();
-        let times = match found {
+        let (times, position, time) = match found {
             Some(found) => {
                 self.note_clock(Clock::Found { rms: found.rms });
-                self.rows_noise = Some(RowsNoise { position: found.noise, torque, time: found.left });
-                found.at
+                (found.at, found.noise, found.left)
             }
             None => {
                 let (position, time) = known.map_or((vec![0.0; self.dof], 0.0), |n| (n.position, n.time));
-                self.rows_noise = Some(RowsNoise { position, torque, time });
-                self.stamps(clock.resample, clock.period)
+                (self.stamps(clock.resample, clock.period), position, time)
             }
         };
         if clock.produced == 0 {
@@ -712,6 +712,7 @@ impl Preparer {
         let before = ((times[0] - clock.start) / clock.period).floor().max(0.0) as usize;
         let count = ((times[n - 1] - clock.start) / clock.period).ceil() as usize + 2 - before;
         let evener = Resampler::new(&times, clock.start + before as f64 * clock.period, clock.period, count.max(4));
+        self.rows_noise = Some(RowsNoise { position, torque, gain: evener.noise_gain(), time });
         let known = if end { n - 1 } else { n - TIMED_EDGE };
         let last = ((times[known] - clock.start) / clock.period) as usize;
         for (to, from) in self.evened.iter_mut().zip(&self.raw) {
@@ -1088,11 +1089,13 @@ impl Preparer {
         let low_pass = self.torque_filter.as_ref().filter(|_| !self.settings.raw_torque);
         let passed = low_pass.map_or(1.0, |(filter, _)| filter.noise_gain(rate));
         let gain = self.settings.torque_gains.get(joint).map_or(1.0, |gain| gain.abs());
-        let recorded = match &self.rows_noise {
-            Some(noise) => noise.torque[joint],
-            None => noise_between_reversals([(&self.evened[self.dof + joint][..], dq)].into_iter(), rate),
-        };
-        recorded * gain * passed
+        match &self.rows_noise {
+            // Resampling and a low-pass both remove high frequencies, so their gains don't multiply.
+            Some(noise) => noise.torque[joint] * gain * passed.min(noise.gain),
+            None => {
+                noise_between_reversals([(&self.evened[self.dof + joint][..], dq)].into_iter(), rate) * gain * passed
+            }
+        }
     }
 
     /// Noise of a joint's filtered velocity. `speed`: velocity error derived from what the low-pass

@@ -145,6 +145,31 @@ fn rows_are_moved_to_the_times_at_which_they_were_sampled() {
     }
 }
 
+/// Moving rows to their times smooths the noise of the torques; the stated noise is what is left,
+/// also behind a low-pass of the torques.
+#[test]
+fn torque_noise_of_moved_rows_is_what_is_left_of_it() {
+    let mut random = Random::new(8);
+    let joints = Joints::new(&mut random);
+    let stamps = even(50.0, 60.0);
+    let times: Vec<f64> = stamps.iter().map(|t| t + random.uniform(-0.008, 0.008)).collect();
+    let mut text = String::from("t,q1,q2,tau1,tau2\n");
+    for (t, stamp) in times.iter().zip(&stamps) {
+        let tau = [0, 1].map(|j| joints.at(j, *t, 2) + random.even(3.0_f64.sqrt()));
+        let q = [0, 1].map(|j| joints.at(j, *t, 0));
+        text.push_str(&format!("{stamp:.6},{:.6},{:.6},{:.6},{:.6}\n", q[0], q[1], tau[0], tau[1]));
+    }
+    for (raw_torque, range) in [(true, 0.6..0.95), (false, 0.3..0.8)] {
+        let (found, _) = motions(text.as_bytes(), &Prepare { raw_torque, ..adaptive(10.0) });
+        let motion = &found[0];
+        let inner = motion.core.start + 50..motion.core.end - 50;
+        let square = |k: usize| (motion.tau[k] - joints.at(0, motion.time(k), 2)).powi(2);
+        let seen = (inner.clone().map(square).sum::<f64>() / inner.len() as f64).sqrt();
+        let stated = motion.torque_noise[0];
+        assert!(range.contains(&seen) && (0.85..1.2).contains(&(stated / seen)), "{stated} {seen}");
+    }
+}
+
 /// The stated velocity noise is that of white noise behind low-pass and difference.
 #[test]
 fn velocity_noise_is_that_of_the_filter() {
