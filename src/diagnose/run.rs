@@ -18,6 +18,7 @@ use super::select::excess::{explained, here_and_there, with_excess};
 use super::select::measure::{Measured, Meter};
 use super::select::offer::{Choice, Rival};
 use super::select::refine_and_select::{Selected, Session};
+use super::select::remark::{Remark, said_beside};
 use super::select::suspects::{likelier, name, not_explained};
 use super::windows::low_passed::{PositionBand, in_band};
 use super::windows::motion_error::budget;
@@ -284,7 +285,7 @@ fn named<'a>(
     rival: Option<&Rival>,
     suspects: [Vec<Cause>; 2],
     torque_rms: &[f64],
-    why: &mut Vec<String>,
+    why: &mut Vec<Remark>,
 ) -> Result<(Selected<'a>, Vec<Cause>, Vec<Structure>), ConsistentError> {
     let mut suspects = session.suspected(suspects, &mut model, rival, why);
     let model = session.law_instead(model, torque_rms, &mut suspects, why)?;
@@ -400,7 +401,11 @@ fn once(
         transmission: !plant.has_bodies(),
         links_refitted: tested.mode == Mode::Refitted && plant.has_bodies(),
         standard: tested.scene.standard.clone(),
-        offer: Offer { offered, left_out: [file_out.rms(), refit.left_out.rms(), left_out.rms()], why },
+        offer: Offer {
+            offered,
+            left_out: [file_out.rms(), refit.left_out.rms(), left_out.rms()],
+            why: said_beside(&causes, why),
+        },
         friction: quiet(&tested, &fitted),
         forgotten: Vec::new(),
         band: None,

@@ -14,4 +14,5 @@ pub(super) mod offer;
 mod prune;
 pub(super) mod reduction;
 pub(super) mod refine_and_select;
+pub(super) mod remark;
 pub(super) mod suspects;

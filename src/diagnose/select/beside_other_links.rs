@@ -7,11 +7,11 @@
 use super::model_choice::LeftOut;
 use super::offer::Rival;
 use super::refine_and_select::{Selected, Session};
+use super::remark::Remark;
 use super::suspects::remember;
 use crate::diagnose::findings::attribution::plain_support;
 use crate::diagnose::findings::calibration::{self, Change};
 use crate::diagnose::findings::links::ONE_BODY;
-use crate::diagnose::findings::reported_cause::place_of;
 use crate::diagnose::findings::result::Cause;
 use crate::diagnose::fit::model::{Chosen, Fitted, Mode, ModelUnderTest, given_friction};
 use crate::diagnose::fit::uncertainty::Uncertainty;
@@ -52,7 +52,7 @@ impl<'a> Session<'a> {
         [mut of_file, of_refit]: [Vec<Cause>; 2],
         model: &mut Selected<'a>,
         rival: Option<&Rival>,
-        why: &mut Vec<String>,
+        why: &mut Vec<Remark>,
     ) -> Vec<Cause> {
         if model.tested.mode == Mode::Refitted {
             let (kept, mut others): (Vec<Cause>, Vec<Cause>) =
@@ -66,7 +66,7 @@ impl<'a> Session<'a> {
 
     /// Limits the probability of suspects of the file's links to that beside the refitted links of
     /// the offered model. Adds to `why` a sentence on each that is not named for this reason.
-    fn beside_other_links(&self, model: &mut Selected<'a>, suspects: &mut [Cause], why: &mut Vec<String>) {
+    fn beside_other_links(&self, model: &mut Selected<'a>, suspects: &mut [Cause], why: &mut Vec<Remark>) {
         let named = |s: &Cause| s.probability >= calibration::NAMED && s.window().is_none();
         for suspect in suspects.iter_mut().filter(|s| named(s)) {
             let place: Vec<usize> = suspect.joints.iter().map(|j| j - 1).collect();
@@ -77,11 +77,10 @@ impl<'a> Session<'a> {
             };
             suspect.probability = suspect.probability.min(most);
             if most < calibration::NAMED && !model.causes.iter().any(|c| c.is(suspect)) {
-                let place = place_of(&place);
-                why.push(format!(
-                    "{} {place}, for which the file's links ask, is not named: beside refitted links its probability is {most:.2}.",
-                    suspect.cause
-                ));
+                let predicate = format!(
+                    "is not named: beside refitted links its probability is {most:.2}; the file's links ask for it."
+                );
+                why.push(Remark::on(suspect.cause, &place, &predicate));
             }
         }
         model.tested.update_model(&model.fitted);

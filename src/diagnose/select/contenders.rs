@@ -6,6 +6,7 @@ use super::measure::{Measured, Meter};
 use super::model_choice::LeftOut;
 use super::prune::Pruned;
 use super::refine_and_select::{Selected, Session};
+use super::remark::Remark;
 use super::suspects::remember;
 use crate::diagnose::findings::calibration;
 use crate::diagnose::findings::result::{Cause, Errors};
@@ -85,7 +86,7 @@ pub(in crate::diagnose) struct Searched<'a> {
     /// Models that hold.
     pub(in crate::diagnose) models: Vec<Selected<'a>>,
     /// Sentences on models that do not hold.
-    pub(in crate::diagnose) said: Vec<String>,
+    pub(in crate::diagnose) said: Vec<Remark>,
     /// Causes that were in the model with the file's links, and in the refitted one.
     pub(in crate::diagnose) suspects: [Vec<Cause>; 2],
 }
@@ -157,7 +158,7 @@ impl<'a> Session<'a> {
             });
             match refitted {
                 Ok(model) => models.push(model),
-                Err(error) => said.push(format!("Refitted parameters are not offered: {error}.")),
+                Err(error) => said.push(format!("Refitted parameters are not offered: {error}.").into()),
             }
         }
         for model in &models {
@@ -171,7 +172,7 @@ impl<'a> Session<'a> {
                 let without = if model.tested.mode == Mode::Trusted { &file } else { &refit.by_log };
                 match self.pruned(model, without)? {
                     Pruned::Holds(model) => holding.push(*model),
-                    Pruned::Fails(sentence) => said.push(sentence),
+                    Pruned::Fails(sentence) => said.push(sentence.into()),
                 }
             }
             models = holding;
@@ -185,14 +186,18 @@ impl<'a> Session<'a> {
 
     /// Drops refitted links that err more than the unchanged file on every validating log: the
     /// fitted logs excite them too little. Requires a model of the file's links with causes.
-    fn without_poor_links(&self, models: &mut Vec<Selected<'a>>, file: &[Vec<f64>], said: &mut Vec<String>) {
+    fn without_poor_links(&self, models: &mut Vec<Selected<'a>>, file: &[Vec<f64>], said: &mut Vec<Remark>) {
         if !models.iter().any(|m| m.tested.mode == Mode::Trusted && !m.causes.is_empty()) {
             return;
         }
         let before = models.len();
         models.retain(|m| m.tested.mode == Mode::Trusted || !self.worse_as_a_whole(m, file));
         if models.len() < before {
-            said.push("Refitted links err more than the file's on every validating log, and are not offered.".into());
+            said.push(
+                "Refitted links err more than the file's on every validating log, and are not offered."
+                    .to_string()
+                    .into(),
+            );
         }
     }
 

@@ -7,9 +7,10 @@
 use super::measure::{Measured, Meter, leave_out};
 use super::reduction::without;
 use super::refine_and_select::{Found, Selected, Session};
+use super::remark::Remark;
 use crate::diagnose::findings::formula::{Errors, Formula, formula};
 use crate::diagnose::findings::maps::View;
-use crate::diagnose::findings::reported_cause::{Item, items, place_of};
+use crate::diagnose::findings::reported_cause::{Item, items};
 use crate::diagnose::findings::result::Cause;
 use crate::diagnose::search::judge::chosen_of;
 use crate::identify::ConsistentError;
@@ -30,16 +31,12 @@ impl<'a> Session<'a> {
         mut model: Selected<'a>,
         torque: &[f64],
         suspects: &mut Vec<Cause>,
-        said: &mut Vec<String>,
+        said: &mut Vec<Remark>,
     ) -> Result<Selected<'a>, ConsistentError> {
         while let Some((item, law)) = self.near_a_law(&mut model, torque) {
             let Selected { mut tested, mut accepted, rivals, why, mut evidence, suspects: mut known, .. } = model;
-            said.push(format!(
-                "{} {} is not in the model: {} says as much in its place.",
-                item.hypothesis.name(),
-                place_of(&item.place),
-                law.text
-            ));
+            let predicate = format!("is not in the model: {} says as much in its place.", law.text);
+            said.push(Remark::on(item.hypothesis.name(), &item.place, &predicate));
             let is_it = |c: &Cause| c.cause == item.hypothesis.name() && c.joints == [law.joint + 1];
             suspects.retain(|c| !is_it(c));
             known.retain(|c| !is_it(c));

@@ -6,6 +6,7 @@ use super::excess::WORSE;
 use super::measure::{taken_of, takes};
 use super::model_choice::{LeftOut, Paired};
 use super::refine_and_select::{Selected, Session};
+use super::remark::Remark;
 use crate::diagnose::findings::evidence;
 use crate::diagnose::findings::result::{Cause, Offered};
 use crate::diagnose::fit::model::Mode;
@@ -14,7 +15,7 @@ use crate::identify::ConsistentError;
 /// The offered model, the reasons for it, and the joints that differ between the logs.
 pub(in crate::diagnose) struct Choice<'a> {
     pub(in crate::diagnose) offered: Offered,
-    pub(in crate::diagnose) why: Vec<String>,
+    pub(in crate::diagnose) why: Vec<Remark>,
     /// Joints, from 0, that no single model predicts on both fitted and validating logs.
     pub(in crate::diagnose) changed: Vec<usize>,
     /// See [`Diagnosis::file_holds`](crate::diagnose::findings::result::Diagnosis::file_holds).
@@ -107,7 +108,7 @@ impl<'a> Session<'a> {
         let rival = self.rival(&model, &models);
         if let Some(sentence) = self.holding(&unchanged, &model) {
             let differ = self.changed(&model, self.noise);
-            said.push(sentence);
+            said.push(sentence.into());
             let mut why = std::mem::take(&mut model.why);
             why.extend(said);
             return Ok(Choice {
@@ -144,7 +145,7 @@ impl<'a> Session<'a> {
         model: Selected<'a>,
         best: Option<Selected<'a>>,
         file: &LeftOut,
-        said: Vec<String>,
+        said: Vec<Remark>,
     ) -> Choice<'a> {
         let mut why = Vec::new();
         if let Some(best) = best {
@@ -196,7 +197,7 @@ impl<'a> Session<'a> {
         believing: Option<Selected<'a>>,
         free: Option<Selected<'a>>,
         refit: &Refit,
-        said: &mut Vec<String>,
+        said: &mut Vec<Remark>,
     ) -> Vec<Selected<'a>> {
         match (believing, free) {
             (Some(few), Some(all)) if all.left_out.less(&few.left_out, self.ground).worth_refit(few.causes.len()) => {
@@ -215,6 +216,7 @@ impl<'a> Session<'a> {
                     "On every validating log the file with further causes errs a tenth more than a refit, and more than the \
                      unchanged file, so the refit goes before it: the fitted logs show too little, or something changed \
                      between the logs."
+                        .to_string()
                         .into(),
                 );
                 vec![all, few]
@@ -233,7 +235,7 @@ impl<'a> Session<'a> {
         }
     }
 
-    fn says(&self, what: &str, a: &LeftOut, b: &LeftOut) -> String {
+    fn says(&self, what: &str, a: &LeftOut, b: &LeftOut) -> Remark {
         let (paired, joint) = (a.less(b, self.ground), a.most_changed(b, self.ground));
         // The gain g is a difference by a sum: 2 g / (1 + g) relative to the other's square.
         let percent = |g: f64| 200.0 * g.clamp(-0.9, 1.0) / (1.0 + g.clamp(-0.9, 1.0));
@@ -254,6 +256,7 @@ impl<'a> Session<'a> {
             ends[0],
             ends[1],
         )
+        .into()
     }
 }
 

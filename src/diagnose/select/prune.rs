@@ -6,7 +6,8 @@
 use super::measure::{Meter, leave_out, taken_of};
 use super::reduction::without;
 use super::refine_and_select::{Found, Selected, Session};
-use crate::diagnose::findings::reported_cause::{Item, items, place_of};
+use super::remark::Remark;
+use crate::diagnose::findings::reported_cause::{Item, items};
 use crate::diagnose::search::judge::chosen_of;
 use crate::diagnose::search::over_all_joints::pays_over_all;
 use crate::identify::ConsistentError;
@@ -35,10 +36,10 @@ impl<'a> Session<'a> {
                 return Ok(if pays { Pruned::Holds(Box::new(model)) } else { Pruned::Fails(sentence) });
             };
             let Selected { mut tested, mut accepted, rivals, mut why, evidence, suspects, .. } = model;
-            why.push(format!(
-                "{} {} is not in the model: the validating logs are predicted better without it.",
+            why.push(Remark::on(
                 item.hypothesis.name(),
-                place_of(&item.place)
+                &item.place,
+                "is not in the model: the validating logs are predicted better without it.",
             ));
             item.friction.iter().for_each(|&k| tested.frozen[k] = true);
             let out: Vec<usize> = item.accepted.into_iter().collect();

@@ -3,7 +3,8 @@
 
 use super::measure::{delays_without, reduced};
 use super::model_choice::{LeftOut, Paired};
-use crate::diagnose::findings::reported_cause::{Item, items, place_of};
+use super::remark::Remark;
+use crate::diagnose::findings::reported_cause::{Item, items};
 use crate::diagnose::fit::likelihood::gain;
 use crate::diagnose::fit::model::{Chosen, Fitted, Mode, ModelUnderTest, given_friction, local};
 use crate::diagnose::fit::moments::Moments;
@@ -60,7 +61,7 @@ pub(in crate::diagnose) fn backward_eliminate(
     accepted: &mut Vec<Accepted>,
     mut fitted: Fitted,
     ground: &[f64],
-    why: &mut Vec<String>,
+    why: &mut Vec<Remark>,
 ) -> Fitted {
     for round in 0..12 {
         let chosen = chosen_of(accepted);
@@ -82,13 +83,12 @@ pub(in crate::diagnose) fn backward_eliminate(
             }
         }
         let Some((item, paired)) = worst else { break };
-        why.push(format!(
-            "{} {} is not in the model: without it the squared error of stretches of the fitted logs that were left out is {:.1} +- {:.1} % less.",
-            item.hypothesis.name(),
-            place_of(&item.place),
+        let predicate = format!(
+            "is not in the model: without it the squared error of stretches of the fitted logs that were left out is {:.1} +- {:.1} % less.",
             -200.0 * paired.gain,
             200.0 * paired.error
-        ));
+        );
+        why.push(Remark::on(item.hypothesis.name(), &item.place, &predicate));
         item.friction.iter().for_each(|&k| tested.frozen[k] = true);
         let out: Vec<usize> = item.accepted.into_iter().collect();
         fitted = without(tested, accepted, &out);

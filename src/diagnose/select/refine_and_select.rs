@@ -5,10 +5,11 @@ use super::drive_terms;
 use super::measure::{Measured, Meter, matters, taken_of, takes};
 use super::model_choice::LeftOut;
 use super::reduction::{backward_eliminate, drop_insignificant, fix_friction, free_friction, without};
+use super::remark::Remark;
 use super::suspects::beside_the_rest;
 use crate::diagnose::findings::attribution::Attribution;
 use crate::diagnose::findings::calibration;
-use crate::diagnose::findings::reported_cause::{Item, items, place_of};
+use crate::diagnose::findings::reported_cause::{Item, items};
 use crate::diagnose::findings::result::{Cause, Errors, Refutation};
 use crate::diagnose::fit::model::{Fitted, Mode, ModelUnderTest};
 use crate::diagnose::fit::uncertainty::Uncertainty;
@@ -81,8 +82,7 @@ fn unlikely_first(failed: Vec<usize>, causes: &[Cause]) -> Vec<usize> {
 }
 
 /// A sentence on a cause that is too unlikely to be named; `None` if it is named.
-fn not_named(cause: &Cause, item: &Item) -> Option<String> {
-    let place = place_of(&item.place);
+fn not_named(cause: &Cause, item: &Item) -> Option<Remark> {
     // Rounded down: a probability below one half is not written as one half.
     let probability = (100.0 * cause.probability).floor() / 100.0;
     let why = match cause.refuted {
@@ -91,17 +91,15 @@ fn not_named(cause: &Cause, item: &Item) -> Option<String> {
         Some(Refutation::OwnJoints) => ", because its own joints err as much without it",
         Some(Refutation::Size) => ", because its size is implausible beside the other causes",
     };
-    (cause.probability < calibration::NAMED)
-        .then(|| format!("{} {place} is not named: its probability is {probability:.2}{why}.", cause.cause))
+    (cause.probability < calibration::NAMED).then(|| {
+        let predicate = format!("is not named: its probability is {probability:.2}{why}.");
+        Remark::on(cause.cause, &item.place, &predicate)
+    })
 }
 
 /// A sentence on a cause whose parameters are zero within their uncertainty.
-fn unsure(cause: &Cause, item: &Item) -> String {
-    format!(
-        "{} {} is not named: its parameters do not stand out of their uncertainty.",
-        cause.cause,
-        place_of(&item.place)
-    )
+fn unsure(cause: &Cause, item: &Item) -> Remark {
+    Remark::on(cause.cause, &item.place, "is not named: its parameters do not stand out of their uncertainty.")
 }
 
 /// The fit with the numbers of all shapes refined together; `None` if no cause has any.
@@ -147,7 +145,7 @@ pub(in crate::diagnose) struct Selected<'a> {
     /// Evidence of the search that started from the unchanged file.
     pub(in crate::diagnose) evidence: Vec<Evidence>,
     /// Sentences on the causes that were removed, and why.
-    pub(in crate::diagnose) why: Vec<String>,
+    pub(in crate::diagnose) why: Vec<Remark>,
 }
 
 /// Results of a search and its reductions other than the causes of the model.
@@ -156,7 +154,7 @@ pub(super) struct Found {
     /// Alternatives to plain friction.
     pub(super) rivals: Vec<BaselineFriction>,
     /// Sentences on the causes that were removed, and why.
-    pub(super) why: Vec<String>,
+    pub(super) why: Vec<Remark>,
     /// Evidence of the search that started from the unchanged file.
     pub(super) evidence: Vec<Evidence>,
     /// Causes with their probability beside each other.
@@ -388,6 +386,7 @@ impl<'a> Session<'a> {
 mod tests {
     use super::*;
     use crate::diagnose::hypotheses::hypothesis;
+    use crate::diagnose::select::remark::said_beside;
     use dh_codegen::robot::EffectKind;
 
     /// A likely cause that fails may do so because of an unlikely one.
@@ -408,7 +407,8 @@ mod tests {
         let hypothesis = hypothesis(EffectKind::JointElasticity);
         let item = Item { hypothesis, place: vec![3], accepted: Some(0), friction: Vec::new() };
         let says = |probability: f64, refuted: Option<Refutation>| {
-            not_named(&Cause { probability, refuted, ..Cause::blank(hypothesis.name(), "") }, &item)
+            let cause = Cause { probability, refuted, ..Cause::blank(hypothesis.name(), "") };
+            not_named(&cause, &item).and_then(|remark| said_beside(&[], vec![remark]).pop())
         };
         let plain = "joint_elasticity of joint 4 is not named: its probability is 0.49.";
         assert_eq!(says(0.499, None).as_deref(), Some(plain));

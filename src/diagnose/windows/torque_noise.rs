@@ -5,8 +5,8 @@ use crate::data::signal::noise_between_reversals;
 use crate::identify::dot;
 
 /// Standard deviation of each joint's torque noise, N m, without a model: see
-/// [`noise_between_reversals`]. If samples were resampled to another clock, that of the original
-/// samples.
+/// [`noise_between_reversals`]. If samples were resampled at estimated times, what remains of the
+/// noise of the original samples.
 pub fn torque_noise<'r>(stretches: impl Iterator<Item = &'r Stretch> + Clone, dof: usize) -> Vec<f64> {
     let all = || stretches.clone();
     let of = |j: usize| {

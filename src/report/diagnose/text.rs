@@ -131,9 +131,13 @@ fn headline(found: &Diagnosis, data: &str) -> String {
     let of =
         |rms: &dyn Fn(&Errors) -> f64| [&found.baseline, &found.refitted, &found.extended].map(|e| digits(rms(e), 3));
     let [file, refitted, extended] = of(&|e| e.validate[j]);
+    let improves = found.extended.validate[j] < IMPROVES * found.baseline.validate[j];
+    let which = match improves {
+        true => format!("joint {} improves most", j + 1),
+        false => format!("no joint improves, not even joint {}", j + 1),
+    };
     let all = format!(
-        "On {data} joint {} improves most: the file misses its torque by {file} N m, the file refitted by {refitted} N m, the extended model by {extended} N m; noise explains {} N m.",
-        j + 1,
+        "On {data} {which}: the file misses its torque by {file} N m, the file refitted by {refitted} N m, the extended model by {extended} N m; noise explains {} N m.",
         digits(found.noise_floor[j], 3)
     );
     if found.extended.validate[j] < AT_REST * found.extended.moving[j] {
@@ -147,6 +151,9 @@ fn headline(found: &Diagnosis, data: &str) -> String {
 
 /// Ratio of error to noise up to which an error is within the noise: both are estimates.
 const WITHIN_NOISE: f64 = 1.1;
+
+/// Ratio of the errors of the extended model and of the file below which a joint improves.
+const IMPROVES: f64 = 0.99;
 
 /// Ratio of the error over all samples to that where the joint moves, above which both are stated.
 const AT_REST: f64 = 1.3;
@@ -204,7 +211,7 @@ pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
         text,
         "RMS on validation, N m (moving: of the extended model where the joint moves; ext/torque: its error by the torque)"
     );
-    let _ = writeln!(text, "{}", heads.iter().map(|h| pad(h, 10, true)).collect::<String>());
+    let _ = writeln!(text, "{}", heads.iter().map(|h| pad(h, 11, true)).collect::<String>());
     for j in 0..found.noise_floor.len() {
         let row = [
             found.torque_rms[j],
@@ -214,9 +221,9 @@ pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
             found.extended.moving[j],
             found.noise_floor[j],
         ];
-        let _ = write!(text, "{}", pad(&(j + 1).to_string(), 10, true));
-        row.iter().for_each(|x| text.push_str(&pad(&digits(*x, 3), 10, true)));
-        let _ = writeln!(text, "{}", pad(&format!("{} %", digits(100.0 * row[3] / row[0], 2)), 10, true));
+        let _ = write!(text, "{}", pad(&(j + 1).to_string(), 11, true));
+        row.iter().for_each(|x| text.push_str(&pad(&digits(*x, 3), 11, true)));
+        let _ = writeln!(text, "{}", pad(&format!("{} %", digits(100.0 * row[3] / row[0], 2)), 11, true));
     }
     text.push_str(&budget::text(&found.budget, "the error of the extended model where joints move"));
     if !found.offer.why.is_empty() {
