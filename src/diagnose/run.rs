@@ -375,7 +375,6 @@ fn once(
         Session { plant, fit, validate, own_validation, noise, motion, file, plain, ground, scale, settings, progress };
     let Searched { models, said, suspects } = session.models(has_links.then_some(&file_out), &refit, &torque_rms)?;
     let Choice { offered, mut why, changed, file_holds, model, rival } = session.choose(models, &file_out, &refit)?;
-    why.extend(said);
     let (model, mut causes, left) = named(&session, model, rival.as_ref(), suspects, &torque_rms, &mut why)?;
     let Selected { tested, fitted, mut after, mut after_fit, left_out, .. } = model;
     in_order(&mut causes, scale);
@@ -386,6 +385,7 @@ fn once(
     let extended = errors_of(&after_fit, &after);
     let offered = if causes.iter().any(Cause::has_law) { Offered::Extended } else { offered };
     unknown(&mut causes, &left, [&baseline, &extended], noise, scale);
+    let why = said_beside(&causes, [said, why].concat());
     let view = after.view(plant, validate);
     let maps = (0..dof).map(|j| view.maps(j, &before[j], &after.error[j])).collect();
     Ok(Diagnosis {
@@ -401,11 +401,7 @@ fn once(
         transmission: !plant.has_bodies(),
         links_refitted: tested.mode == Mode::Refitted && plant.has_bodies(),
         standard: tested.scene.standard.clone(),
-        offer: Offer {
-            offered,
-            left_out: [file_out.rms(), refit.left_out.rms(), left_out.rms()],
-            why: said_beside(&causes, why),
-        },
+        offer: Offer { offered, left_out: [file_out.rms(), refit.left_out.rms(), left_out.rms()], why },
         friction: quiet(&tested, &fitted),
         forgotten: Vec::new(),
         band: None,
