@@ -385,7 +385,7 @@ fn once(
     let extended = errors_of(&after_fit, &after);
     let offered = if causes.iter().any(Cause::has_law) { Offered::Extended } else { offered };
     unknown(&mut causes, &left, [&baseline, &extended], noise, scale);
-    let why = said_beside(&causes, [said, why].concat());
+    let why = said_beside(&causes, &[said, why].concat());
     let view = after.view(plant, validate);
     let maps = (0..dof).map(|j| view.maps(j, &before[j], &after.error[j])).collect();
     Ok(Diagnosis {

@@ -89,8 +89,8 @@ impl Resampler {
     }
 
     /// Ratio of the standard deviation of white noise on the grid, root mean square over its
-    /// points, to that of the samples: the trace of the smoother, estimated with random signs
-    /// (M. F. Hutchinson, Commun. Stat. Simul. Comput. 19, 1990).
+    /// points, to that of the samples. The squared weights are summed by their action on random
+    /// signs (M. F. Hutchinson, Commun. Stat. Simul. Comput. 19, 1990).
     pub fn noise_gain(&self) -> f64 {
         let mut random = Random::new(1);
         let signs: Vec<f64> = self.rows.iter().map(|_| if random.chance(0.5) { 1.0 } else { -1.0 }).collect();

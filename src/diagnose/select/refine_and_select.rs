@@ -408,7 +408,7 @@ mod tests {
         let item = Item { hypothesis, place: vec![3], accepted: Some(0), friction: Vec::new() };
         let says = |probability: f64, refuted: Option<Refutation>| {
             let cause = Cause { probability, refuted, ..Cause::blank(hypothesis.name(), "") };
-            not_named(&cause, &item).and_then(|remark| said_beside(&[], vec![remark]).pop())
+            not_named(&cause, &item).and_then(|remark| said_beside(&[], &[remark]).pop())
         };
         let plain = "joint_elasticity of joint 4 is not named: its probability is 0.49.";
         assert_eq!(says(0.499, None).as_deref(), Some(plain));

@@ -1,10 +1,10 @@
-//! Sentences on why the offered model is as it is.
+//! Sentences on the choice of the model, and on causes that it lacks.
 
 use crate::diagnose::findings::reported_cause::place_of;
 use crate::diagnose::findings::result::Cause;
 
 /// A sentence on the offered model, or on a cause that it lacks.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub(in crate::diagnose) struct Remark {
     text: String,
     /// The cause and its joints, from 0.
@@ -26,7 +26,7 @@ impl Remark {
 
 /// The sentences to report beside `causes`. Of several on one cause, which was weighed in several
 /// models or with several shapes, the last one; none on a cause that is reported.
-pub(in crate::diagnose) fn said_beside(causes: &[Cause], remarks: Vec<Remark>) -> Vec<String> {
+pub(in crate::diagnose) fn said_beside(causes: &[Cause], remarks: &[Remark]) -> Vec<String> {
     let reported = |(name, place): &(&'static str, Vec<usize>)| {
         causes.iter().any(|c| c.cause == *name && c.joints.iter().map(|j| j - 1).eq(place.iter().copied()))
     };
@@ -44,7 +44,7 @@ mod tests {
     #[test]
     fn a_cause_is_rejected_once_and_not_beside_itself() {
         let ripple = |predicate| Remark::on("torque_ripple", &[4], predicate);
-        let remarks = vec![
+        let remarks = [
             ripple("is not named: 0.1."),
             Remark::on("payload", &[6], "is not named."),
             "The refit is offered.".to_string().into(),
@@ -52,7 +52,7 @@ mod tests {
         ];
         let named = Cause { joints: vec![7], ..Cause::blank("payload", "") };
         assert_eq!(
-            said_beside(&[named], remarks),
+            said_beside(&[named], &remarks),
             ["The refit is offered.", "torque_ripple of joint 5 is not named: 0.2."]
         );
     }

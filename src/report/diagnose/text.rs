@@ -201,6 +201,9 @@ pub(super) fn for_the_file(c: &Cause) -> Option<String> {
     })
 }
 
+/// Width of a column of the table of errors, characters.
+const COLUMN: usize = 11;
+
 /// The result for the terminal.
 pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
     let mut text = warnings.text();
@@ -211,7 +214,7 @@ pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
         text,
         "RMS on validation, N m (moving: of the extended model where the joint moves; ext/torque: its error by the torque)"
     );
-    let _ = writeln!(text, "{}", heads.iter().map(|h| pad(h, 11, true)).collect::<String>());
+    let _ = writeln!(text, "{}", heads.iter().map(|h| pad(h, COLUMN, true)).collect::<String>());
     for j in 0..found.noise_floor.len() {
         let row = [
             found.torque_rms[j],
@@ -221,9 +224,9 @@ pub fn diagnose_text(found: &Diagnosis, warnings: &Warnings) -> String {
             found.extended.moving[j],
             found.noise_floor[j],
         ];
-        let _ = write!(text, "{}", pad(&(j + 1).to_string(), 11, true));
-        row.iter().for_each(|x| text.push_str(&pad(&digits(*x, 3), 11, true)));
-        let _ = writeln!(text, "{}", pad(&format!("{} %", digits(100.0 * row[3] / row[0], 2)), 11, true));
+        let _ = write!(text, "{}", pad(&(j + 1).to_string(), COLUMN, true));
+        row.iter().for_each(|x| text.push_str(&pad(&digits(*x, 3), COLUMN, true)));
+        let _ = writeln!(text, "{}", pad(&format!("{} %", digits(100.0 * row[3] / row[0], 2)), COLUMN, true));
     }
     text.push_str(&budget::text(&found.budget, "the error of the extended model where joints move"));
     if !found.offer.why.is_empty() {
