@@ -517,6 +517,7 @@ def main():
     parser.add_argument("--seed", type=int, required=True)
     parser.add_argument("--cases", type=int, required=True, help="cases of each size")
     parser.add_argument("--sizes", default="3,1,0.5", help="RMS added, in RMS of the identified model's residual")
+    parser.add_argument("--kinds", default=",".join(kind.__name__ for kind in KINDS), help="causes that are added")
     parser.add_argument("--out", type=pathlib.Path, required=True)
     parser.add_argument("--binary", type=lambda path: str(pathlib.Path(path).resolve()),
                         default=str(ROOT / "target" / "release" / "denavit"))
@@ -525,12 +526,13 @@ def main():
     for name, b in benches.items():
         print(f"{name}: residual {np.round(b.rms, 2).tolist()} N m", flush=True)
     order, deck, arms = np.random.default_rng(given.seed), [], []
+    kinds = [kind for kind in KINDS if kind.__name__ in given.kinds.split(",")]
     for size in map(float, given.sizes.split(",")):
         for _ in range(given.cases):
             rng = np.random.default_rng([given.seed, len(truth)])
             while True:
                 deck, arms = (cards or [x[i] for i in order.permutation(len(x))]
-                              for cards, x in ((deck, KINDS), (arms, DECK)))
+                              for cards, x in ((deck, kinds), (arms, DECK)))
                 kind, b = deck.pop(), benches[arms.pop()]
                 try:
                     cause = kind(rng, b, int(rng.choice(b.moving())))

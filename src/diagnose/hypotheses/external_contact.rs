@@ -20,9 +20,10 @@ use super::Term;
 use crate::diagnose::windows::windowed_data::{Column, WindowedData, parts};
 use crate::numerics::median::median;
 
-/// A constant wrench on the tool between `start` and `end` (seconds of used data, over all logs).
-/// It is expressed in the tool's axes or, with `base` 1, in those of the base. Without `moment` it
-/// is a force at the origin of the tool's frame.
+/// A wrench on the tool between `start` and `end` (seconds of used data, over all logs), constant in
+/// the tool's axes or, with `base` 1, in those of the base. Without `moment` it is a force at the
+/// origin of the tool's frame. With `swell` it rises until the middle and falls from there on, as a
+/// push of a hand does.
 pub struct ExternalContact;
 
 /// Distance from an end of a recording, s, within which a push must be longer than [`SHORT`], s.
@@ -38,6 +39,12 @@ const WITH_MOMENT: f64 = 0.5;
 
 /// Largest moment of a push about the joints, as a multiple of the largest motor torque.
 const LARGEST: f64 = 2.0;
+
+/// Length of the constant push that a swelling one resembles, as a share of its own.
+const CONSTANT: f64 = 2.0 / 3.0;
+
+/// Longest push that rises and falls, s: anything longer is a slow error.
+const LONGEST_SWELL: f64 = 2.0;
 
 /// Number of stretches of the log that are tried.
 const TRIED: usize = 6;
@@ -71,6 +78,7 @@ impl Hypothesis for ExternalContact {
             },
             Shape { symbol: Symbol::Own("base"), unit: "", range: [0.0, 1.0], step: None },
             Shape { symbol: Symbol::Own("moment"), unit: "", range: [0.0, 1.0], step: None },
+            Shape { symbol: Symbol::Own("swell"), unit: "", range: [0.0, 1.0], step: None },
         ]
     }
 
@@ -79,20 +87,28 @@ impl Hypothesis for ExternalContact {
         let mut found: Vec<Push> = [0.0, 1.0].into_iter().flat_map(|base| pushes(scene, residual, base)).collect();
         found.sort_by(|a, b| b.worth.total_cmp(&a.worth));
         found.truncate(TRIED);
-        let shape = |p: &Push, moment: f64| {
-            let [start, end] = [p.windows.start, p.windows.end].map(|w| w as f64 * scene.step);
-            vec![start, end, p.base, moment]
+        let shape = |p: &Push, [moment, swell]: [f64; 2]| {
+            let [start, end] = if swell == 1.0 { swelling(scene, &p.windows) } else { ends(scene, &p.windows) };
+            vec![start, end, p.base, moment, swell]
         };
-        found.iter().flat_map(|p| [0.0, 1.0].map(|moment| shape(p, moment))).collect()
+        let laws = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
+        found.iter().flat_map(|p| laws.map(|law| shape(p, law))).collect()
     }
 
     /// Very short contacts are impacts. Short ones at an end of a recording are presliding
     /// deflection or a settling low-pass. A push does not continue in the next recording.
     fn shows(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> bool {
         let [start, end] = [shape[0], shape[1]];
-        let ends = |run: &Range<usize>| [run.start, run.end].map(|w| w as f64 * scene.step);
         let inside = |[first, last]: [f64; 2]| start > first - 0.5 * scene.step && end < last + 0.5 * scene.step;
-        let Some([first, last]) = scene.runs.iter().map(ends).find(|run| inside(*run)) else { return false };
+        let Some([first, last]) = scene.runs.iter().map(|run| ends(scene, run)).find(|run| inside(*run)) else {
+            return false;
+        };
+        let swells = shape[4] == 1.0;
+        if swells && end - start > LONGEST_SWELL {
+            return false;
+        }
+        let lead = if swells { 0.5 * (1.0 - CONSTANT) * (end - start) } else { 0.0 };
+        let [start, end] = [start + lead, end - lead];
         let at_an_end = start < first + NEAR_END || end > last - NEAR_END;
         let least = if shape[3] == 1.0 { WITH_MOMENT } else { BRIEFEST };
         end - start >= least && (end - start > SHORT || !at_an_end)
@@ -107,6 +123,9 @@ impl Hypothesis for ExternalContact {
         let unit = scene.wrenches(start..end, shape[2] == 1.0);
         let len = end - start;
         let dof = scene.dof();
+        let middle = |w: usize| ((w as f64 + 0.5) * scene.step - shape[0]) / (shape[1] - shape[0]);
+        let swells = |w: usize| (std::f64::consts::PI * middle(w).clamp(0.0, 1.0)).sin().powi(2);
+        let share: Vec<f64> = (start..end).map(|w| if shape[4] == 1.0 { swells(w) } else { 1.0 }).collect();
         effects::ExternalContact::WRENCH
             .into_iter()
             .enumerate()
@@ -116,7 +135,7 @@ impl Hypothesis for ExternalContact {
                     .map(|j| {
                         let mut row = vec![0.0; scene.len];
                         for w in start..end {
-                            row[w] = -unit[(c * dof + j) * len + w - start];
+                            row[w] = -share[w - start] * unit[(c * dof + j) * len + w - start];
                         }
                         row
                     })
@@ -133,7 +152,7 @@ impl Hypothesis for ExternalContact {
     }
 
     fn law(&self, shape: &[f64]) -> usize {
-        shape[3] as usize
+        (shape[3] + 2.0 * shape[4]) as usize
     }
 
     fn local(&self) -> bool {
@@ -156,8 +175,10 @@ impl Hypothesis for ExternalContact {
             Named::new(effects::ExternalContact::START, at(found.shape[0]), None),
             Named::new(effects::ExternalContact::END, at(found.shape[1]), None),
         ];
+        let half = 0.5 * (ends[1].value - ends[0].value);
+        let rise = (found.shape[4] == 1.0).then(|| Named::new(effects::ExternalContact::RISE, half, None));
         let base = (found.shape[2] == 1.0).then(|| Named::new(effects::ExternalContact::BASE, 1.0, None));
-        ends.into_iter().chain(found.all_terms()).chain(base).collect()
+        ends.into_iter().chain(rise).chain(found.all_terms()).chain(base).collect()
     }
 
     fn over(&self) -> Over {
@@ -169,10 +190,15 @@ impl Hypothesis for ExternalContact {
     }
 
     fn says_of(&self, shape: &[f64]) -> &'static str {
-        if shape[2] == 1.0 {
-            "a force acts on the arm during part of the recording, constant in the base's axes"
-        } else {
-            "a force acts on the arm during part of the recording, constant in the tool's axes"
+        match (shape[2] == 1.0, shape[4] == 1.0) {
+            (true, false) => "a force acts on the arm during part of the recording, constant in the base's axes",
+            (false, false) => "a force acts on the arm during part of the recording, constant in the tool's axes",
+            (true, true) => {
+                "a force acts on the arm during part of the recording, rising and falling along one direction of the base's axes"
+            }
+            (false, true) => {
+                "a force acts on the arm during part of the recording, rising and falling along one direction of the tool's axes"
+            }
         }
     }
 
@@ -188,6 +214,21 @@ struct Push {
     base: f64,
     /// Its gain there relative to that of a force in most other stretches of the same length.
     worth: f64,
+}
+
+/// Begin and end of a range of windows, s.
+fn ends(scene: &WindowedData<'_>, windows: &Range<usize>) -> [f64; 2] {
+    [windows.start, windows.end].map(|w| w as f64 * scene.step)
+}
+
+/// Begin and end of a swelling push that resembles a constant one in these windows, within their
+/// recording, s.
+fn swelling(scene: &WindowedData<'_>, windows: &Range<usize>) -> [f64; 2] {
+    let [start, end] = ends(scene, windows);
+    let lead = 0.5 * (1.0 / CONSTANT - 1.0) * (end - start);
+    let run = scene.runs.iter().find(|run| run.start <= windows.start && windows.end <= run.end);
+    let [first, last] = run.map_or([start, end], |run| ends(scene, run));
+    [(start - lead).max(first), (end + lead).min(last)]
 }
 
 /// The best stretch of each length. Its gain is compared with the upper quartile of all stretches
@@ -225,7 +266,7 @@ fn pushes(scene: &WindowedData<'_>, residual: &[Vec<f64>], base: f64) -> Vec<Pus
         all.sort_by(|a, b| a.0.total_cmp(&b.0));
         let possible = |start: usize| {
             let [from, to] = [start, start + length].map(|w| w as f64 * scene.step);
-            ExternalContact.shows(scene, &[], &[from, to, base, 0.0])
+            ExternalContact.shows(scene, &[], &[from, to, base, 0.0, 0.0])
         };
         if let Some(&(gain, start)) = all.iter().rev().find(|(_, start)| possible(*start)) {
             let usual = all[all.len() * 3 / 4].0 * (1.0 + n as f64 / length as f64).ln();

@@ -34,9 +34,9 @@ fn peaks(scene: &WindowedData<'_>, j: usize, residual: &[f64]) -> Vec<f64> {
     let sample = |&w: &usize| Sample { value: residual[w], angle: q[w], half: 0.5 * v[w] * scene.step };
     let orders = Orders { first, step, count };
     let power = periodogram(&used.iter().map(sample).collect::<Vec<Sample>>(), &orders);
-    let mut order: Vec<usize> = (0..count)
-        .filter(|&i| (i == 0 || power[i] >= power[i - 1]) && (i + 1 == count || power[i] > power[i + 1]))
-        .collect();
+    // Where the power still rises at an end of the range, its peak lies outside.
+    let mut order: Vec<usize> =
+        (1..count.saturating_sub(1)).filter(|&i| power[i] >= power[i - 1] && power[i] > power[i + 1]).collect();
     order.sort_by(|a, b| power[*b].total_cmp(&power[*a]));
     order.into_iter().take(4).map(|i| orders.at(i)).collect()
 }

@@ -39,6 +39,25 @@ pub(in crate::diagnose) fn is_an_error_of_contact<'c>(
     others.into_iter().any(|other| share(other) > TOUCHED)
 }
 
+/// Length of another push, relative to its own, up to which a push within it has no evidence of its
+/// own: it is an error of the other one's course.
+const ALIKE: usize = 4;
+
+/// Whether a push acts mostly during another one of similar length.
+pub(in crate::diagnose) fn is_an_error_of_a_push<'c>(
+    scene: &WindowedData<'_>,
+    last: &Chosen,
+    others: impl IntoIterator<Item = &'c Chosen>,
+) -> bool {
+    let Some(span) = last.span(scene.step) else { return false };
+    let within = |other: &Chosen| {
+        let Some(other) = other.span(scene.step) else { return false };
+        let shared = span.end.min(other.end).saturating_sub(span.start.max(other.start));
+        2 * shared > span.len() && other.len() <= ALIKE * span.len()
+    };
+    others.into_iter().any(within)
+}
+
 /// Least motion of a compared stretch, as a share of the motion in the part where the cause acts.
 const AS_MUCH: f64 = 0.5;
 

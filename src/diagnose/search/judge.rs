@@ -3,7 +3,7 @@
 //! its effect must be large enough beside the noise.
 
 use super::SearchSettings;
-use super::alone::{is_alone, is_an_error_of_contact};
+use super::alone::{is_alone, is_an_error_of_a_push, is_an_error_of_contact};
 use super::candidate::unknowns;
 use super::driving_friction::friction_drives;
 use crate::diagnose::fit::likelihood::gain as autoregressive_gain;
@@ -192,10 +192,11 @@ impl Judge<'_> {
 
     /// Whether a local cause is supported in its part of the log alone; see [`is_alone`]. Local
     /// causes that together cover half of the logs or more are not accepted, nor is one during a
-    /// contact.
+    /// contact or a push.
     pub(super) fn is_alone(&self, last: &Chosen, before: &Fitted) -> bool {
         let scene = &self.tested.scene;
-        if is_an_error_of_contact(scene, last, self.accepted.iter().map(|a| &a.chosen)) {
+        let others = || self.accepted.iter().map(|a| &a.chosen);
+        if is_an_error_of_contact(scene, last, others()) || is_an_error_of_a_push(scene, last, others()) {
             return false;
         }
         let duration = |c: &Chosen| c.cause.acts(&c.shape).map_or(0.0, |[start, end]| end - start);

@@ -30,7 +30,9 @@ pub(in crate::diagnose) fn shorter_push(
     chosen: &[Chosen],
     fitted: &Fitted,
 ) -> Option<Shorter> {
-    let acts = |i: usize| chosen[i].cause.acts(&chosen[i].shape);
+    // A push that rises and falls has no length that another one takes back.
+    let swells = |c: &Chosen| c.shape.get(4) == Some(&1.0);
+    let acts = |i: usize| chosen[i].cause.acts(&chosen[i].shape).filter(|_| !swells(&chosen[i]));
     let pairs = (0..chosen.len()).flat_map(|long| (0..chosen.len()).map(move |short| (long, short)));
     for (long, needless) in pairs.filter(|(long, short)| long != short) {
         let Some([start, end]) = remainder(acts(long), acts(needless)) else { continue };

@@ -13,7 +13,7 @@ use crate::diagnose::fit::regulariser::Regulariser;
 use crate::diagnose::fit::uncertainty::Uncertainty;
 use crate::diagnose::hypotheses::{Estimate, Hypothesis, causes, hypothesis};
 use crate::diagnose::search::SearchSettings;
-use crate::diagnose::search::alone::is_alone;
+use crate::diagnose::search::alone::{is_alone, is_an_error_of_a_push};
 use crate::diagnose::search::baseline_friction::is_better;
 use crate::diagnose::search::candidate::{Candidate, evaluate};
 use crate::diagnose::search::driving_friction::friction_drives;
@@ -120,12 +120,28 @@ fn a_push_stands_out_from_the_rest_of_the_log() {
         let samples = samples(&tested.scene);
         let step = tested.scene.step;
         let at = |k: usize| samples.iter().position(|s| *s >= k).unwrap() as f64 * step;
-        let mut trial = [chosen(EffectKind::ExternalContact, &[], &[at(500), at(620), 1.0, 1.0])];
+        let mut trial = [chosen(EffectKind::ExternalContact, &[], &[at(500), at(620), 1.0, 1.0, 0.0])];
         tested.fit(&mut trial);
         assert_eq!(is_alone(&tested, &before, &trial[0]), alone, "{case}");
-        let most = chosen(EffectKind::ExternalContact, &[], &[at(60), at(1100), 1.0, 1.0]);
+        let most = chosen(EffectKind::ExternalContact, &[], &[at(60), at(1100), 1.0, 1.0, 0.0]);
         assert!(!is_alone(&tested, &before, &most));
     }
+}
+
+/// A second push during the first is an error of its course, unless the first is far longer.
+#[test]
+fn a_push_during_another_is_none() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let recordings = made([0.05; 2], 5, &|_, _| 0.0);
+    let tested = tested(&plant, &recordings);
+    let push = |start: f64, end: f64| chosen(EffectKind::ExternalContact, &[], &[start, end, 1.0, 0.0, 0.0]);
+    let error = |one: [f64; 2], other: [f64; 2]| {
+        is_an_error_of_a_push(&tested.scene, &push(one[0], one[1]), [&push(other[0], other[1])])
+    };
+    assert!(error([1.2, 1.6], [1.0, 2.0]) && error([1.7, 2.1], [1.0, 2.0]));
+    assert!(!error([1.9, 2.4], [1.0, 2.0]) && !error([2.5, 3.0], [1.0, 2.0]));
+    assert!(!error([1.2, 1.6], [1.0, 3.0]));
 }
 
 /// A push that was accepted with little support, beside a cause that has left the model, has the
@@ -141,7 +157,7 @@ fn the_support_of_a_push_is_that_beside_all_others() {
         let samples = samples(&tested.scene);
         let step = tested.scene.step;
         let at = |k: usize| samples.iter().position(|s| *s >= k).unwrap() as f64 * step;
-        let push = chosen(EffectKind::ExternalContact, &[], &[at(500), at(620), 1.0, 1.0]);
+        let push = chosen(EffectKind::ExternalContact, &[], &[at(500), at(620), 1.0, 1.0, 0.0]);
         let mut accepted = [Accepted::of(chosen(EffectKind::TorqueOffset, &[1], &[])), Accepted::of(push)];
         assert!(support_beside_all(&mut tested, &mut accepted).is_some());
         // What acts throughout keeps the support with which it was found.
@@ -586,7 +602,7 @@ fn an_opposite_push_over_the_end_of_another_makes_it_shorter() {
         };
         let recordings = made([0.02; 2], 4, &|j, k| force(k) * [0.6, 0.4][j]);
         let mut tested = tested(&plant, &recordings);
-        let push = |from: f64| chosen(EffectKind::ExternalContact, &[], &[time(from), time(0.57), 0.0, 1.0]);
+        let push = |from: f64| chosen(EffectKind::ExternalContact, &[], &[time(from), time(0.57), 0.0, 1.0, 0.0]);
         let mut two = [push(0.4), push(0.5)];
         let fitted = tested.fit(&mut two);
         let found = shorter_push(&mut tested, &two, &fitted);

@@ -133,7 +133,7 @@ fn a_push_takes_what_its_lever_says() {
     let span = 200..600;
     let ends = [span.start, span.end].map(|w| w as f64 * scene.step);
     for base in [0.0, 1.0] {
-        let terms = hypothesis(EffectKind::ExternalContact).terms(&scene, &[], &[ends[0], ends[1], base, 1.0]);
+        let terms = hypothesis(EffectKind::ExternalContact).terms(&scene, &[], &[ends[0], ends[1], base, 1.0, 0.0]);
         assert_eq!(terms.len(), 3);
         for w in 0..scene.len {
             let ([q1, q2], _) = motion(scene.time[w]);
@@ -156,6 +156,45 @@ fn a_push_takes_what_its_lever_says() {
     }
 }
 
+/// An error with a period longer than the travel has its largest power at the lowest order: that is no
+/// peak.
+#[test]
+fn an_order_at_the_end_of_the_range_is_no_peak() {
+    let plant = PerturbableRobot::new(&planar());
+    let recordings = [recording()];
+    let scene = windows(&plant, &recordings, 0.0);
+    let ripple = hypothesis(EffectKind::TorqueRipple);
+    let [low, high] = scene.travel[0];
+    let first = (9.5 / (high - low)).max(1.0);
+    let orders = |order: f64| {
+        let series = scene.own_series(0, |own| own.q.iter().map(|q| (order * q).cos()).collect());
+        ripple.grid(&scene, &[0], &[series, vec![0.0; scene.len]])
+    };
+    let has = |grid: Vec<Vec<f64>>, order: f64, within: f64| grid.iter().any(|s| (s[0] / order - 1.0).abs() < within);
+    assert!(!has(orders(0.5 * first), first, 1e-9));
+    assert!(has(orders(2.5 * first), 2.5 * first, 0.02));
+}
+
+/// A push that swells is a constant one times a squared sine.
+#[test]
+fn a_push_swells_and_falls() {
+    let plant = PerturbableRobot::new(&planar());
+    let recordings = [recording()];
+    let scene = windows(&plant, &recordings, 0.0);
+    let push = hypothesis(EffectKind::ExternalContact);
+    let ends = [200.0, 600.0].map(|w| w * scene.step);
+    let of = |swell: f64| push.terms(&scene, &[], &[ends[0], ends[1], 1.0, 0.0, swell]);
+    for (constant, swelling) in of(0.0).iter().zip(&of(1.0)) {
+        for ((j, one), (k, other)) in constant.column.rows.iter().zip(&swelling.column.rows) {
+            assert_eq!(j, k);
+            for w in 0..scene.len {
+                let share = (std::f64::consts::PI * (w as f64 + 0.5 - 200.0) / 400.0).sin().powi(2);
+                assert!((other[w] - share * one[w]).abs() < 1e-9, "{w}: {} {}", other[w], one[w]);
+            }
+        }
+    }
+}
+
 /// Noise, and a force in the axes of the base for 117 of 1140 windows. This is one of the lengths
 /// that are tried (50, then repeatedly a third more), at one of the starts (every 14 windows).
 /// Noise of three times the amplitude is not a push.
@@ -169,7 +208,7 @@ fn a_weak_push_is_looked_for_where_it_is() {
     let (pushed, loud) = (602..719, 150..250);
     let push = hypothesis(EffectKind::ExternalContact);
     let ends = [pushed.start, pushed.end].map(|w| w as f64 * scene.step);
-    let terms = push.terms(&scene, &[], &[ends[0], ends[1], 1.0, 0.0]);
+    let terms = push.terms(&scene, &[], &[ends[0], ends[1], 1.0, 0.0, 0.0]);
     assert_eq!(terms.len(), 2);
     let noise = |w: usize| [1.0, -1.0][w % 2] * if loud.contains(&w) { 3.0 } else { 1.0 };
     let mut residual = vec![(0..scene.len).map(noise).collect::<Vec<f64>>(); 2];
@@ -181,15 +220,15 @@ fn a_weak_push_is_looked_for_where_it_is() {
     let grid = push.grid(&scene, &[], &residual);
     let [start, end] = [0, 1].map(|k| (grid[0][k] / scene.step).round() as usize);
     assert_eq!([start, end], [pushed.start, pushed.end]);
-    assert_eq!([&grid[0][2..], &grid[1][2..]], [[1.0, 0.0], [1.0, 1.0]]);
+    assert_eq!([&grid[0][2..], &grid[1][2..]], [[1.0, 0.0, 0.0], [1.0, 1.0, 0.0]]);
     // A push does not continue in the next recording.
     let mut two = [recording(), recording()];
     two[1].begin += 100.0;
     let scene = windows(&plant, &two, 0.0);
     let [across, inside] = [1100..1180, 1000..1080].map(|w| [w.start, w.end].map(|w| w as f64 * scene.step));
     assert_eq!(scene.len, 2 * 1140);
-    assert!(!push.shows(&scene, &[], &[across[0], across[1], 1.0, 0.0]));
-    assert!(push.shows(&scene, &[], &[inside[0], inside[1], 1.0, 0.0]));
+    assert!(!push.shows(&scene, &[], &[across[0], across[1], 1.0, 0.0, 0.0]));
+    assert!(push.shows(&scene, &[], &[inside[0], inside[1], 1.0, 0.0, 0.0]));
 }
 
 /// A wall that the tip of the arm reaches: the candidate directions contain its normal. Its torques
@@ -243,7 +282,7 @@ fn a_wall_is_looked_for_where_it_is() {
     let push = laws(EffectKind::ExternalContact).next().unwrap();
     let of = |start: usize| {
         let ends = [start, start + 20].map(|w| w as f64 * scene.step);
-        is_an_error_of_contact(&scene, &chosen(push, &[ends[0], ends[1], 1.0, 0.0]), [&chosen(wall, &shape)])
+        is_an_error_of_contact(&scene, &chosen(push, &[ends[0], ends[1], 1.0, 0.0, 0.0]), [&chosen(wall, &shape)])
     };
     assert!(of(behind(true)) && !of(behind(false)));
     assert!(!is_an_error_of_contact(&scene, &chosen(wall, &shape), [&chosen(wall, &shape)]));

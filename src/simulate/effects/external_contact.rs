@@ -11,6 +11,9 @@ pub struct ExternalContact {
     pub start: f64,
     /// End, s.
     pub end: f64,
+    /// Time in which the wrench rises after the start and falls before the end, s. At most half of the
+    /// duration counts.
+    pub rise: f64,
     /// Force (N) and moment (N m) about the origin of the tool's frame.
     pub wrench: [f64; 6],
     /// Whether the wrench is in the axes of the base, else in those of the tool.
@@ -26,6 +29,7 @@ impl ExternalContact {
         Self {
             start: stated.start.unwrap_or(span.start + third),
             end: stated.end.unwrap_or(span.end - third),
+            rise: stated.rise(),
             wrench: stated.wrench(),
             in_base: stated.base() > 0.5,
             wall: (stated.stiffness() > 0.0).then(|| {
@@ -37,11 +41,9 @@ impl ExternalContact {
         }
     }
 
-    /// Share of the wrench at time `t`: rises and falls as raised cosines of 20 ms, since no real
-    /// push is a step.
+    /// Share of the wrench at time `t`: rises and falls as raised cosines, since no real push is a step.
     pub fn share(&self, t: f64) -> f64 {
-        const RISE: f64 = 0.02;
-        let rise = RISE.min(0.5 * (self.end - self.start));
+        let rise = self.rise.min(0.5 * (self.end - self.start));
         let inside = (t - self.start).min(self.end - t);
         if inside <= 0.0 {
             return 0.0;
@@ -55,5 +57,27 @@ impl ExternalContact {
     /// Whether the contact can act at this time.
     pub fn acts(&self, t: f64) -> bool {
         self.wall.is_some() || (self.start..self.end).contains(&t)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A wrench that rises for half of its duration, or as steep as a push by default.
+    #[test]
+    fn a_wrench_rises_and_falls() {
+        let stated = effects::ExternalContact { start: Some(1.0), end: Some(2.0), ..Default::default() };
+        let of =
+            |rise: f64| ExternalContact::new(&effects::ExternalContact { rise: Some(rise), ..stated }, &(0.0..3.0));
+        let shares = |contact: ExternalContact| [0.9, 1.0, 1.25, 1.5, 1.75, 2.1].map(|t| contact.share(t));
+        for rise in [0.5, 9.0] {
+            for (share, wanted) in shares(of(rise)).into_iter().zip([0.0, 0.0, 0.5, 1.0, 0.5, 0.0]) {
+                assert!((share - wanted).abs() < 1e-12, "{share} {wanted}");
+            }
+        }
+        assert_eq!(shares(of(0.0)), [0.0, 0.0, 1.0, 1.0, 1.0, 0.0]);
+        let steep = ExternalContact::new(&stated, &(0.0..3.0));
+        assert!(steep.share(1.02) == 1.0 && (steep.share(1.99) - 0.5).abs() < 1e-9);
     }
 }

@@ -10,6 +10,7 @@ effect! {
     source: "our choice: a light push of the hand, 17 N";
     start = START as "start" ["s"] derived, Range::ANY, "begin; default: a third of the motion";
     end = END as "end" ["s"] derived, Range::ANY, "end; default: two thirds of the motion";
+    rise = RISE as "rise" ["s"] always 0.02, Range::NOT_NEGATIVE, "time in which the wrench rises, and falls, as a raised cosine; at most half of the duration";
     fx = FX as "fx" ["N"] alone 10.0, Range::ANY, "force on the tool, at the origin of its frame";
     fy = FY as "fy" ["N"] alone 10.0, Range::ANY, "force";
     fz = FZ as "fz" ["N"] alone -10.0, Range::ANY, "force";
