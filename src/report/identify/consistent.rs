@@ -97,9 +97,13 @@ pub fn consistent_json(possible: &Possible<'_>) -> Value {
 /// Cost of physical consistency and of the prior, in a sentence.
 pub(in crate::report) fn paid(c: &Consistent) -> String {
     format!(
-        "To be possible, links pay {} % of the fit's weighted residual, {} than noise explains; with the prior (weight {}) {} %. Together they weigh {} kg.",
+        "Links that are possible bodies leave {} % more weighted residual than free parameters, {}; with the prior (weight {}) {} %. Together they weigh {} kg.",
         percent(c.possible.growth_percent.max(0.0)),
-        if c.significant { "more" } else { "no more" },
+        if c.significant {
+            "more than noise explains: an effect that the model lacks may be the reason (`denavit diagnose`)"
+        } else {
+            "no more than noise explains"
+        },
         figure(c.prior_weight),
         percent(c.cost.growth_percent.max(0.0)),
         figure(c.total_mass)
