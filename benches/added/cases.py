@@ -522,6 +522,8 @@ def main():
     parser.add_argument("--binary", type=lambda path: str(pathlib.Path(path).resolve()),
                         default=str(ROOT / "target" / "release" / "denavit"))
     given, truth, skipped = parser.parse_args(), [], {}
+    if unknown := set(given.kinds.split(",")) - {kind.__name__ for kind in KINDS}:
+        parser.error(f"--kinds: there is no {', '.join(sorted(unknown))}; write {', '.join(k.__name__ for k in KINDS)}")
     benches = {name: bench(name, given) for name in ARMS}
     for name, b in benches.items():
         print(f"{name}: residual {np.round(b.rms, 2).tolist()} N m", flush=True)

@@ -86,8 +86,8 @@ pub fn change(found: &Change) -> f64 {
 /// recordings with more than twice as much support, one was false.
 const LOCAL: f64 = 12.5;
 
-/// Factor for causes as brief as errors of the recorded motion. On a recording of a Panda without any
-/// push, stretches of 0.4 s have supports of up to 71.
+/// Factor for causes as brief as errors of the recorded motion. On a recording of a Panda,
+/// stretches of 0.4 s in which nothing pushes have supports of up to 71.
 const BRIEF: f64 = 0.5;
 
 /// Probability of a change in a part of a log, which no other part can confirm, by its support:

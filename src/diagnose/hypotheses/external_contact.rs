@@ -103,7 +103,7 @@ impl Hypothesis for ExternalContact {
         let Some([first, last]) = scene.runs.iter().map(|run| ends(scene, run)).find(|run| inside(*run)) else {
             return false;
         };
-        let swells = shape[4] == 1.0;
+        let swells = swells(shape);
         if swells && end - start > LONGEST_SWELL {
             return false;
         }
@@ -124,8 +124,8 @@ impl Hypothesis for ExternalContact {
         let len = end - start;
         let dof = scene.dof();
         let middle = |w: usize| ((w as f64 + 0.5) * scene.step - shape[0]) / (shape[1] - shape[0]);
-        let swells = |w: usize| (std::f64::consts::PI * middle(w).clamp(0.0, 1.0)).sin().powi(2);
-        let share: Vec<f64> = (start..end).map(|w| if shape[4] == 1.0 { swells(w) } else { 1.0 }).collect();
+        let swelling = |w: usize| (std::f64::consts::PI * middle(w).clamp(0.0, 1.0)).sin().powi(2);
+        let share: Vec<f64> = (start..end).map(|w| if swells(shape) { swelling(w) } else { 1.0 }).collect();
         effects::ExternalContact::WRENCH
             .into_iter()
             .enumerate()
@@ -176,7 +176,7 @@ impl Hypothesis for ExternalContact {
             Named::new(effects::ExternalContact::END, at(found.shape[1]), None),
         ];
         let half = 0.5 * (ends[1].value - ends[0].value);
-        let rise = (found.shape[4] == 1.0).then(|| Named::new(effects::ExternalContact::RISE, half, None));
+        let rise = swells(found.shape).then(|| Named::new(effects::ExternalContact::RISE, half, None));
         let base = (found.shape[2] == 1.0).then(|| Named::new(effects::ExternalContact::BASE, 1.0, None));
         ends.into_iter().chain(rise).chain(found.all_terms()).chain(base).collect()
     }
@@ -190,7 +190,7 @@ impl Hypothesis for ExternalContact {
     }
 
     fn says_of(&self, shape: &[f64]) -> &'static str {
-        match (shape[2] == 1.0, shape[4] == 1.0) {
+        match (shape[2] == 1.0, swells(shape)) {
             (true, false) => "a force acts on the arm during part of the recording, constant in the base's axes",
             (false, false) => "a force acts on the arm during part of the recording, constant in the tool's axes",
             (true, true) => {
@@ -214,6 +214,11 @@ struct Push {
     base: f64,
     /// Its gain there relative to that of a force in most other stretches of the same length.
     worth: f64,
+}
+
+/// Whether a push rises to its middle and falls from there on.
+pub(in crate::diagnose) fn swells(shape: &[f64]) -> bool {
+    shape.get(4) == Some(&1.0)
 }
 
 /// Begin and end of a range of windows, s.

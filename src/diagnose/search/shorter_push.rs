@@ -5,7 +5,7 @@
 
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::fit::white_errors::white_gain;
-use crate::diagnose::hypotheses::external_contact::BRIEFEST;
+use crate::diagnose::hypotheses::external_contact::{BRIEFEST, swells};
 
 /// Time within which two pushes end, or begin, together, s.
 const TOGETHER: f64 = 0.05;
@@ -31,8 +31,7 @@ pub(in crate::diagnose) fn shorter_push(
     fitted: &Fitted,
 ) -> Option<Shorter> {
     // A push that rises and falls has no length that another one takes back.
-    let swells = |c: &Chosen| c.shape.get(4) == Some(&1.0);
-    let acts = |i: usize| chosen[i].cause.acts(&chosen[i].shape).filter(|_| !swells(&chosen[i]));
+    let acts = |i: usize| chosen[i].cause.acts(&chosen[i].shape).filter(|_| !swells(&chosen[i].shape));
     let pairs = (0..chosen.len()).flat_map(|long| (0..chosen.len()).map(move |short| (long, short)));
     for (long, needless) in pairs.filter(|(long, short)| long != short) {
         let Some([start, end]) = remainder(acts(long), acts(needless)) else { continue };

@@ -184,6 +184,7 @@ fn a_push_swells_and_falls() {
     let push = hypothesis(EffectKind::ExternalContact);
     let ends = [200.0, 600.0].map(|w| w * scene.step);
     let of = |swell: f64| push.terms(&scene, &[], &[ends[0], ends[1], 1.0, 0.0, swell]);
+    assert!(of(0.0).len() == 2 && of(1.0).len() == 2);
     for (constant, swelling) in of(0.0).iter().zip(&of(1.0)) {
         for ((j, one), (k, other)) in constant.column.rows.iter().zip(&swelling.column.rows) {
             assert_eq!(j, k);
