@@ -157,8 +157,8 @@ fn instruction_sets_agree() {
         }};
     }
     let shipped = agree!(kuka_lwr4);
-    let other = agree!(ur10e);
-    let on_runtime = agree!(puma560);
+    let other = agree!(planar2r);
+    let on_runtime = agree!(scara);
     assert_eq!((shipped as u8, shipped as u8), (other as u8, on_runtime as u8));
 }
 
