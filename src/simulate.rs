@@ -127,9 +127,11 @@ pub enum SimulateError {
         /// Whether it has a stiffness (and no normal).
         stiff: bool,
     },
-    /// A link error on a link that does not exist.
-    #[error("{}: {}; write the number of a link, 1 to {last}", EffectKind::LinkInertiaError, number.map_or("no `link` is named".to_string(), |n| format!("there is no link {n}")))]
+    /// An effect on a link that does not exist.
+    #[error("{}: {}; write the number of a link, 1 to {last}", effect, number.map_or("no `link` is named".to_string(), |n| format!("there is no link {n}")))]
     Link {
+        /// The effect.
+        effect: EffectKind,
         /// Given number of the link, from 1; `None`: no link is named.
         number: Option<usize>,
         /// Number of links.

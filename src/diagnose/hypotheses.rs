@@ -28,6 +28,7 @@ mod plain;
 mod point_mass;
 mod position_dependent_friction;
 mod presliding_hysteresis;
+mod pushed_stretches;
 mod rotor_inertia;
 mod stribeck_friction;
 mod time_delay;
@@ -498,26 +499,26 @@ pub fn hypothesis(effect: EffectKind) -> &'static dyn Hypothesis {
         EffectKind::Payload => &payload::Payload,
         EffectKind::BaseTilt => &base_tilt::BaseTilt,
         EffectKind::JointSpring => &joint_spring::JointSpring,
-        EffectKind::ExternalContact => &external_contact::ExternalContact,
+        EffectKind::ExternalContact => &external_contact::ON_TOOL,
         EffectKind::TimeDelay => &time_delay::TimeDelay,
     }
 }
 
-/// A further law of an effect: the same keys, other columns.
-fn further(effect: EffectKind) -> Option<&'static dyn Hypothesis> {
+/// Further laws of an effect: the same keys, other columns.
+fn further(effect: EffectKind) -> &'static [&'static dyn Hypothesis] {
     match effect {
-        EffectKind::GearCoupling => Some(&gear_coupling::CarriedAxis),
-        EffectKind::JointSpring => Some(&joint_spring::CableSpring),
-        EffectKind::ExternalContact => Some(&wall::Wall),
-        EffectKind::Payload => Some(&point_mass::POINT_PAYLOAD),
-        EffectKind::LinkInertiaError => Some(&point_mass::POINT_LINK),
-        _ => None,
+        EffectKind::GearCoupling => &[&gear_coupling::CarriedAxis],
+        EffectKind::JointSpring => &[&joint_spring::CableSpring],
+        EffectKind::ExternalContact => &[&external_contact::ON_LINK, &wall::Wall],
+        EffectKind::Payload => &[&point_mass::POINT_PAYLOAD],
+        EffectKind::LinkInertiaError => &[&point_mass::POINT_LINK],
+        _ => &[],
     }
 }
 
 /// All laws of an effect.
 pub(in crate::diagnose) fn laws(effect: EffectKind) -> impl Iterator<Item = &'static dyn Hypothesis> {
-    core::iter::once(hypothesis(effect)).chain(further(effect))
+    core::iter::once(hypothesis(effect)).chain(further(effect).iter().copied())
 }
 
 /// All hypotheses that add columns, in the order of the vocabulary. Baseline friction is excluded,

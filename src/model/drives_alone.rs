@@ -7,7 +7,7 @@ use dh_codegen::robot::{Effect, EffectKind, Robot};
 
 use super::arm::{Arm, BaseParameter, Description, States};
 use super::parameter::StandardParameter;
-use super::perturbable::{Change, PerturbableArm};
+use super::perturbable::{Change, Contact, PerturbableArm};
 use super::perturbable_robot::PerturbableRobot;
 use super::robot_edit;
 
@@ -174,7 +174,7 @@ impl PerturbableArm for DrivesAlone {
         self.inverse_dynamics(states, standard, out);
     }
 
-    fn wrench_columns(&self, _: &States, _: bool, out: &mut [f64]) {
+    fn wrench_columns(&self, _: &States, _: Contact, out: &mut [f64]) {
         out.fill(0.0);
     }
 

@@ -30,6 +30,16 @@ pub enum Change {
     },
 }
 
+/// Where a wrench acts, and the axes of its components.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Contact {
+    /// Row, from 0, whose link is touched, at its far end: the origin of the next row's frame. `None`:
+    /// the tool, or the last frame without one, is touched at the origin of its frame.
+    pub link: Option<usize>,
+    /// Whether the components are along the base's axes, else along those of the touched frame.
+    pub in_base: bool,
+}
+
 /// Prior bodies of an arm's links.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LikelyBodies {
@@ -119,10 +129,9 @@ pub trait PerturbableArm: Arm {
     /// the frames of the unchanged arm.
     fn changed_dynamics(&self, change: &Change, states: &States, standard: &[f64], out: &mut [f64]);
 
-    /// `J'`: the torque on joint `j` per unit of component `c` of a wrench on the tool at sample
-    /// `s` goes to `out[(c * n + j) * len + s]`. Components are `fx fy fz mx my mz`, at the origin
-    /// of the tool's frame (of the last frame without a tool), in its axes or in the base's.
-    fn wrench_columns(&self, states: &States, base: bool, out: &mut [f64]);
+    /// `J'`: the torque on joint `j` per unit of component `c` of a wrench at sample `s` goes to
+    /// `out[(c * n + j) * len + s]`. Components are `fx fy fz mx my mz`, at the point of contact.
+    fn wrench_columns(&self, states: &States, contact: Contact, out: &mut [f64]);
 
     /// Position of that origin, axes of the base, m: component `c` at sample `s` goes to
     /// `out[c * len + s]`.

@@ -6,12 +6,13 @@ use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::{Angle, Effect, EffectKind, Inertia, Length, Robot};
 use nalgebra::Matrix3;
 
+use crate::model::far_end::FarEnd;
 use crate::model::file_torque_model::FileTorqueModel;
 use crate::model::interpreted::Interpreted;
 use crate::model::rigid_body::Numeric;
 use crate::model::robot_edit;
 use crate::model::walls::Walls;
-use crate::model::{Arm, Change, Description, LikelyBodies, PerturbableArm, States, TorqueModel};
+use crate::model::{Arm, Change, Contact, Description, LikelyBodies, PerturbableArm, States, TorqueModel};
 
 /// A robot with changeable geometry. Encoder zeros, lengths, base and bodies include the effects of
 /// its file.
@@ -26,6 +27,7 @@ pub struct PerturbableRobot {
     delays: Vec<f64>,
     arm: Interpreted,
     numeric: Numeric,
+    far_ends: Vec<FarEnd>,
     rows: Vec<usize>,
     gears: Vec<Option<f64>>,
     given: Option<Vec<f64>>,
@@ -40,6 +42,7 @@ impl PerturbableRobot {
         Self {
             arm: Interpreted::new(&robot, &[Function::InverseDynamicsBase]),
             numeric: Numeric::new(&robot),
+            far_ends: (0..robot.joints.len()).map(|row| FarEnd::of(&robot, row)).collect(),
             gears: rows.iter().map(|&row| robot.joints[row].drive.gear_ratio).collect(),
             given: param::standard_values(&robot),
             known: if file.has_effects() || Walls::of(&file).is_some() { laws(&file, &robot) } else { None },
@@ -180,11 +183,15 @@ impl PerturbableArm for PerturbableRobot {
         });
     }
 
-    fn wrench_columns(&self, states: &States, base: bool, out: &mut [f64]) {
+    fn wrench_columns(&self, states: &States, contact: Contact, out: &mut [f64]) {
         let dof = self.dof();
+        let end = contact.link.map(|row| self.far_ends[row]);
         each(states, dof, |s, q, _, _| {
-            let (tool, jacobian) = self.numeric.tool_and_jacobian(q);
-            let turn = if base { Matrix3::identity() } else { tool.fixed_view::<3, 3>(0, 0).transpose() };
+            let (pose, jacobian) = match end {
+                Some(FarEnd { row, point }) => self.numeric.point_and_jacobian(q, row, point),
+                None => self.numeric.tool_and_jacobian(q),
+            };
+            let turn = if contact.in_base { Matrix3::identity() } else { pose.fixed_view::<3, 3>(0, 0).transpose() };
             for j in 0..dof {
                 let force = turn * jacobian.fixed_view::<3, 1>(0, j);
                 let moment = turn * jacobian.fixed_view::<3, 1>(3, j);
@@ -336,11 +343,11 @@ mod tests {
     fn the_power_of_a_wrench() {
         let (plant, states, _) = swinging();
         let mut columns = vec![0.0; 6 * 21];
-        plant.wrench_columns(&states, false, &mut columns);
+        plant.wrench_columns(&states, Contact { link: None, in_base: false }, &mut columns);
         // The last joint carries a moment about its axis completely.
         assert!((0..3).all(|s| (columns[(5 * 7 + 6) * 3 + s] - 1.0).abs() < 1e-12));
         // In the base's axes the columns of a force are the derivatives of the position.
-        plant.wrench_columns(&states, true, &mut columns);
+        plant.wrench_columns(&states, Contact { link: None, in_base: true }, &mut columns);
         let at = |by: f64| {
             let mut turned = states.clone();
             turned.q[3 * 3..4 * 3].iter_mut().for_each(|q| *q += by);
@@ -351,6 +358,22 @@ mod tests {
         for (k, (after, before)) in at(1e-6).iter().zip(at(-1e-6)).enumerate() {
             let slope = (after - before) / 2e-6;
             assert!((slope - columns[(k / 3 * 7 + 3) * 3 + k % 3]).abs() < 1e-8);
+        }
+        // A force on link 3 acts at the elbow, with the same lever in any axes.
+        let on_link = |in_base: bool| {
+            let mut columns = vec![0.0; 6 * 21];
+            plant.wrench_columns(&states, Contact { link: Some(2), in_base }, &mut columns);
+            columns
+        };
+        let [link, base] = [false, true].map(on_link);
+        let size = |columns: &[f64], j: usize, s: usize| {
+            (0..3).map(|c| columns[(c * 7 + j) * 3 + s].powi(2)).sum::<f64>().sqrt()
+        };
+        for (j, s) in (0..7).flat_map(|j| (0..3).map(move |s| (j, s))) {
+            assert!((size(&link, j, s) - size(&base, j, s)).abs() < 1e-12);
+            // The elbow lies on the axis of joint 3.
+            assert!(j < 2 || size(&link, j, s) < 1e-12, "{j} {s}");
+            assert!(j != 1 || size(&link, j, s) > 0.1, "{s}");
         }
     }
 }

@@ -1,6 +1,11 @@
-//! External wrenches on the tool.
+//! External wrenches on the tool and on links.
+
+use nalgebra::Vector6;
 
 use super::effects::ExternalContact;
+use crate::model::far_end::FarEnd;
+use crate::model::rigid_body::Numeric;
+use dh_codegen::robot::Robot;
 
 /// A wrench on the tool, with its stiffness and damping.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -84,32 +89,70 @@ impl External for Wall {
     }
 }
 
-/// Sum of all external wrenches at a time, world axes.
-pub(super) fn total(
-    contacts: &[ExternalContact],
-    external: &[&dyn External],
-    t: f64,
-    pose: &[f64; 12],
-    twist: &[f64; 6],
-) -> Wrench {
-    let mut sum = Wrench::default();
-    for contact in contacts {
-        let share = contact.share(t);
-        let wrench = if contact.in_base { contact.wrench } else { in_base(pose, &contact.wrench) };
-        sum.wrench.iter_mut().zip(wrench).for_each(|(total, part)| *total += share * part);
+/// The points of the links that contacts touch.
+#[derive(Clone)]
+pub(super) struct Links {
+    numeric: Numeric,
+    far_ends: Vec<FarEnd>,
+}
+
+impl Links {
+    pub(super) fn of(robot: &Robot) -> Self {
+        let far_ends = (0..robot.joints.len()).map(|row| FarEnd::of(robot, row)).collect();
+        Self { numeric: Numeric::new(robot), far_ends }
     }
-    let walls = contacts.iter().filter_map(|contact| contact.wall.as_ref()).map(|wall| wall as &dyn External);
-    for external in external.iter().copied().chain(walls) {
-        let answer = external.wrench(t, pose, twist);
-        (0..6).for_each(|i| sum.wrench[i] += answer.wrench[i]);
-        for i in 0..3 {
-            for k in 0..3 {
-                sum.stiffness[i][k] += answer.stiffness[i][k];
-                sum.damping[i][k] += answer.damping[i][k];
+}
+
+/// Contacts that the robot file states, with the links that they touch.
+pub(super) struct Contacts {
+    pub(super) stated: Vec<ExternalContact>,
+    pub(super) links: Links,
+}
+
+impl Contacts {
+    /// Whether one of them can act at this time.
+    pub(super) fn act(&self, t: f64) -> bool {
+        self.stated.iter().any(|contact| contact.acts(t))
+    }
+
+    /// Passes joints and torques, N m, of the wrenches on links at a time, `J' w`, to `add`.
+    pub(super) fn add_on_links(&self, t: f64, q: &[f64], mut add: impl FnMut(usize, f64)) {
+        let touching = |contact: &ExternalContact| Some((*contact, *self.links.far_ends.get(contact.link?)?));
+        for (contact, FarEnd { row, point }) in self.stated.iter().filter_map(touching) {
+            let (pose, jacobian) = self.links.numeric.point_and_jacobian(q, row, point);
+            let mut wrench = Vector6::from(contact.wrench) * contact.share(t);
+            if !contact.in_base {
+                let turn = pose.fixed_view::<3, 3>(0, 0);
+                for part in [0, 3] {
+                    let turned = turn * wrench.fixed_rows::<3>(part);
+                    wrench.fixed_rows_mut::<3>(part).copy_from(&turned);
+                }
             }
+            (jacobian.transpose() * wrench).iter().enumerate().for_each(|(joint, torque)| add(joint, *torque));
         }
     }
-    sum
+
+    /// Sum of all external wrenches on the tool at a time, world axes.
+    pub(super) fn total(&self, external: &[&dyn External], t: f64, pose: &[f64; 12], twist: &[f64; 6]) -> Wrench {
+        let mut sum = Wrench::default();
+        for contact in self.stated.iter().filter(|contact| contact.link.is_none()) {
+            let share = contact.share(t);
+            let wrench = if contact.in_base { contact.wrench } else { in_base(pose, &contact.wrench) };
+            sum.wrench.iter_mut().zip(wrench).for_each(|(total, part)| *total += share * part);
+        }
+        let walls = self.stated.iter().filter_map(|contact| contact.wall.as_ref()).map(|wall| wall as &dyn External);
+        for external in external.iter().copied().chain(walls) {
+            let answer = external.wrench(t, pose, twist);
+            (0..6).for_each(|i| sum.wrench[i] += answer.wrench[i]);
+            for i in 0..3 {
+                for k in 0..3 {
+                    sum.stiffness[i][k] += answer.stiffness[i][k];
+                    sum.damping[i][k] += answer.damping[i][k];
+                }
+            }
+        }
+        sum
+    }
 }
 
 /// Rotates a wrench from world axes into those of the tool.

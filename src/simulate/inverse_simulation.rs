@@ -6,7 +6,7 @@
 //! backlash changes sides within a small torque instead of a short time.
 
 use super::bristle::{Part, sign};
-use super::contact::External;
+use super::contact::{External, in_tool};
 use super::drive::Drive;
 use super::effects::{GearCoupling, Moment};
 use super::plant::Plant;
@@ -143,7 +143,8 @@ fn links(trajectory: &Trajectory, drives: &[Drive], times: &[f64]) -> (States, V
     (states, desired)
 }
 
-/// Subtracts the external wrenches from the loads (`J' w`), and records them in tool axes.
+/// Subtracts the external wrenches from the loads (`J' w`), and records those on the tool, in its
+/// axes.
 fn push(
     built: &SimulatedRobot,
     settled: &Settled,
@@ -154,13 +155,13 @@ fn push(
     truth: &mut Truth,
 ) {
     let (n, many, len) = (settled.drives.len(), times.len(), truth.t.len());
-    if settled.contacts.is_empty() && external.is_empty() {
+    if settled.contacts.stated.is_empty() && external.is_empty() {
         return;
     }
     let mut bodies = built.real().bodies(&built.bodies_standard);
     let mut tool = ToolState::default();
     for (s, &t) in times.iter().enumerate() {
-        if external.is_empty() && !settled.contacts.iter().any(|c| c.acts(t)) {
+        if external.is_empty() && !settled.contacts.act(t) {
             continue;
         }
         let of = |values: &[f64]| (0..n).map(|j| values[j * many + s]).collect::<Vec<f64>>();
@@ -168,12 +169,13 @@ fn push(
         bodies.tool(&q, &mut tool);
         let ToolState { pose, jacobian } = &tool;
         let twist: [f64; 6] = std::array::from_fn(|i| (0..n).map(|k| jacobian[i * n + k] * dq[k]).sum());
-        let total = super::contact::total(&settled.contacts, external, t, pose, &twist).wrench;
+        let total = settled.contacts.total(external, t, pose, &twist).wrench;
+        settled.contacts.add_on_links(t, &q, |j, torque| load[j * many + s] -= torque);
         for j in 0..n {
             load[j * many + s] -= (0..6).map(|i| jacobian[i * n + j] * total[i]).sum::<f64>();
         }
         if s < len {
-            let local = super::contact::in_tool(pose, &total);
+            let local = in_tool(pose, &total);
             (0..6).for_each(|i| truth.wrench[i * len + s] = local[i]);
         }
     }

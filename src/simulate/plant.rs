@@ -4,10 +4,10 @@
 //! link. State: coordinates, their velocities, bristles.
 
 use super::bristle::{Bristle, Part};
-use super::contact::{self, External};
+use super::contact::{Contacts, External, in_tool};
 use super::control::{Control, Mode, Table};
 use super::drive::{Drive, signs_in_laws};
-use super::effects::{ExternalContact, GearCoupling, Moment};
+use super::effects::{GearCoupling, Moment};
 use super::trajectory::{Point, Trajectory};
 use crate::model::{Dynamics, ToolState};
 use crate::numerics::cholesky;
@@ -21,7 +21,7 @@ pub(super) struct Plant<'a> {
     bodies: &'a mut dyn Dynamics,
     pub drives: &'a [Drive],
     pub couplings: &'a [GearCoupling],
-    pub contacts: &'a [ExternalContact],
+    pub contacts: &'a Contacts,
     pub external: &'a [&'a dyn External],
     trajectory: &'a Trajectory,
     control: &'a Control,
@@ -86,7 +86,7 @@ pub(super) struct Parts<'a> {
     pub bodies: &'a mut dyn Dynamics,
     pub drives: &'a [Drive],
     pub couplings: &'a [GearCoupling],
-    pub contacts: &'a [ExternalContact],
+    pub contacts: &'a Contacts,
     pub external: &'a [&'a dyn External],
     pub trajectory: &'a Trajectory,
     pub control: &'a Control,
@@ -324,14 +324,14 @@ impl<'a> Plant<'a> {
             work.push_damping.fill(0.0);
         }
         self.now.wrench = [0.0; 6];
-        let acting = self.contacts.iter().any(|c| c.acts(t));
+        let acting = self.contacts.act(t);
         if !acting && self.external.is_empty() {
             return;
         }
         self.bodies.tool(&x[..n], &mut work.tool);
         let ToolState { pose, jacobian } = &work.tool;
         let twist: [f64; 6] = std::array::from_fn(|i| (0..n).map(|k| jacobian[i * n + k] * v[k]).sum());
-        let total = contact::total(self.contacts, self.external, t, pose, &twist);
+        let total = self.contacts.total(self.external, t, pose, &twist);
         for (matrix, out) in [(&total.stiffness, &mut work.push_stiffness), (&total.damping, &mut work.push_damping)] {
             if !slopes || matrix.iter().flatten().all(|&entry| entry == 0.0) {
                 continue;
@@ -346,7 +346,8 @@ impl<'a> Plant<'a> {
         for k in 0..n {
             work.pushed[k] = (0..6).map(|i| jacobian[i * n + k] * total.wrench[i]).sum();
         }
-        self.now.wrench = contact::in_tool(pose, &total.wrench);
+        self.contacts.add_on_links(t, &x[..n], |k, torque| work.pushed[k] += torque);
+        self.now.wrench = in_tool(pose, &total.wrench);
     }
 
     /// Rate of the state that was evaluated last.

@@ -5,9 +5,10 @@ use std::ops::Range;
 
 use dh_codegen::arm::param::{self, Parameter};
 use dh_codegen::robot::effects::{self, RotorInertia, Scope};
-use dh_codegen::robot::{Effect, Effects, NoLink, RATED, Robot, TorqueLaw};
+use dh_codegen::robot::{Effect, EffectKind, Effects, NoLink, RATED, Robot, TorqueLaw};
 
 use super::SimulateError;
+use super::contact::{Contacts, Links};
 use super::drive::Drive;
 use super::effects::{
     AsymmetricFriction, Backlash, ClosedForm, ExternalContact, FrictionDrift, GearCoupling, JointElasticity,
@@ -31,6 +32,8 @@ pub(super) struct SimulatedRobot {
     pub drives: Vec<Drive>,
     couplings: Vec<(usize, usize, effects::GearCoupling)>,
     contacts: Vec<effects::ExternalContact>,
+    /// Links of the true robot.
+    links: Links,
     /// Degrees of freedom whose torque limit is a share of the peak torque.
     saturates: Vec<usize>,
 }
@@ -39,7 +42,7 @@ pub(super) struct SimulatedRobot {
 pub(super) struct Settled {
     pub drives: Vec<Drive>,
     pub couplings: Vec<GearCoupling>,
-    pub contacts: Vec<ExternalContact>,
+    pub contacts: Contacts,
 }
 
 impl SimulatedRobot {
@@ -52,7 +55,7 @@ impl SimulatedRobot {
         let everywhere = own.robot.iter().chain(&more.robot);
         everywhere.clone().try_for_each(|effect| in_range(effect, None))?;
         let contacts: Vec<effects::ExternalContact> = everywhere.clone().filter_map(contact).collect();
-        contacts.iter().try_for_each(in_order)?;
+        contacts.iter().try_for_each(|contact| is_possible(contact, robot.joints.len()))?;
         let of_joints: Vec<(usize, &Effect)> = own
             .joints
             .iter()
@@ -84,6 +87,7 @@ impl SimulatedRobot {
             drives: moving.iter().map(|&row| plain_drive(robot, row)).collect(),
             couplings: Vec::new(),
             contacts,
+            links: Links::of(&real_robot),
             saturates: Vec::new(),
         };
         // Plain friction first: a Stribeck law depends on the Coulomb level.
@@ -205,8 +209,8 @@ impl SimulatedRobot {
                 carries: stated.carried(),
             }
         });
-        let contacts = self.contacts.iter().map(|stated| ExternalContact::new(stated, span));
-        Settled { couplings: couplings.collect(), contacts: contacts.collect(), drives }
+        let stated = self.contacts.iter().map(|stated| ExternalContact::new(stated, span)).collect();
+        Settled { couplings: couplings.collect(), contacts: Contacts { stated, links: self.links.clone() }, drives }
     }
 
     /// Half of the largest inertia that may couple two joints: beyond it the mass matrix need not
@@ -269,12 +273,16 @@ fn contact(effect: &Effect) -> Option<effects::ExternalContact> {
     if let Effect::ExternalContact(contact) = effect { Some(*contact) } else { None }
 }
 
-/// Checks that a contact ends after its start, and that a wall has both a stiffness and a normal.
-fn in_order(contact: &effects::ExternalContact) -> Result<(), SimulateError> {
+/// Checks that a contact ends after its start, that the link which it touches, if any, is one of the
+/// robot's, and that a wall has both a stiffness and a normal.
+fn is_possible(contact: &effects::ExternalContact, links: usize) -> Result<(), SimulateError> {
     if let (Some(start), Some(end)) = (contact.start, contact.end)
         && end <= start
     {
         return Err(SimulateError::Contact { end });
+    }
+    if contact.link.is_some_and(|link| link > links) {
+        return Err(SimulateError::Link { effect: EffectKind::ExternalContact, number: contact.link, last: links });
     }
     let faces = contact.normal().iter().any(|n| *n != 0.0);
     match contact.stiffness() > 0.0 {
@@ -303,7 +311,11 @@ fn effective<'e>(
     let mut real = robot.clone();
     let of_joints = of_joints.iter().map(|&(row, effect)| (Some(row), effect));
     for (row, effect) in of_joints.chain(of_robot.map(|effect| (None, effect))) {
-        real.change(row, effect).map_err(|NoLink { number, last }| SimulateError::Link { number, last })?;
+        real.change(row, effect).map_err(|NoLink { number, last }| SimulateError::Link {
+            effect: effect.kind(),
+            number,
+            last,
+        })?;
     }
     Ok(real)
 }

@@ -1,11 +1,8 @@
-//! `external_contact`: an external wrench during a part of the log, constant in the axes of the
-//! tool or of the base.
-
-use std::ops::Range;
+//! `external_contact`: an external wrench during a part of the log, constant in the axes of what it
+//! acts on or of the base.
 
 use dh_codegen::robot::EffectKind;
-use dh_codegen::robot::effects;
-use nalgebra::{Matrix3, Vector3};
+use dh_codegen::robot::effects::{self, Key};
 
 use super::Estimate;
 use super::Hypothesis;
@@ -17,14 +14,37 @@ use super::Shape;
 use super::Sign;
 use super::Symbol;
 use super::Term;
-use crate::diagnose::windows::windowed_data::{Column, WindowedData, parts};
-use crate::numerics::median::median;
+use super::pushed_stretches::{Stretch, ends, pushed_stretches, swelling};
+use crate::diagnose::windows::windowed_data::{Column, WindowedData};
+use crate::model::Contact;
 
-/// A wrench on the tool between `start` and `end` (seconds of used data, over all logs), constant in
-/// the tool's axes or, with `base` 1, in those of the base. Without `moment` it is a force at the
-/// origin of the tool's frame. With `swell` it rises until the middle and falls from there on, as a
-/// push of a hand does.
-pub struct ExternalContact;
+/// A wrench between `start` and `end` (seconds of used data, over all logs), constant in the axes of
+/// what it acts on or, with `base` 1, in those of the base. With `swell` it rises until the middle
+/// and falls from there on, as a push of a hand does.
+pub struct Push {
+    on: On,
+}
+
+/// What a push acts on.
+#[derive(Clone, Copy, PartialEq)]
+enum On {
+    /// The tool. Without `moment` it is a force at the origin of the tool's frame.
+    Tool,
+    /// The far end of `link`, a row of the table from 1. It is a force.
+    Link,
+}
+
+/// A push on the tool.
+pub(in crate::diagnose) const ON_TOOL: Push = Push { on: On::Tool };
+
+/// A push on a link that at least two joints carry: an error of one joint is no evidence of a force.
+/// One on the last link is a push on the tool.
+pub(in crate::diagnose) const ON_LINK: Push = Push { on: On::Link };
+
+/// Indices of the shape's numbers.
+const BASE: usize = 2;
+const MOMENT_OR_LINK: usize = 3;
+const SWELL: usize = 4;
 
 /// Distance from an end of a recording, s, within which a push must be longer than [`SHORT`], s.
 const NEAR_END: f64 = 0.3;
@@ -41,7 +61,7 @@ const WITH_MOMENT: f64 = 0.5;
 const LARGEST: f64 = 2.0;
 
 /// Length of the constant push that a swelling one resembles, as a share of its own.
-const CONSTANT: f64 = 2.0 / 3.0;
+pub(super) const CONSTANT: f64 = 2.0 / 3.0;
 
 /// Longest push that rises and falls, s: anything longer is a slow error.
 const LONGEST_SWELL: f64 = 2.0;
@@ -49,7 +69,7 @@ const LONGEST_SWELL: f64 = 2.0;
 /// Number of stretches of the log that are tried.
 const TRIED: usize = 6;
 
-impl Hypothesis for ExternalContact {
+impl Hypothesis for Push {
     fn effect(&self) -> EffectKind {
         EffectKind::ExternalContact
     }
@@ -63,55 +83,32 @@ impl Hypothesis for ExternalContact {
     }
 
     fn shape(&self) -> &'static [Shape] {
-        &[
-            Shape {
-                symbol: Symbol::Key(effects::ExternalContact::START),
-                unit: "s",
-                range: [0.0, 1e9],
-                step: Some(-0.12),
-            },
-            Shape {
-                symbol: Symbol::Key(effects::ExternalContact::END),
-                unit: "s",
-                range: [0.0, 1e9],
-                step: Some(-0.12),
-            },
-            Shape { symbol: Symbol::Own("base"), unit: "", range: [0.0, 1.0], step: None },
-            Shape { symbol: Symbol::Own("moment"), unit: "", range: [0.0, 1.0], step: None },
-            Shape { symbol: Symbol::Own("swell"), unit: "", range: [0.0, 1.0], step: None },
-        ]
+        match self.on {
+            On::Tool => const { &shapes("moment", 1.0) },
+            On::Link => const { &shapes("link", 1e3) },
+        }
     }
 
     /// Stretches in which a constant force would take more of the residual than elsewhere.
     fn grid(&self, scene: &WindowedData<'_>, _: &[usize], residual: &[Vec<f64>]) -> Vec<Vec<f64>> {
-        let mut found: Vec<Push> = [0.0, 1.0].into_iter().flat_map(|base| pushes(scene, residual, base)).collect();
+        let touched = match self.on {
+            On::Tool => vec![None],
+            On::Link => touchable(scene.plant.rows()).iter().copied().map(Some).collect(),
+        };
+        let contacts = touched.iter().flat_map(|&link| [false, true].map(|in_base| Contact { link, in_base }));
+        let possible = |ends: [f64; 2]| is_push(scene, ends, false, BRIEFEST);
+        let mut found: Vec<Stretch> =
+            contacts.flat_map(|contact| pushed_stretches(scene, residual, contact, &possible)).collect();
         found.sort_by(|a, b| b.worth.total_cmp(&a.worth));
         found.truncate(TRIED);
-        let shape = |p: &Push, [moment, swell]: [f64; 2]| {
-            let [start, end] = if swell == 1.0 { swelling(scene, &p.windows) } else { ends(scene, &p.windows) };
-            vec![start, end, p.base, moment, swell]
-        };
-        let laws = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0], [1.0, 1.0]];
-        found.iter().flat_map(|p| laws.map(|law| shape(p, law))).collect()
+        found.iter().flat_map(|stretch| self.laws(scene, stretch)).collect()
     }
 
     /// Very short contacts are impacts. Short ones at an end of a recording are presliding
     /// deflection or a settling low-pass. A push does not continue in the next recording.
     fn shows(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> bool {
-        let [start, end] = [shape[0], shape[1]];
-        let inside = |[first, last]: [f64; 2]| start > first - 0.5 * scene.step && end < last + 0.5 * scene.step;
-        let Some([first, last]) = scene.runs.iter().map(|run| ends(scene, run)).find(|run| inside(*run)) else {
-            return false;
-        };
-        let swells = swells(shape);
-        if swells && end - start > LONGEST_SWELL {
-            return false;
-        }
-        let lead = if swells { 0.5 * (1.0 - CONSTANT) * (end - start) } else { 0.0 };
-        let [start, end] = [start + lead, end - lead];
-        let at_an_end = start < first + NEAR_END || end > last - NEAR_END;
-        let least = if shape[3] == 1.0 { WITH_MOMENT } else { BRIEFEST };
-        end - start >= least && (end - start > SHORT || !at_an_end)
+        let least = if self.moment(shape) { WITH_MOMENT } else { BRIEFEST };
+        is_push(scene, [shape[0], shape[1]], swells(shape), least)
     }
 
     fn terms(&self, scene: &WindowedData<'_>, _: &[usize], shape: &[f64]) -> Vec<Term> {
@@ -120,7 +117,7 @@ impl Hypothesis for ExternalContact {
         if start + 4 > end {
             return Vec::new();
         }
-        let unit = scene.wrenches(start..end, shape[2] == 1.0);
+        let unit = scene.wrenches(start..end, self.contact(shape));
         let len = end - start;
         let dof = scene.dof();
         let middle = |w: usize| ((w as f64 + 0.5) * scene.step - shape[0]) / (shape[1] - shape[0]);
@@ -129,7 +126,7 @@ impl Hypothesis for ExternalContact {
         effects::ExternalContact::WRENCH
             .into_iter()
             .enumerate()
-            .filter(|(c, _)| shape[3] == 1.0 || *c < 3)
+            .filter(|(c, _)| self.moment(shape) || *c < 3)
             .filter_map(|(c, key)| {
                 let rows = (0..dof)
                     .map(|j| {
@@ -152,7 +149,12 @@ impl Hypothesis for ExternalContact {
     }
 
     fn law(&self, shape: &[f64]) -> usize {
-        (shape[3] + 2.0 * shape[4]) as usize
+        usize::from(self.moment(shape)) + 2 * usize::from(swells(shape))
+    }
+
+    /// The touched link is found, too.
+    fn free(&self, _: &[f64]) -> usize {
+        2 + usize::from(self.on == On::Link)
     }
 
     fn local(&self) -> bool {
@@ -177,8 +179,10 @@ impl Hypothesis for ExternalContact {
         ];
         let half = 0.5 * (ends[1].value - ends[0].value);
         let rise = swells(found.shape).then(|| Named::new(effects::ExternalContact::RISE, half, None));
-        let base = (found.shape[2] == 1.0).then(|| Named::new(effects::ExternalContact::BASE, 1.0, None));
-        ends.into_iter().chain(rise).chain(found.all_terms()).chain(base).collect()
+        let base = (found.shape[BASE] == 1.0).then(|| Named::new(effects::ExternalContact::BASE, 1.0, None));
+        let link = self.contact(found.shape).link.map(|row| (row + 1) as f64);
+        let link = link.map(|number| Named::new(effects::ExternalContact::LINK, number, None));
+        ends.into_iter().chain(rise).chain(found.all_terms()).chain(base).chain(link).collect()
     }
 
     fn over(&self) -> Over {
@@ -186,18 +190,37 @@ impl Hypothesis for ExternalContact {
     }
 
     fn says(&self) -> &'static str {
-        "a force acts on the arm during part of the recording"
+        match self.on {
+            On::Tool => "a force acts on the arm during part of the recording",
+            On::Link => "a force acts on a link during part of the recording",
+        }
     }
 
     fn says_of(&self, shape: &[f64]) -> &'static str {
-        match (shape[2] == 1.0, swells(shape)) {
-            (true, false) => "a force acts on the arm during part of the recording, constant in the base's axes",
-            (false, false) => "a force acts on the arm during part of the recording, constant in the tool's axes",
-            (true, true) => {
+        match (self.on, shape[BASE] == 1.0, swells(shape)) {
+            (On::Tool, true, false) => {
+                "a force acts on the arm during part of the recording, constant in the base's axes"
+            }
+            (On::Tool, false, false) => {
+                "a force acts on the arm during part of the recording, constant in the tool's axes"
+            }
+            (On::Tool, true, true) => {
                 "a force acts on the arm during part of the recording, rising and falling along one direction of the base's axes"
             }
-            (false, true) => {
+            (On::Tool, false, true) => {
                 "a force acts on the arm during part of the recording, rising and falling along one direction of the tool's axes"
+            }
+            (On::Link, true, false) => {
+                "a force acts on a link during part of the recording, constant in the base's axes"
+            }
+            (On::Link, false, false) => {
+                "a force acts on a link during part of the recording, constant in the link's axes"
+            }
+            (On::Link, true, true) => {
+                "a force acts on a link during part of the recording, rising and falling along one direction of the base's axes"
+            }
+            (On::Link, false, true) => {
+                "a force acts on a link during part of the recording, rising and falling along one direction of the link's axes"
             }
         }
     }
@@ -207,84 +230,67 @@ impl Hypothesis for ExternalContact {
     }
 }
 
-/// A stretch of a log in which a constant force may act.
-struct Push {
-    windows: Range<usize>,
-    /// 1 if it is constant in the axes of the base, else 0.
-    base: f64,
-    /// Its gain there relative to that of a force in most other stretches of the same length.
-    worth: f64,
+impl Push {
+    /// Whether it has a moment.
+    fn moment(&self, shape: &[f64]) -> bool {
+        self.on == On::Tool && shape[MOMENT_OR_LINK] == 1.0
+    }
+
+    fn contact(&self, shape: &[f64]) -> Contact {
+        let link = (self.on == On::Link).then(|| (shape[MOMENT_OR_LINK] as usize).saturating_sub(1));
+        Contact { link, in_base: shape[BASE] == 1.0 }
+    }
+
+    /// Shapes of all laws that resemble a constant force in a stretch.
+    fn laws(&self, scene: &WindowedData<'_>, stretch: &Stretch) -> Vec<Vec<f64>> {
+        let further = match stretch.contact.link {
+            None => vec![0.0, 1.0],
+            Some(row) => vec![(row + 1) as f64],
+        };
+        let base = f64::from(u8::from(stretch.contact.in_base));
+        let of = |swell: f64| {
+            let span = if swell == 1.0 { swelling } else { ends };
+            let [start, end] = span(scene, &stretch.windows);
+            further.iter().map(move |further| vec![start, end, base, *further, swell])
+        };
+        [0.0, 1.0].into_iter().flat_map(of).collect()
+    }
+}
+
+/// The shape's numbers; the fourth is a moment or a link.
+const fn shapes(fourth: &'static str, most: f64) -> [Shape; 5] {
+    const fn time(key: Key) -> Shape {
+        Shape { symbol: Symbol::Key(key), unit: "s", range: [0.0, 1e9], step: Some(-0.12) }
+    }
+    const fn which(name: &'static str, most: f64) -> Shape {
+        Shape { symbol: Symbol::Own(name), unit: "", range: [0.0, most], step: None }
+    }
+    let [start, end] = [time(effects::ExternalContact::START), time(effects::ExternalContact::END)];
+    [start, end, which("base", 1.0), which(fourth, most), which("swell", 1.0)]
+}
+
+/// Rows of the links that a push on a link may touch.
+fn touchable(rows: &[usize]) -> &[usize] {
+    rows.get(1..rows.len().saturating_sub(1)).unwrap_or(&[])
+}
+
+/// Whether a push between these times (s of used data) is within one recording and not too short.
+/// `least`: least length, s.
+fn is_push(scene: &WindowedData<'_>, [start, end]: [f64; 2], swells: bool, least: f64) -> bool {
+    let inside = |[first, last]: [f64; 2]| start > first - 0.5 * scene.step && end < last + 0.5 * scene.step;
+    let Some([first, last]) = scene.runs.iter().map(|run| ends(scene, run)).find(|run| inside(*run)) else {
+        return false;
+    };
+    if swells && end - start > LONGEST_SWELL {
+        return false;
+    }
+    let lead = if swells { 0.5 * (1.0 - CONSTANT) * (end - start) } else { 0.0 };
+    let [start, end] = [start + lead, end - lead];
+    let at_an_end = start < first + NEAR_END || end > last - NEAR_END;
+    end - start >= least && (end - start > SHORT || !at_an_end)
 }
 
 /// Whether a push rises to its middle and falls from there on.
 pub(in crate::diagnose) fn swells(shape: &[f64]) -> bool {
-    shape.get(4) == Some(&1.0)
-}
-
-/// Begin and end of a range of windows, s.
-fn ends(scene: &WindowedData<'_>, windows: &Range<usize>) -> [f64; 2] {
-    [windows.start, windows.end].map(|w| w as f64 * scene.step)
-}
-
-/// Begin and end of a swelling push that resembles a constant one in these windows, within their
-/// recording, s.
-fn swelling(scene: &WindowedData<'_>, windows: &Range<usize>) -> [f64; 2] {
-    let [start, end] = ends(scene, windows);
-    let lead = 0.5 * (1.0 / CONSTANT - 1.0) * (end - start);
-    let run = scene.runs.iter().find(|run| run.start <= windows.start && windows.end <= run.end);
-    let [first, last] = run.map_or([start, end], |run| ends(scene, run));
-    [(start - lead).max(first), (end + lead).min(last)]
-}
-
-/// The best stretch of each length. Its gain is compared with the upper quartile of all stretches
-/// of the same length, and penalised by their number.
-fn pushes(scene: &WindowedData<'_>, residual: &[Vec<f64>], base: f64) -> Vec<Push> {
-    let (n, dof) = (scene.len, scene.dof());
-    let weight: Vec<f64> = residual.iter().map(|row| quiet(row)).collect();
-    let mut sums: Vec<(Matrix3<f64>, Vector3<f64>)> = Vec::with_capacity(n + 1);
-    let mut sum = (Matrix3::zeros(), Vector3::zeros());
-    sums.push(sum);
-    for part in parts(n) {
-        let unit = scene.wrenches(part.clone(), base == 1.0);
-        for w in part.clone() {
-            for j in (0..dof).filter(|&j| scene.live[j][w]) {
-                let row = Vector3::from_fn(|c, _| -unit[(c * dof + j) * part.len() + w - part.start]);
-                sum.0 += weight[j] * row * row.transpose();
-                sum.1 += weight[j] * residual[j][w] * row;
-            }
-            sums.push(sum);
-        }
-    }
-    let least = sum.0.trace() * 1e-6 / n.max(1) as f64;
-    let gain = |start: usize, length: usize| {
-        let (normal, right) = (sums[start + length].0 - sums[start].0, sums[start + length].1 - sums[start].1);
-        let normal = normal + Matrix3::identity() * (least * length as f64 + f64::MIN_POSITIVE);
-        normal.cholesky().map_or(0.0, |l| right.dot(&l.solve(&right)))
-    };
-    let mut found = Vec::new();
-    let mut length = (BRIEFEST / scene.step).ceil().max(4.0) as usize;
-    while length <= n / 2 {
-        let starts =
-            |run: &Range<usize>| (run.start..(run.end + 1).saturating_sub(length)).step_by((length / 8).max(1));
-        let mut all: Vec<(f64, usize)> =
-            scene.runs.iter().flat_map(starts).map(|start| (gain(start, length), start)).collect();
-        all.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let possible = |start: usize| {
-            let [from, to] = [start, start + length].map(|w| w as f64 * scene.step);
-            ExternalContact.shows(scene, &[], &[from, to, base, 0.0, 0.0])
-        };
-        if let Some(&(gain, start)) = all.iter().rev().find(|(_, start)| possible(*start)) {
-            let usual = all[all.len() * 3 / 4].0 * (1.0 + n as f64 / length as f64).ln();
-            let worth = gain / usual.max(f64::MIN_POSITIVE);
-            found.push(Push { windows: start..start + length, base, worth });
-        }
-        length = (length * 4 / 3).max(length + 1);
-    }
-    found
-}
-
-/// Inverse of the median of a joint's squared residual, which a short push does not affect.
-pub(super) fn quiet(row: &[f64]) -> f64 {
-    let mut sizes: Vec<f64> = row.iter().map(|e| e * e).filter(|e| *e > 0.0).collect();
-    median(&mut sizes).map_or(0.0, |median| 1.0 / median)
+    shape.get(SWELL) == Some(&1.0)
 }

@@ -17,7 +17,8 @@ use super::Shape;
 use super::Sign;
 use super::Symbol;
 use super::Term;
-use super::external_contact::{ExternalContact, quiet};
+use super::external_contact::ON_TOOL;
+use super::pushed_stretches::quiet;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// Force `k max(at - n'p, 0)` along `n`.
@@ -219,7 +220,7 @@ impl Hypothesis for Wall {
         let deepest = depths(scene.tool_positions(), &normal(scene, shape), distance(scene, shape))
             .into_iter()
             .fold(0.0, f64::max);
-        ExternalContact.plausible(scene, place, shape, &[x[0] * deepest])
+        ON_TOOL.plausible(scene, place, shape, &[x[0] * deepest])
     }
 
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
@@ -252,6 +253,6 @@ impl Hypothesis for Wall {
     }
 
     fn shown_by(&self) -> &'static str {
-        ExternalContact.shown_by()
+        ON_TOOL.shown_by()
     }
 }

@@ -21,7 +21,7 @@ use super::{SearchSettings, equivalent_robot_cause, simplify};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::regulariser::Regulariser;
 use crate::diagnose::fit::white_errors::{log_ratios, white_gain};
-use crate::diagnose::hypotheses::{Hypothesis, Kind, PLAIN, causes, laws};
+use crate::diagnose::hypotheses::{Hypothesis, Kind, PLAIN, laws};
 use crate::diagnose::select::model_choice::LeftOut;
 use dh_codegen::robot::EffectKind;
 
@@ -63,16 +63,17 @@ pub(in crate::diagnose) struct Found {
     pub(in crate::diagnose) other_start: Option<Placed>,
 }
 
-/// Cause, place and number of coefficients. Each of several laws of one cause is tried.
-type Law = (&'static str, Vec<usize>, usize);
-
-fn law(candidate: &Candidate) -> Law {
-    (candidate.cause.name(), candidate.place.clone(), candidate.gain.x.len())
+/// A law of a cause that was refused. Each of several laws of one cause is tried.
+#[derive(PartialEq)]
+struct Law {
+    says: &'static str,
+    place: Vec<usize>,
+    coefficients: usize,
+    local: bool,
 }
 
-/// Whether causes of this name act in a part of a log.
-fn local(name: &str) -> bool {
-    causes().any(|c| c.name() == name && c.local())
+fn law(Candidate { cause, place, gain, .. }: &Candidate) -> Law {
+    Law { says: cause.says(), place: place.clone(), coefficients: gain.x.len(), local: cause.local() }
 }
 
 /// An effect in a place.
@@ -182,7 +183,7 @@ impl Forward<'_, '_> {
             tried.push(at);
             if let Some(next) = self.accept(&ranked, at, fitted, &before) {
                 // A local cause may stand out from the smaller residual.
-                refused.retain(|(name, ..)| !local(name));
+                refused.retain(|law| !law.local);
                 return Some(next);
             }
             refused.push(law(&ranked[at]));

@@ -156,6 +156,28 @@ fn a_push_takes_what_its_lever_says() {
     }
 }
 
+/// A force on link 1 acts at the elbow: the shoulder alone carries it.
+#[test]
+fn a_push_on_a_link_takes_what_its_lever_says() {
+    let plant = PerturbableRobot::new(&planar());
+    let recordings = [recording()];
+    let scene = windows(&plant, &recordings, 0.0);
+    let on_link = laws(EffectKind::ExternalContact).nth(1).unwrap();
+    let ends = [200.0, 600.0].map(|w| w * scene.step);
+    let terms = on_link.terms(&scene, &[], &[ends[0], ends[1], 1.0, 1.0, 0.0]);
+    assert_eq!(terms.len(), 2);
+    for w in 200..600 {
+        let ([q1, _], _) = motion(scene.time[w]);
+        for (term, lever) in terms.iter().zip([-L1 * q1.sin(), L1 * q1.cos()]) {
+            let [(0, series)] = &term.column.rows[..] else { panic!("{:?}", term.column.rows.len()) };
+            assert!((series[w] + lever).abs() < 1e-9 || !scene.live[0][w], "{w}: {} {lever}", series[w]);
+        }
+    }
+    // The elbow is carried by one joint, and the last link is the tool: no link of this arm is tried.
+    let residual = vec![vec![1.0; scene.len]; 2];
+    assert!(on_link.grid(&scene, &[], &residual).is_empty());
+}
+
 /// An error with a period longer than the travel has its largest power at the lowest order: that is no
 /// peak.
 #[test]
@@ -239,7 +261,7 @@ fn a_wall_is_looked_for_where_it_is() {
     let plant = PerturbableRobot::new(&planar());
     let recordings = [recording()];
     let scene = windows(&plant, &recordings, 0.0);
-    let wall = laws(EffectKind::ExternalContact).nth(1).unwrap();
+    let wall = laws(EffectKind::ExternalContact).find(|law| !law.local()).unwrap();
     let (low, high) =
         scene.tool_positions()[..scene.len].iter().fold((f64::MAX, f64::MIN), |(l, h), x| (l.min(*x), h.max(*x)));
     let at = low + 0.3 * (high - low);

@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 use nalgebra::{Matrix3, Matrix3xX, Vector3};
 
 use crate::data::signal::{Band, central};
-use crate::model::{Change, DriveTerm, PerturbableArm, StandardParameter, States};
+use crate::model::{Change, Contact, DriveTerm, PerturbableArm, StandardParameter, States};
 use crate::numerics::parallel::{parallel, threads_for};
 
 use super::earlier::earlier;
@@ -21,6 +21,9 @@ use super::torque_noise::torque_noise;
 
 /// Number of postures in which torques of a force on the tool are evaluated.
 const POSTURES: usize = 16;
+
+/// Contact of the tool, in axes of the base.
+const ON_TOOL: Contact = Contact { link: None, in_base: true };
 
 /// Number of windows whose wrenches are computed at once: an hour at once would take 120 MB.
 const AT_ONCE: usize = 1024;
@@ -569,14 +572,14 @@ impl<'a> WindowedData<'a> {
         rows
     }
 
-    /// [`PerturbableArm::wrench_columns`] at some windows, in the tool's axes or the base's.
-    pub fn wrenches(&self, span: std::ops::Range<usize>, base: bool) -> Vec<f64> {
+    /// [`PerturbableArm::wrench_columns`] at some windows.
+    pub fn wrenches(&self, span: std::ops::Range<usize>, contact: Contact) -> Vec<f64> {
         let len = span.len();
         let mut out = vec![0.0; 6 * self.dof() * len];
         if let Some(states) = self.states.first() {
             let cut = |x: &[f64]| x.chunks_exact(self.len.max(1)).flat_map(|row| row[span.clone()].to_vec()).collect();
             let states = States { len, q: cut(&states.q), dq: cut(&states.dq), ddq: cut(&states.ddq) };
-            self.plant.wrench_columns(&states, base, &mut out);
+            self.plant.wrench_columns(&states, contact, &mut out);
         }
         out
     }
@@ -587,7 +590,7 @@ impl<'a> WindowedData<'a> {
         self.forces.get_or_init(|| {
             let mut out = vec![0.0; 3 * self.dof() * self.len];
             for span in parts(self.len) {
-                let unit = self.wrenches(span.clone(), true);
+                let unit = self.wrenches(span.clone(), ON_TOOL);
                 for (row, part) in out.chunks_exact_mut(self.len).zip(unit.chunks_exact(span.len())) {
                     row[span.clone()].copy_from_slice(part);
                 }
@@ -613,7 +616,7 @@ impl<'a> WindowedData<'a> {
         self.idle.get_or_init(|| {
             let every = (self.len / POSTURES).max(1);
             let torques = |w: usize| {
-                let unit = self.wrenches(w..w + 1, true);
+                let unit = self.wrenches(w..w + 1, ON_TOOL);
                 Matrix3xX::from_fn(self.dof(), |c, j| unit[c * self.dof() + j])
             };
             let squares: Matrix3<f64> =
@@ -629,7 +632,7 @@ impl<'a> WindowedData<'a> {
     pub fn reach(&self) -> f64 {
         let every = (self.len / 8).max(1);
         let lever = |w: usize| {
-            let wrench = self.wrenches(w..w + 1, true);
+            let wrench = self.wrenches(w..w + 1, ON_TOOL);
             let of = |j: usize| (0..3).map(|c| wrench[c * self.dof() + j].powi(2)).sum::<f64>().sqrt();
             (0..self.dof()).map(of).fold(0.0, f64::max)
         };

@@ -32,7 +32,17 @@ impl Numeric {
         (homogeneous(&tool), self.jacobian_at(tool.origin, &poses))
     }
 
-    /// Jacobian of a point fixed to the last frame, given in the world frame.
+    /// Pose of the frame of a row (from 0), with its origin moved to a point of that frame, m, and the
+    /// Jacobian of that point, arranged as [`Numeric::jacobian`]: 0 for the joints beyond.
+    pub fn point_and_jacobian(&self, q: &[f64], row: usize, point: [f64; 3]) -> (Matrix4<f64>, Matrix6xX<f64>) {
+        let mut poses = self.poses(q);
+        poses.truncate(row + 1);
+        let mut pose = *poses.last().unwrap_or(&self.base);
+        pose.origin += pose.rotation * Vector3::from(point);
+        (homogeneous(&pose), self.jacobian_at(pose.origin, &poses))
+    }
+
+    /// Jacobian of a point fixed to the last of these poses, given in the world frame.
     fn jacobian_at(&self, point: Vector3<f64>, poses: &[Plucker]) -> Matrix6xX<f64> {
         let mut jacobian = Matrix6xX::zeros(self.dof);
         for (row, pose) in self.rows.iter().zip(poses) {

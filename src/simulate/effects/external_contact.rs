@@ -1,4 +1,4 @@
-//! `external_contact`: a wrench on the tool during a time window, or a wall.
+//! `external_contact`: a wrench on the tool or a link during a time window, or a wall.
 
 use dh_codegen::robot::effects;
 
@@ -14,10 +14,12 @@ pub struct ExternalContact {
     /// Time in which the wrench rises after the start and falls before the end, s. At most half of the
     /// duration counts.
     pub rise: f64,
-    /// Force (N) and moment (N m) about the origin of the tool's frame.
+    /// Force (N) and moment (N m) about the origin of the tool's frame, or the far end of the link.
     pub wrench: [f64; 6],
-    /// Whether the wrench is in the axes of the base, else in those of the tool.
+    /// Whether the wrench is in the axes of the base, else in those of the tool or the touched link.
     pub in_base: bool,
+    /// Row of the touched link, from 0; `None`: the tool is touched.
+    pub link: Option<usize>,
     /// Wall, which acts at any time.
     pub wall: Option<Wall>,
 }
@@ -32,6 +34,7 @@ impl ExternalContact {
             rise: stated.rise(),
             wrench: stated.wrench(),
             in_base: stated.base() > 0.5,
+            link: stated.link.and_then(|link| link.checked_sub(1)),
             wall: (stated.stiffness() > 0.0).then(|| {
                 let normal = stated.normal();
                 let length = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
@@ -68,8 +71,8 @@ mod tests {
     #[test]
     fn a_wrench_rises_and_falls() {
         let stated = effects::ExternalContact { start: Some(1.0), end: Some(2.0), ..Default::default() };
-        let of =
-            |rise: f64| ExternalContact::new(&effects::ExternalContact { rise: Some(rise), ..stated }, &(0.0..3.0));
+        let contact = |stated: effects::ExternalContact| ExternalContact::new(&stated, &(0.0..3.0));
+        let of = |rise: f64| contact(effects::ExternalContact { rise: Some(rise), ..stated });
         let shares = |contact: ExternalContact| [0.9, 1.0, 1.25, 1.5, 1.75, 2.1].map(|t| contact.share(t));
         for rise in [0.5, 9.0] {
             for (share, wanted) in shares(of(rise)).into_iter().zip([0.0, 0.0, 0.5, 1.0, 0.5, 0.0]) {
@@ -77,7 +80,7 @@ mod tests {
             }
         }
         assert_eq!(shares(of(0.0)), [0.0, 0.0, 1.0, 1.0, 1.0, 0.0]);
-        let steep = ExternalContact::new(&stated, &(0.0..3.0));
+        let steep = contact(stated);
         assert!(steep.share(1.02) == 1.0 && (steep.share(1.99) - 0.5).abs() < 1e-9);
     }
 }

@@ -363,6 +363,40 @@ fn a_push_on_the_tool_is_felt_through_the_jacobian() {
     }
 }
 
+/// A force on link 1 acts at the elbow, on the shoulder alone, and is no wrench on the tool. In the
+/// axes of the link its lever is the link's length at any angle.
+#[test]
+fn a_push_on_a_link_acts_at_its_far_end() {
+    let robot = frictionless("planar2r");
+    let push = |base: f64| {
+        effect(
+            "external_contact",
+            &[("start", -9.0), ("end", 99.0), ("link", 1.0), ("fx", 6.0), ("fy", -4.0), ("base", base)],
+        )
+    };
+    let trajectory = motion(2, 0.8, 3.0);
+    let request = Request { sensors: Sensors { wrench: true, ..Sensors::perfect(100.0) }, ..exact(100.0) };
+    let without = run(&robot, &Effects::default(), &trajectory, &request);
+    for base in [0.0, 1.0] {
+        let effects = Effects { joints: Vec::new(), robot: vec![push(base)], ..Effects::default() };
+        let with = run(&robot, &effects, &trajectory, &request);
+        let len = with.truth.t.len();
+        for k in 0..len {
+            let q1 = if base == 1.0 { with.truth.link_q[k] } else { 0.0 };
+            let shoulder = 0.5 * (-6.0 * q1.sin() - 4.0 * q1.cos());
+            for (j, expected) in [(0, shoulder), (1, 0.0)] {
+                let seen = with.truth.motor_torque[j * len + k] - without.truth.motor_torque[j * len + k];
+                assert!((seen + expected).abs() < 1e-10, "{base} {j}: {seen} {expected}");
+            }
+            assert_eq!(with.log.column(crate::data::log::Role::Wrench(1)).unwrap()[k], 0.0);
+        }
+    }
+    let lost = effect("external_contact", &[("link", 3.0)]);
+    let effects = Effects { joints: Vec::new(), robot: vec![lost], ..Effects::default() };
+    let error = Simulator::new(&robot, &effects).map(|_| ()).unwrap_err().to_string();
+    assert_eq!(error, "external_contact: there is no link 3; write the number of a link, 1 to 2");
+}
+
 /// Torques of a wall in the file are the derivatives of its energy, at any time. A push in the axes
 /// of the base does not turn with the tool.
 #[test]

@@ -2,7 +2,7 @@
 
 use super::session::{Excerpt, Session, torques};
 use crate::data::log::{Log, Quantity, Role};
-use crate::model::{DriveTerm, PerturbableArm};
+use crate::model::{Contact, DriveTerm, PerturbableArm};
 use crate::numerics::prng::Random;
 use dh_codegen::robot::effects;
 
@@ -224,7 +224,7 @@ impl Addition {
             }
             Form::Contact if first => {
                 let mut unit = vec![0.0; 6 * dof * len];
-                session.plant.wrench_columns(&e.states, true, &mut unit);
+                session.plant.wrench_columns(&e.states, Contact { link: None, in_base: true }, &mut unit);
                 let force = [a, b, c];
                 let acts = |t: f64| (self.window[0]..self.window[1]).contains(&t);
                 for (j, row) in out.iter_mut().enumerate() {
