@@ -79,29 +79,31 @@ fn a_swivel_angle_is_chosen() {
         let robot = read_robot(&path);
         let goal = *Numeric::new(&robot).frames(&q).last().unwrap();
         let folder = folder(&format!("ik-chosen-{name}"));
-        let margin = |said: &serde_json::Value| {
-            let solutions = said["poses"][0]["solutions"].as_array().unwrap();
+        let margin = |pose: &serde_json::Value| {
+            let solutions = pose["solutions"].as_array().unwrap();
             solutions.iter().filter_map(|s| s["limit_margin"].as_f64()).fold(f64::NEG_INFINITY, f64::max)
         };
-        let run = |file_name: &str, more: &[&str], numbers: &[f64]| {
+        let run = |file_name: &str, more: &[&str], numbers: &[Vec<f64>]| {
             let mut header = pose_columns();
             header.extend(more.iter().map(|s| s.to_string()));
-            let poses = file(&folder, file_name, csv(&header, &[[row(&goal), numbers.to_vec()].concat()]));
+            let rows: Vec<Vec<f64>> = numbers.iter().map(|numbers| [&row(&goal)[..], numbers].concat()).collect();
+            let poses = file(&folder, file_name, csv(&header, &rows));
             json(&["ik", &path, "--poses", &poses, "--json", "-"])
         };
-        let chosen = run("chosen.csv", &[], &[]);
+        let chosen = run("chosen.csv", &[], &[Vec::new()]);
         // The Panda has no swivel angle; the position of a locked joint replaces it.
         let locked = chosen["poses"][0]["locked_joint"].as_u64();
         assert_eq!(locked, (name == "franka-panda").then_some(7), "{name}");
-        let most = margin(&chosen);
+        let most = margin(&chosen["poses"][0]);
         assert!(most > 0.0, "{name}: {chosen}");
-        for k in 0..24 {
-            let swivel = -3.0 + 0.25 * f64::from(k);
-            let other = margin(&run("given.csv", &["swivel"], &[swivel]));
-            assert!(other <= most + 0.07, "{name}: {other} at {swivel}, {most} chosen");
+        let swivels: Vec<Vec<f64>> = (0..24).map(|k| vec![-3.0 + 0.25 * f64::from(k)]).collect();
+        let given = run("given.csv", &["swivel"], &swivels);
+        for (swivel, pose) in swivels.iter().zip(given["poses"].as_array().unwrap()) {
+            let other = margin(pose);
+            assert!(other <= most + 0.07, "{name}: {other} at {swivel:?}, {most} chosen");
         }
         let names = ["q1", "q2", "q3", "q4", "q5", "q6", "q7"];
-        let near = run("near.csv", &names, &q);
+        let near = run("near.csv", &names, &[q.to_vec()]);
         let first = numbers(&near["poses"][0]["solutions"][0]["q"]);
         assert!(first.iter().zip(q).all(|(a, b)| (a - b).abs() < 1e-9), "{name}: {first:?}");
     }

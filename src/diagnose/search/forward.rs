@@ -16,6 +16,7 @@ use super::merge_levels::merge_levels;
 use super::next_candidate::{PLAINER, best};
 use super::over_all_joints::pays_as_a_whole;
 use super::shorter_push::shorter_push;
+use super::sufficient::Tried;
 use super::support::gained;
 use super::{SearchSettings, equivalent_robot_cause, simplify};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
@@ -177,8 +178,15 @@ impl Forward<'_, '_> {
         let mut tried: Vec<usize> = Vec::new();
         while tried.len() < REFUSED {
             let first = best(&ranked, &tried)?;
-            let other = self.that_suffices(&ranked, first, fitted, &before);
-            let other = other.or_else(|| self.link_that_predicts_better((&ranked, first), fitted, &before));
+            let other = match self.that_suffices(&ranked, first, fitted, &before) {
+                Tried::Itself => self.link_that_predicts_better((&ranked, first), fitted, &before),
+                Tried::Instead(other) => Some(other),
+                Tried::Neither => {
+                    tried.push(first);
+                    refused.push(law(&ranked[first]));
+                    continue;
+                }
+            };
             let at = other.filter(|i| !tried.contains(i)).unwrap_or(first);
             tried.push(at);
             if let Some(next) = self.accept(&ranked, at, fitted, &before) {

@@ -57,25 +57,35 @@ fn lasting(ranked: &[Candidate], push: &Candidate) -> Vec<usize> {
 /// Standard errors by which a link must predict better than a payload, which is likelier a priori.
 const LINK: f64 = 2.5;
 
+/// Which candidate is tried where one is the best.
+pub(super) enum Tried {
+    /// The best one itself.
+    Itself,
+    /// Another one in its place.
+    Instead(usize),
+    /// Neither: it is not accepted by itself.
+    Neither,
+}
+
 impl Forward<'_, '_> {
     /// The first alternative to the link or the push at `at` beside which that candidate is no
-    /// longer accepted; `None` where there is none.
+    /// longer accepted.
     pub(super) fn that_suffices(
         &mut self,
         ranked: &[Candidate],
         at: usize,
         fitted: &Fitted,
         before: &LeftOut,
-    ) -> Option<usize> {
+    ) -> Tried {
         let own = &ranked[at];
         let link = own.cause.effect() == EffectKind::LinkInertiaError;
         if !link && !own.cause.local() {
-            return None;
+            return Tried::Itself;
         }
-        // A candidate that is not accepted by itself needs no alternative.
-        let (main, left) = self.held((ranked, at), fitted, before)?;
+        let Some((main, left)) = self.held((ranked, at), fitted, before) else { return Tried::Neither };
         let others = if link { simpler(ranked, own, main) } else { lasting(ranked, own) };
-        others.into_iter().find(|&i| self.suffices((ranked, i), (own, &left), fitted, before))
+        let other = others.into_iter().find(|&i| self.suffices((ranked, i), (own, &left), fitted, before));
+        other.map_or(Tried::Itself, Tried::Instead)
     }
 
     /// The best link in place of a payload at `at`, if it gains more and is significantly better on
