@@ -13,7 +13,7 @@ pub(crate) struct FarEnd {
 
 impl FarEnd {
     /// That of the link of a row, from 0: the origin of the next row's frame with its joint at zero. In
-    /// the standard convention this is the origin of the link's own frame, as it is for the last link.
+    /// the standard convention, and for the last link, it is the origin of the link's own frame.
     pub(crate) fn of(robot: &Robot, row: usize) -> Self {
         let point = match (robot.convention, robot.joints.get(row + 1)) {
             (Convention::Modified, Some(next)) => {

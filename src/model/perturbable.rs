@@ -33,7 +33,7 @@ pub enum Change {
 /// Where a wrench acts, and the axes of its components.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Contact {
-    /// Row, from 0, whose link is touched, at its far end: the origin of the next row's frame. `None`:
+    /// Row, from 0, whose link is touched, at its far end, on the next joint's axis. `None`:
     /// the tool, or the last frame without one, is touched at the origin of its frame.
     pub link: Option<usize>,
     /// Whether the components are along the base's axes, else along those of the touched frame.

@@ -98,7 +98,9 @@ fn a_swivel_angle_is_chosen() {
         assert!(most > 0.0, "{name}: {chosen}");
         let swivels: Vec<Vec<f64>> = (0..24).map(|k| vec![-3.0 + 0.25 * f64::from(k)]).collect();
         let given = run("given.csv", &["swivel"], &swivels);
-        for (swivel, pose) in swivels.iter().zip(given["poses"].as_array().unwrap()) {
+        let poses = given["poses"].as_array().unwrap();
+        assert_eq!(poses.len(), swivels.len(), "{name}");
+        for (swivel, pose) in swivels.iter().zip(poses) {
             let other = margin(pose);
             assert!(other <= most + 0.07, "{name}: {other} at {swivel:?}, {most} chosen");
         }
