@@ -165,11 +165,12 @@ sensors: { rate: 250, torque_noise: 0.05, torque: link }\n";
     let out = place.join("extended.yaml");
     let out = out.to_str().unwrap();
     let diagnosis = |robot: &str, more: &[&str]| {
-        let run = denavit(&[&["diagnose", robot, &fit, "--validate", &validate, "--json", "-"], more].concat());
+        let run = denavit(&[&["diagnose", robot, "--json", "-"], more].concat());
         assert_eq!(run.status, Some(0), "{}", run.err);
         serde_json::from_str::<Value>(&run.out).unwrap()
     };
-    let found = diagnosis("robots/kuka-lwr4.yaml", &["--transmission", "--out", out]);
+    let both = [&fit, "--validate", &validate, "--transmission"];
+    let found = diagnosis("robots/kuka-lwr4.yaml", &[&both[..], &["--out", out]].concat());
     let causes = found["causes"].as_array().unwrap();
     let mut named: Vec<(&str, u64)> =
         causes.iter().map(|c| (c["cause"].as_str().unwrap(), c["joints"][0].as_u64().unwrap())).collect();
@@ -180,7 +181,7 @@ sensors: { rate: 250, torque_noise: 0.05, torque: link }\n";
         assert!((value(key) - true_value).abs() < within, "{key}: {}", value(key));
     }
     assert_eq!((&found["transmission"], &found["links_refitted"]), (&Value::Bool(true), &Value::Bool(false)));
-    assert_eq!(diagnosis(out, &["--transmission"])["verdict"], "nothing_wrong");
+    assert_eq!(diagnosis(out, &both)["verdict"], "nothing_wrong");
     // Its links are those of the original file.
     let links = |path: &str| {
         let text = fs::read_to_string(path).unwrap();
@@ -188,7 +189,7 @@ sensors: { rate: 250, torque_noise: 0.05, torque: link }\n";
     };
     assert_eq!(links(out), links("robots/kuka-lwr4.yaml"));
     // A log with both torques gives a hint if only one of them is diagnosed.
-    let warnings = diagnosis("robots/kuka-lwr4.yaml", &[])["warnings"].to_string();
+    let warnings = diagnosis("robots/kuka-lwr4.yaml", &[&validate])["warnings"].to_string();
     assert!(warnings.contains("--transmission"), "{warnings}");
 }
 

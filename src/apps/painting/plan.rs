@@ -7,6 +7,7 @@ use super::search::{Progress, Search};
 use super::strokes::{Phase, Strokes, rest_to_rest};
 use super::surface::{Roller, Surface};
 use super::task::{Cover, Task};
+use super::vector::{Vector, add, dot, norm, scale};
 use crate::apps::painting::cost::{From, Scored};
 use crate::apps::painting::coverage::Coverage;
 use crate::apps::painting::leg_timing::{Bound, Broken};
@@ -130,6 +131,9 @@ pub fn plan(task: &Task<'_>, progress: Progress<'_>) -> Result<Plan, Infeasible>
     if let Some(reason) = ground_above_the_wall(task) {
         return Err(Infeasible { reasons: vec![reason], too_weak: false });
     }
+    if let Some(reason) = beyond_the_stretched_arm(task) {
+        return Err(Infeasible { reasons: vec![reason], too_weak: false });
+    }
     let widest = task.widest();
     if task.cover == Cover::Whole {
         let [a, b, ..] = widest.painted(task.roller.width);
@@ -188,6 +192,44 @@ fn ground_above_the_wall(task: &Task<'_>) -> Option<String> {
     let corners = sides.iter().flat_map(|y| ends.iter().map(|z| task.surface.point([*y, *z, 0.0])[2]));
     let highest = corners.fold(f64::NEG_INFINITY, f64::max);
     (highest < ground).then(|| format!("the ground, at {ground} m, is above the wall's upper end, at {highest:.3} m"))
+}
+
+/// Message for a wall that no point of the tool frame can be brought to, whatever its direction.
+fn beyond_the_stretched_arm(task: &Task<'_>) -> Option<String> {
+    let (pivot, length) = stretched(task);
+    let place = |along: [f64; 3]| dot(along, pivot);
+    let ([left, right], [low, high]) = (task.surface.sides(), task.surface.ends());
+    let nearest = [place(task.surface.across()).clamp(left, right), place(task.surface.up).clamp(low, high)];
+    let wrist = task.surface.point([nearest[0], nearest[1], task.roller.length]);
+    let distance = norm(add(wrist, scale(-1.0, pivot)));
+    (distance > length).then(|| {
+        format!(
+            "out of reach by {:.4} m: the arm stretched to {length:.3} m holds no roller to the wall, whose nearest point \
+             needs {distance:.3} m from the first joint's axis",
+            distance - length
+        )
+    })
+}
+
+/// A point on the axis of the first joint, world axes, m, and the largest distance of the tool
+/// frame's origin from it, m: distances between successive frames do not depend on revolute joints.
+pub(super) fn stretched(task: &Task<'_>) -> ([f64; 3], f64) {
+    let dof = task.limits.len();
+    let frames = |first: f64| {
+        let mut states = States::zeros(dof, 1);
+        states.q[0] = first;
+        let mut out = vec![0.0; 12 * task.arm.frame_count()];
+        task.arm.frames(&states, &mut out);
+        out.chunks_exact(12).map(|m| [m[3], m[7], m[11]]).collect::<Vec<Vector>>()
+    };
+    let apart = |a: Vector, b: Vector| norm(add(a, scale(-1.0, b)));
+    let straight = frames(0.0);
+    let turned = if task.slides[0] { straight[0] } else { frames(std::f64::consts::PI)[0] };
+    let pivot = scale(0.5, add(straight[0], turned));
+    let links = straight.windows(2).map(|pair| apart(pair[0], pair[1])).sum::<f64>();
+    let slides = task.limits.iter().zip(&task.slides).filter(|(_, slides)| **slides);
+    let travel = slides.map(|(limit, _)| limit.position[0].abs().max(limit.position[1].abs())).sum::<f64>();
+    (pivot, apart(straight[0], pivot) + links + travel)
 }
 
 impl Search<'_> {

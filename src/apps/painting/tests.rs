@@ -1,13 +1,15 @@
 //! Checks plans against the numeric recursion, which shares no code with the planner.
 
 use dh_codegen::arm::param;
-use dh_codegen::robot::{Robot, Tool, no_files};
+use dh_codegen::robot::{JointKind, Robot, Tool, no_files};
 use nalgebra::{Vector3, Vector6};
 
+use super::plan::stretched;
 use super::*;
 use crate::model::interpreted::Interpreted;
 use crate::model::inverse_kinematics::Kinematics;
 use crate::model::rigid_body::Numeric;
+use crate::numerics::prng::Random;
 
 fn robot(name: &str, tool: &str) -> Robot {
     let read = |path: String| std::fs::read_to_string(format!("{}/robots/{path}", env!("CARGO_MANIFEST_DIR"))).unwrap();
@@ -24,7 +26,10 @@ struct Ready {
 
 impl Ready {
     fn new(name: &str, tool: &str) -> Self {
-        let robot = robot(name, tool);
+        Self::of(robot(name, tool))
+    }
+
+    fn of(robot: Robot) -> Self {
         let arm = Interpreted::new(&robot, &Interpreted::PLACED);
         let inverse = Kinematics::new(&robot, arm.model()).unwrap();
         Self { robot, arm, inverse }
@@ -192,6 +197,42 @@ fn what_is_out_of_reach_is_said_in_figures() {
     task.lanes = 2;
     let why = plan(&task, &quiet).unwrap_err().to_string();
     assert!(why.contains("0.2000 m of the wall's width") && why.contains("3 lanes are needed"), "{why}");
+}
+
+#[test]
+fn a_wall_beyond_the_stretched_arm_is_refused_before_the_search() {
+    let ready = Ready::new("kuka-lwr4", "large-roller");
+    let task = ready.task([-3.0, 0.0, 0.4], [1.0, 0.0, 0.0], 0.6, 0.8);
+    let why = plan(&task, &|_, _| panic!("a search")).unwrap_err().to_string();
+    assert!(why.starts_with("out of reach by") && why.contains("stretched"), "{why}");
+}
+
+/// No posture brings the tool farther than the stretched arm; some come near.
+#[test]
+fn no_posture_is_longer_than_the_stretched_arm() {
+    let mut random = Random::new(3);
+    for name in ["kuka-lwr4", "ur10e", "franka-panda", "stanford"] {
+        let mut robot = robot(name, "large-roller");
+        if name == "stanford" {
+            // Its joint 3 slides. Its file has no limits.
+            robot.joints.iter_mut().for_each(|joint| {
+                let slides = joint.kind == JointKind::Prismatic;
+                joint.limits.position = Some(if slides { [-0.4, 0.8] } else { [-3.0, 3.0] });
+                joint.limits.velocity = Some(1.0);
+            });
+        }
+        let ready = Ready::of(robot);
+        let task = ready.task([-3.0, 0.0, 0.4], [1.0, 0.0, 0.0], 0.6, 0.8);
+        let (pivot, length) = stretched(&task);
+        let numeric = Numeric::new(&ready.robot);
+        let farthest = (0..2000).map(|_| {
+            let q: Vec<f64> = task.limits.iter().map(|l| random.uniform(l.position[0], l.position[1])).collect();
+            let tool = numeric.tool(&q).fixed_view::<3, 1>(0, 3).into_owned();
+            (tool - Vector3::from(pivot)).norm()
+        });
+        let farthest = farthest.fold(0.0, f64::max);
+        assert!(farthest <= length && farthest > 0.6 * length, "{name}: {farthest} {length}");
+    }
 }
 
 #[test]

@@ -5,7 +5,8 @@ use std::ops::Range;
 use nalgebra::{Matrix3, Vector3};
 
 use super::external_contact::{BRIEFEST, CONSTANT};
-use crate::diagnose::windows::windowed_data::{WindowedData, parts};
+use crate::diagnose::windows::postures::parts;
+use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::model::Contact;
 use crate::numerics::median::median;
 

@@ -17,7 +17,7 @@ use super::next_candidate::{PLAINER, best};
 use super::over_all_joints::pays_as_a_whole;
 use super::shorter_push::shorter_push;
 use super::sufficient::Tried;
-use super::support::gained;
+use super::support::{gained, shows_on_other_joints};
 use super::{SearchSettings, equivalent_robot_cause, simplify};
 use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest, given_friction};
 use crate::diagnose::fit::regulariser::Regulariser;
@@ -473,7 +473,9 @@ impl Forward<'_, '_> {
         if cause.local() {
             let last = trial.last()?;
             let share = judge.share_within(last, before, after)?;
-            let holds = gained(self.tested, last, ranked.len(), [before, after]) > 0.0 && judge.is_alone(last, before);
+            let holds = gained(self.tested, last, ranked.len(), [before, after]) > 0.0
+                && shows_on_other_joints(self.tested, last, [before, after])
+                && judge.is_alone(last, before);
             return if holds { evidence(share) } else { None };
         }
         if !judge.matters(*cause, before, after) || judge.overshadowed(*cause, place, before, after) {

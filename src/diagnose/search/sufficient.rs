@@ -112,7 +112,7 @@ impl Forward<'_, '_> {
         fitted: &Fitted,
         before: &LeftOut,
     ) -> Option<(usize, LeftOut)> {
-        self.with(&[&ranked[at]], |search, trial, after| {
+        self.with(&[&ranked[at]], fitted, |search, trial, after| {
             let holds = search.holds((ranked, at), trial, [fitted, after], before);
             holds.map(|_| (main_joint(fitted, after), search.tested.left_out(trial, after)))
         })
@@ -128,7 +128,7 @@ impl Forward<'_, '_> {
         fitted: &Fitted,
         before: &LeftOut,
     ) -> bool {
-        let worth = self.with(&[&ranked[i]], |search, trial, with| {
+        let worth = self.with(&[&ranked[i]], fitted, |search, trial, with| {
             search.holds((ranked, i), trial, [fitted, with], before)?;
             let again = evaluate(search.tested, with, other.cause, &other.place, &other.shape);
             Some((with.clone(), search.tested.left_out(trial, with), again.filter(|c| c.score > 0.0)))
@@ -138,13 +138,20 @@ impl Forward<'_, '_> {
             return false;
         }
         let Some(again) = again else { return true };
-        self.with(&[&ranked[i], &again], |search, trial, both| {
+        self.with(&[&ranked[i], &again], fitted, |search, trial, both| {
             search.holds((std::slice::from_ref(&again), 0), trial, [&with, both], &left).is_none()
         })
     }
 
-    /// Evaluates `look` on the model with some candidates added, then restores the model.
-    fn with<T>(&mut self, parts: &[&Candidate], look: impl FnOnce(&Self, &[Chosen], &Fitted) -> T) -> T {
+    /// Evaluates `look` on the model with some candidates added, then restores the model, whose fit
+    /// is `fitted`.
+    fn with<T>(
+        &mut self,
+        parts: &[&Candidate],
+        fitted: &Fitted,
+        look: impl FnOnce(&Self, &[Chosen], &Fitted) -> T,
+    ) -> T {
+        let delays = self.tested.scene.delays.clone();
         let (frozen, separate) = (self.tested.frozen.clone(), self.tested.separate.clone());
         let mut trial = self.chosen.clone();
         for part in parts {
@@ -153,11 +160,12 @@ impl Forward<'_, '_> {
                 None => trial.push(part.chosen()),
             }
         }
-        let fitted = self.tested.fit(&mut trial);
-        let seen = look(self, &trial, &fitted);
+        let with = self.tested.fit(&mut trial);
+        let seen = look(self, &trial, &with);
         (self.tested.frozen, self.tested.separate) = (frozen, separate);
         // Restore the scene's model, which is that of the last fit.
-        self.tested.fit(&mut self.chosen.clone());
+        self.tested.set_delays(&delays);
+        self.tested.update_model(fitted);
         seen
     }
 }

@@ -2,6 +2,7 @@
 //! log-likelihood, in independent windows, less its cost.
 
 use super::candidate::unknowns;
+use super::forward::main_joint;
 use super::judge::{Accepted, adopt, chosen_of};
 use crate::diagnose::fit::likelihood::gain_in_blocks;
 use crate::diagnose::fit::model::{Chosen, Fitted, Mode, ModelUnderTest};
@@ -15,23 +16,46 @@ const BLOCK: f64 = 0.03;
 /// and true ones by 50 and more.
 const AT_ONCE: f64 = 0.6;
 
-/// Twice the gain in log-likelihood by a cause, in independent windows, less the cost of its
-/// unknowns and of the choice among so many candidates. What acts in a part of the logs begins and
-/// ends at once, which stands out of slow errors.
-pub(super) fn gained(
+/// Twice the gain in log-likelihood by a cause, in independent windows, on joints that count
+/// (`live`). What acts in a part of the logs begins and ends at once, which stands out of slow
+/// errors.
+fn gain(tested: &ModelUnderTest<'_>, cause: &Chosen, live: &[Vec<bool>], [before, after]: [&Fitted; 2]) -> f64 {
+    let windows = independent_windows(&before.solution.counts, &after.memory);
+    let counted = windows.zip(live).map(|(n, live)| if live.contains(&true) { n } else { 0.0 });
+    let slow = white_gain(&before.solution.rss, &after.solution.rss, counted);
+    let block = ((BLOCK / tested.scene.step).round() as usize).max(1);
+    let at_once = || AT_ONCE * gain_in_blocks(&before.residual, &after.residual, live, block);
+    if cause.cause.local() { slow.max(at_once()) } else { slow }
+}
+
+/// Cost of one unknown of a model.
+fn cost([before, after]: [&Fitted; 2]) -> f64 {
+    cost_of_unknown(independent_windows(&before.solution.counts, &after.memory).sum())
+}
+
+/// [`gain`] on all joints, less the cost of the cause's unknowns and of the choice among so many
+/// candidates.
+pub(in crate::diagnose) fn gained(
     tested: &ModelUnderTest<'_>,
     cause: &Chosen,
     candidates: usize,
-    [before, after]: [&Fitted; 2],
+    fits: [&Fitted; 2],
 ) -> f64 {
-    let windows = || independent_windows(&before.solution.counts, &after.memory);
-    let slow = white_gain(&before.solution.rss, &after.solution.rss, windows());
-    let scene = &tested.scene;
-    let block = ((BLOCK / scene.step).round() as usize).max(1);
-    let at_once = || AT_ONCE * gain_in_blocks(&before.residual, &after.residual, &scene.live, block);
-    let gain = if cause.cause.local() { slow.max(at_once()) } else { slow };
     let unknowns = unknowns(cause.cause, &cause.shape, cause.x.len());
-    gain - unknowns * cost_of_unknown(windows().sum()) - 2.0 * (candidates as f64).ln()
+    gain(tested, cause, &tested.scene.live, fits) - unknowns * cost(fits) - 2.0 * (candidates as f64).ln()
+}
+
+/// Whether the joints other than the one on which a cause gains most pay for its coefficients
+/// beyond the first. An error of that joint alone with the same course has one.
+pub(in crate::diagnose) fn shows_on_other_joints(
+    tested: &ModelUnderTest<'_>,
+    cause: &Chosen,
+    fits: [&Fitted; 2],
+) -> bool {
+    let main = main_joint(fits[0], fits[1]);
+    let mut live = tested.scene.live.clone();
+    live[main].fill(false);
+    gain(tested, cause, &live, fits) > (cause.x.len() as f64 - 1.0) * cost(fits)
 }
 
 /// Computes the support of causes that act in a part of a log again, beside all others, with the

@@ -21,7 +21,7 @@ use crate::diagnose::search::forward::Evidence;
 use crate::diagnose::search::judge::{Accepted, Judge, bearable, confirmation};
 use crate::diagnose::search::levels_instead::levels_instead;
 use crate::diagnose::search::shorter_push::shorter_push;
-use crate::diagnose::search::support::support_beside_all;
+use crate::diagnose::search::support::{gained, shows_on_other_joints, support_beside_all};
 use crate::diagnose::select::beside::share_within;
 use crate::diagnose::select::beside_other_links::worth;
 use crate::diagnose::select::measure::{Meter, leave_out, share};
@@ -126,6 +126,28 @@ fn a_push_stands_out_from_the_rest_of_the_log() {
         let most = chosen(EffectKind::ExternalContact, &[], &[at(60), at(1100), 1.0, 1.0, 0.0]);
         assert!(!is_alone(&tested, &before, &most));
     }
+}
+
+/// A moment on the tool shows on both joints. An error of one joint, which the push absorbs as well,
+/// does not.
+#[test]
+fn a_push_shows_on_more_than_one_joint() {
+    let robot = planar();
+    let plant = PerturbableRobot::new(&robot);
+    let shown = |other: f64| {
+        let error = |j: usize, k: usize| if (500..620).contains(&k) { [0.5, other][j] } else { 0.0 };
+        let recordings = made([0.05; 2], 5, &error);
+        let mut tested = tested(&plant, &recordings);
+        let before = tested.fit(&mut []);
+        let samples = samples(&tested.scene);
+        let step = tested.scene.step;
+        let at = |k: usize| samples.iter().position(|s| *s >= k).unwrap() as f64 * step;
+        let mut trial = [chosen(EffectKind::ExternalContact, &[], &[at(500), at(620), 1.0, 1.0, 0.0])];
+        let after = tested.fit(&mut trial);
+        assert!(gained(&tested, &trial[0], 1, [&before, &after]) > 50.0);
+        shows_on_other_joints(&tested, &trial[0], [&before, &after])
+    };
+    assert!(shown(0.5) && !shown(0.0));
 }
 
 /// A second push during the first is an error of its course, unless the first is far longer.

@@ -10,7 +10,7 @@ use crate::diagnose::hypotheses::{hypothesis, laws};
 use crate::diagnose::search::alone::is_an_error_of_contact;
 use crate::diagnose::windows::windowed_data::{BLOCKS, Column, WindowedData, dead_zones};
 use crate::model::perturbable_robot::PerturbableRobot;
-use crate::model::{Change, PerturbableArm};
+use crate::model::{Change, Contact, PerturbableArm};
 use crate::numerics::prng::Random;
 use dh_codegen::robot::{EffectKind, Robot};
 use nalgebra::{DMatrix, DVector};
@@ -152,6 +152,25 @@ fn a_push_takes_what_its_lever_says() {
                     assert!((value - wanted).abs() < 1e-9, "{base} {term} {j} {w}: {value} {wanted}");
                 }
             }
+        }
+    }
+}
+
+/// Wrenches of any windows, from the cache or not, are those of the arm in them. 1140 windows are
+/// cached in two parts.
+#[test]
+fn wrenches_are_those_of_each_window() {
+    let plant = PerturbableRobot::new(&planar());
+    let recordings = [recording()];
+    let scene = windows(&plant, &recordings, 0.0);
+    for span in [1000..1060, 0..scene.len, 1139..1140, 600..600] {
+        for (link, in_base) in [(None, true), (None, false), (Some(0), true)] {
+            let contact = Contact { link, in_base };
+            let found = scene.wrenches(span.clone(), contact);
+            assert_eq!(found, scene.wrenches(span.clone(), contact));
+            let mut direct = vec![0.0; found.len()];
+            plant.wrench_columns(&scene.states[0].part(span.start, span.end), contact, &mut direct);
+            assert_eq!(found, direct, "{span:?} {contact:?}");
         }
     }
 }

@@ -7,35 +7,16 @@
 
 use std::borrow::Cow;
 use std::ops::Index;
-use std::sync::{Arc, Mutex, OnceLock, PoisonError};
-
-use nalgebra::{Matrix3, Matrix3xX, Vector3};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use crate::data::signal::{Band, central};
-use crate::model::{Change, Contact, DriveTerm, PerturbableArm, StandardParameter, States};
+use crate::model::{Change, DriveTerm, PerturbableArm, StandardParameter, States};
 use crate::numerics::parallel::{parallel, threads_for};
 
 use super::earlier::earlier;
+use super::postures::Postures;
 use super::recording::{Recording, Stretch};
 use super::torque_noise::torque_noise;
-
-/// Number of postures in which torques of a force on the tool are evaluated.
-const POSTURES: usize = 16;
-
-/// Contact of the tool, in axes of the base.
-const ON_TOOL: Contact = Contact { link: None, in_base: true };
-
-/// Number of windows whose wrenches are computed at once: an hour at once would take 120 MB.
-const AT_ONCE: usize = 1024;
-
-/// Ranges of windows whose wrenches are computed at once.
-pub(in crate::diagnose) fn parts(windows: usize) -> impl Iterator<Item = std::ops::Range<usize>> {
-    (0..windows).step_by(AT_ONCE).map(move |first| first..(first + AT_ONCE).min(windows))
-}
-
-/// Largest sum of squared torques, relative to the maximum, of a direction that counts as without
-/// torque.
-const IDLE: f64 = 1e-9;
 
 /// Time cut off both ends of every stretch, s, so that a delayed state exists for each sample.
 const EDGE: f64 = 0.15;
@@ -387,12 +368,8 @@ pub struct WindowedData<'a> {
     pub all: bool,
     /// Cached [`WindowedData::slopes`] of the last joints, with their indices.
     slopes: Mutex<Vec<(usize, Arc<Slopes>)>>,
-    /// Cached [`WindowedData::tool_positions`].
-    positions: OnceLock<Vec<f64>>,
-    /// Cached [`WindowedData::forces`].
-    forces: OnceLock<Vec<f64>>,
-    /// Cached [`WindowedData::directions_without_torque`].
-    idle: OnceLock<Vec<Vector3<f64>>>,
+    /// Cached quantities of the posture.
+    pub(super) postures: Postures,
 }
 
 impl<'a> WindowedData<'a> {
@@ -444,9 +421,7 @@ impl<'a> WindowedData<'a> {
             period,
             all,
             slopes: Mutex::default(),
-            positions: OnceLock::new(),
-            forces: OnceLock::new(),
-            idle: OnceLock::new(),
+            postures: Postures::default(),
             runs: cuts.iter().map(|c| c.first..c.first + c.windows).collect(),
             plant,
             len,
@@ -494,8 +469,7 @@ impl<'a> WindowedData<'a> {
         });
         self.states = states.collect();
         self.state_of_joint = of_joint;
-        self.positions = OnceLock::new();
-        self.forces = OnceLock::new();
+        self.postures = Postures::default();
         for j in (0..dof).filter(|&j| self.delays[j] != delays[j]) {
             let (zone, stands) = (self.velocity_noise_limit[j], self.stands[j]);
             let signed = SpeedSign { zone, stands, all: self.all };
@@ -570,73 +544,6 @@ impl<'a> WindowedData<'a> {
             }
         }
         rows
-    }
-
-    /// [`PerturbableArm::wrench_columns`] at some windows.
-    pub fn wrenches(&self, span: std::ops::Range<usize>, contact: Contact) -> Vec<f64> {
-        let len = span.len();
-        let mut out = vec![0.0; 6 * self.dof() * len];
-        if let Some(states) = self.states.first() {
-            let cut = |x: &[f64]| x.chunks_exact(self.len.max(1)).flat_map(|row| row[span.clone()].to_vec()).collect();
-            let states = States { len, q: cut(&states.q), dq: cut(&states.dq), ddq: cut(&states.ddq) };
-            self.plant.wrench_columns(&states, contact, &mut out);
-        }
-        out
-    }
-
-    /// Torques of unit forces at the tool along the base's axes: `[(axis * dof + joint) * len +
-    /// window]`, N m/N.
-    pub fn forces(&self) -> &[f64] {
-        self.forces.get_or_init(|| {
-            let mut out = vec![0.0; 3 * self.dof() * self.len];
-            for span in parts(self.len) {
-                let unit = self.wrenches(span.clone(), ON_TOOL);
-                for (row, part) in out.chunks_exact_mut(self.len).zip(unit.chunks_exact(span.len())) {
-                    row[span.clone()].copy_from_slice(part);
-                }
-            }
-            out
-        })
-    }
-
-    /// [`PerturbableArm::tool_positions`] in all windows.
-    pub fn tool_positions(&self) -> &[f64] {
-        self.positions.get_or_init(|| {
-            let mut out = vec![0.0; 3 * self.len];
-            if let Some(states) = self.states.first() {
-                self.plant.tool_positions(states, &mut out);
-            }
-            out
-        })
-    }
-
-    /// Directions in which a force on the tool causes no torque in any posture, in axes of the
-    /// base. A planar arm has one, normal to its plane.
-    pub fn directions_without_torque(&self) -> &[Vector3<f64>] {
-        self.idle.get_or_init(|| {
-            let every = (self.len / POSTURES).max(1);
-            let torques = |w: usize| {
-                let unit = self.wrenches(w..w + 1, ON_TOOL);
-                Matrix3xX::from_fn(self.dof(), |c, j| unit[c * self.dof() + j])
-            };
-            let squares: Matrix3<f64> =
-                (0..self.len).step_by(every).map(torques).map(|torque| &torque * torque.transpose()).sum();
-            let axes = squares.symmetric_eigen();
-            let most = axes.eigenvalues.amax();
-            let idle = (0..3).filter(|&k| axes.eigenvalues[k] <= IDLE * most);
-            idle.map(|k| axes.eigenvectors.column(k).into_owned()).collect()
-        })
-    }
-
-    /// The longest lever arm at the last frame about any joint, over some of the postures, m.
-    pub fn reach(&self) -> f64 {
-        let every = (self.len / 8).max(1);
-        let lever = |w: usize| {
-            let wrench = self.wrenches(w..w + 1, ON_TOOL);
-            let of = |j: usize| (0..3).map(|c| wrench[c * self.dof() + j].powi(2)).sum::<f64>().sqrt();
-            (0..self.dof()).map(of).fold(0.0, f64::max)
-        };
-        (0..self.len).step_by(every).map(lever).fold(0.0, f64::max)
     }
 
     /// Sets a series to zero where the window is not used for joint `j`.
@@ -789,7 +696,7 @@ impl<'a> WindowedData<'a> {
 
     /// Updates everything that depends on the rigid torques.
     fn model_changed(&mut self) {
-        self.forget();
+        self.slopes = Mutex::default();
         for (j, stretches) in self.own.iter_mut().enumerate() {
             for own in stretches {
                 (own.rigid, own.rotor) = (self.rigid[j].clone(), self.rotors[j]);
@@ -831,8 +738,7 @@ impl<'a> WindowedData<'a> {
     /// Frees caches.
     pub fn forget(&mut self) {
         self.slopes = Mutex::default();
-        self.positions = OnceLock::new();
-        self.forces = OnceLock::new();
+        self.postures = Postures::default();
     }
 
     /// Sensitivities of the rigid torques to joint `j`'s motion.
