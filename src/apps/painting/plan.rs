@@ -204,8 +204,8 @@ fn beyond_the_stretched_arm(task: &Task<'_>) -> Option<String> {
     let distance = norm(add(wrist, scale(-1.0, pivot)));
     (distance > length).then(|| {
         format!(
-            "out of reach by {:.4} m: the arm stretched to {length:.3} m holds no roller to the wall, whose nearest point \
-             needs {distance:.3} m from the first joint's axis",
+            "out of reach by {:.4} m: the tool's frame must come to {distance:.3} m from the first joint, and the \
+             stretched arm reaches {length:.3} m",
             distance - length
         )
     })
