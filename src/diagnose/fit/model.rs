@@ -623,6 +623,13 @@ impl<'a> ModelUnderTest<'a> {
         LeftOut::new(&sums, &counts)
     }
 
+    /// Restores the delays and the scene's model, which are those of the last fit, to those of an
+    /// earlier one.
+    pub(in crate::diagnose) fn restore(&mut self, delays: &[f64], fitted: &Fitted) {
+        self.set_delays(delays);
+        self.update_model(fitted);
+    }
+
     /// Updates the scene's rigid model, and the torque with friction, from a fit.
     pub(in crate::diagnose) fn update_model(&mut self, fitted: &Fitted) {
         if self.mode == Mode::Refitted {

@@ -443,9 +443,7 @@ impl Forward<'_, '_> {
         if let Some(k) = friction {
             self.tested.frozen[k] = true;
         }
-        self.tested.set_delays(&delays);
-        // Restore the scene's model, which is that of the last fit.
-        self.tested.update_model(fitted);
+        self.tested.restore(&delays, fitted);
         None
     }
 

@@ -163,9 +163,7 @@ impl Forward<'_, '_> {
         let with = self.tested.fit(&mut trial);
         let seen = look(self, &trial, &with);
         (self.tested.frozen, self.tested.separate) = (frozen, separate);
-        // Restore the scene's model, which is that of the last fit.
-        self.tested.set_delays(&delays);
-        self.tested.update_model(fitted);
+        self.tested.restore(&delays, fitted);
         seen
     }
 }

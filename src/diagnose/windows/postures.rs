@@ -122,7 +122,7 @@ impl WindowedData<'_> {
     /// from all over the data, per joint.
     fn forces_in_postures(&self, count: usize) -> impl Iterator<Item = Matrix3xX<f64>> + '_ {
         (0..self.len).step_by((self.len / count).max(1)).map(|w| {
-            let unit: Vec<f64> = self.computed_wrenches(w..w + 1, ON_TOOL);
+            let unit = self.computed_wrenches(w..w + 1, ON_TOOL);
             Matrix3xX::from_fn(self.dof(), |c, j| unit[c * self.dof() + j])
         })
     }
