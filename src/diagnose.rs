@@ -24,7 +24,7 @@ mod written;
 mod tests;
 
 pub use findings::result::{
-    Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, NextExperiment, Offer, Offered, Verdict, measured_on,
+    Cause, Curve, Diagnosis, ErrorMap, Errors, Evidence, NextExperiment, Offer, Offered, Rejected, Verdict, measured_on,
 };
 pub use hypotheses::{Named, Quantity, Symbol};
 pub use next_experiment::{Separation, discriminating_motion};

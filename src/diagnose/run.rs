@@ -385,9 +385,8 @@ fn once(
     let extended = errors_of(&after_fit, &after);
     let offered = if causes.iter().any(Cause::has_law) { Offered::Extended } else { offered };
     unknown(&mut causes, &left, [&baseline, &extended], noise, scale);
-    let why = said_beside(&causes, &[said, why].concat());
+    let (why, rejected) = said_beside(&causes, &[said, why].concat());
     let view = after.view(plant, validate);
-    let maps = (0..dof).map(|j| view.maps(j, &before[j], &after.error[j])).collect();
     Ok(Diagnosis {
         robot: plant.name().to_string(),
         verdict,
@@ -409,11 +408,12 @@ fn once(
         file_holds,
         changes: Vec::new(),
         next_experiment: next_experiment(&causes),
+        rejected,
         causes,
         own_validation,
         seconds: [fit, validate].map(|part| part.iter().map(Recording::seconds).sum()),
         curves: (0..dof).map(|j| curve(j, &after, &view, &before)).collect(),
-        maps,
+        maps: (0..dof).map(|j| view.maps(j, &before[j], &after.error[j])).collect(),
     })
 }
 

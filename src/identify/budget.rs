@@ -91,10 +91,13 @@ impl ErrorBudget {
         self.motion.iter().zip(&self.clock).map(|(m, c)| m.hypot(*c)).collect()
     }
 
-    /// Limits motion and clock such that together with the sensor they do not exceed a model's
-    /// error (per joint, N m), since both are computed from estimates of the encoders' noise.
+    /// Limits the sensor to a model's error (per joint, N m), of which it is a part: at low rates the
+    /// motion's own torque looks like noise. Limits motion and clock such that together with the
+    /// sensor they do not exceed that error, since both are computed from estimates of the encoders'
+    /// noise.
     pub fn within(mut self, error: &[f64]) -> Self {
         for (j, error) in error.iter().enumerate() {
+            self.sensor[j] = self.sensor[j].min(*error);
             let (own, most) =
                 (self.motion[j].hypot(self.clock[j]), (error.powi(2) - self.sensor[j].powi(2)).max(0.0).sqrt());
             if own > most {
@@ -215,12 +218,13 @@ mod tests {
         };
         let found = budget.within(&[1.0, 0.5, 0.2]);
         // Unchanged if below the error; otherwise scaled down to it in proportion; zero if the
-        // sensor alone exceeds it.
+        // sensor alone exceeds it, which is limited, too.
         let wanted = [[0.4, 0.0], [0.24, 0.32], [0.0, 0.0]];
         for (j, [motion, clock]) in wanted.into_iter().enumerate() {
             assert!((found.motion[j] - motion).abs() < 1e-12 && (found.clock[j] - clock).abs() < 1e-12, "{found:?}");
         }
         assert!((found.floor()[1] - 0.5).abs() < 1e-12);
+        assert_eq!(found.sensor, [0.3, 0.3, 0.2]);
     }
 
     /// Squares add up: 0.3, 0.4 and 1.2 N m make 1.3 N m.

@@ -148,6 +148,7 @@ fn diagnosis_page_stands_alone() {
         links_refitted: false,
         transmission: false,
         standard: None,
+        rejected: Vec::new(),
         causes: vec![Cause {
             refuted: None,
             recurrence: 0.9,

@@ -72,7 +72,20 @@ fn diagnosis(name: &str, effect: &str) -> (Value, String) {
     let run =
         denavit(&["diagnose", "robots/kuka-lwr4.yaml", &fit, "--validate", &validate, "--out", out, "--json", "-"]);
     assert_eq!(run.status, Some(0), "{}", run.err);
-    (serde_json::from_str(&run.out).unwrap(), out.to_string())
+    let found = serde_json::from_str(&run.out).unwrap();
+    rejected_are_not_named(&found);
+    (found, out.to_string())
+}
+
+/// Each rejected cause has its reason, and is not among the named ones.
+fn rejected_are_not_named(found: &Value) {
+    let named: Vec<[&Value; 2]> =
+        found["causes"].as_array().unwrap().iter().map(|c| [&c["cause"], &c["joints"]]).collect();
+    for rejected in found["rejected"].as_array().unwrap() {
+        assert!(rejected["why"].as_str().unwrap().starts_with("is not "), "{rejected:#}");
+        assert!(rejected["probability"].as_f64().is_none_or(|p| (0.0..1.0).contains(&p)), "{rejected:#}");
+        assert!(!named.contains(&[&rejected["cause"], &rejected["joints"]]), "{rejected:#}");
+    }
 }
 
 #[test]

@@ -31,12 +31,15 @@ pub(super) enum RoughBranch {
     #[error("the posture is lost at {0:?} of the wall")]
     Lost([f64; 3]),
     /// A joint's path does not converge as a polynomial series.
-    #[error("a joint's path is not smooth: {tail:.1e} rad are left out at order {ORDER} on {pieces} pieces")]
-    Path {
-        /// Truncation error, rad or m.
-        tail: f64,
-        /// Number of pieces of the leg.
-        pieces: usize,
+    #[error(
+        "joint {joint} turns too sharply at {place:.3?} of the wall (m), since the arm is all but singular there; move \
+         the wall, or paint less of it"
+    )]
+    Sharp {
+        /// The joint, from 1.
+        joint: usize,
+        /// Position of the roller: wall coordinates and distance, m.
+        place: [f64; 3],
     },
 }
 
@@ -137,6 +140,9 @@ struct Smooth {
 const ORDER: usize = 20;
 /// Largest truncation error of a panel, rad or m.
 const TAIL: f64 = 2e-12;
+/// Number of panels of a leg beyond which they are not halved, and a thousand times that error is
+/// accepted.
+const PANELS: usize = 512;
 /// Largest error of the quintic between knots, rad or m.
 const BETWEEN: f64 = 1e-11;
 
@@ -147,20 +153,24 @@ impl Smooth {
         loop {
             let mut panels = Vec::with_capacity(count);
             let mut here = start.to_vec();
-            let mut tail: f64 = 0.0;
+            let (mut tail, mut worst) = (0.0, (0, 0));
             for p in 0..count {
                 let points: Vec<f64> = chebyshev.points.iter().map(|s| (p as f64 + s) / count as f64).collect();
                 let all = task.postures(&scored.roller, line, &points);
                 let q = task.follow(&all, &here).map_err(|k| RoughBranch::Lost(line.place(points[k])))?;
                 here = q.row(ORDER).iter().copied().collect();
                 for j in 0..q.ncols() {
-                    tail = tail.max(chebyshev.tail(|k| q[(k, j)]));
+                    let own = chebyshev.tail(|k| q[(k, j)]);
+                    if own > tail {
+                        (tail, worst) = (own, (j, p));
+                    }
                 }
                 panels.push(q);
             }
-            if tail <= TAIL || count >= 64 {
+            if tail <= TAIL || count >= PANELS {
                 if tail > 1e3 * TAIL {
-                    return Err(RoughBranch::Path { tail, pieces: count });
+                    let place = line.place((worst.1 as f64 + 0.5) / count as f64);
+                    return Err(RoughBranch::Sharp { joint: worst.0 + 1, place });
                 }
                 return Ok(Self { chebyshev, panels });
             }

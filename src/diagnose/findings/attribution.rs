@@ -220,7 +220,7 @@ impl Attribution<'_> {
             return calibration::local(features.support, brief);
         }
         let of = |effect: EffectKind| {
-            let found = self.evidence.iter().find(|e| !e.local && e.effect == effect && e.place == item.place)?;
+            let found = evidence_of(self.evidence, effect, &item.place, self.earlier(item))?;
             let (wald, margin, confirmed) = (self.wald(item), features.margin, features.confirmed);
             Some(calibration::change(&Change { share: found.share, wald, margin, confirmed }))
         };
@@ -230,6 +230,13 @@ impl Attribution<'_> {
         of(item.hypothesis.effect())
             .or_else(several)
             .unwrap_or_else(|| calibration::probability(item.accepted.is_none(), features))
+    }
+
+    /// Number of causes of an item's name and place that were accepted before it, such as ripples of
+    /// other orders.
+    fn earlier(&self, item: &Item) -> usize {
+        let same = |a: &&Accepted| a.chosen.cause.effect() == item.hypothesis.effect() && a.chosen.place == item.place;
+        self.accepted[..item.accepted.unwrap_or(0)].iter().filter(same).count()
     }
 
     /// Wald statistic of an item's parameters; for several friction terms the largest.
@@ -254,6 +261,13 @@ impl Attribution<'_> {
         let own: Vec<(usize, f64)> = item.unknowns(fitted).into_iter().map(|k| (k, size(k))).collect();
         self.stretches.recurrence(&fitted.solution, &own)
     }
+}
+
+/// Evidence for a cause of this name and place that `earlier` such causes precede; of the last one if
+/// others have been removed since.
+fn evidence_of<'e>(all: &'e [Evidence], effect: EffectKind, place: &[usize], earlier: usize) -> Option<&'e Evidence> {
+    let of_it = || all.iter().filter(|e| !e.local && e.effect == effect && e.place == place);
+    of_it().nth(earlier).or_else(|| of_it().last())
 }
 
 /// Error removed by a cause: the logarithm of the ratio of root mean squares without and with it,
@@ -361,6 +375,17 @@ mod tests {
         assert!(!may_be_another_body(Payload::NAME, &[], &[(LinkInertiaError::NAME, vec![5], 0.0)]));
         let same = [(LinkInertiaError::NAME, vec![4], 0.0)];
         assert!(!may_be_another_body(LinkInertiaError::NAME, &[4], &same), "another law of that link");
+    }
+
+    /// Two ripples of one joint differ in order, and have evidence each.
+    #[test]
+    fn each_of_several_has_its_evidence() {
+        let of = |effect, share| Evidence { effect, place: vec![4], local: false, share };
+        let (ripple, spring) = (EffectKind::TorqueRipple, EffectKind::JointSpring);
+        let all = [of(ripple, 0.6), of(spring, 0.4), of(ripple, 0.2)];
+        let share = |effect, place, earlier| evidence_of(&all, effect, &[place], earlier).map(|e| e.share);
+        assert_eq!([0, 1, 2].map(|earlier| share(ripple, 4, earlier)), [Some(0.6), Some(0.2), Some(0.2)]);
+        assert_eq!([share(spring, 4, 0), share(ripple, 3, 0)], [Some(0.4), None]);
     }
 
     /// A link takes most of joint 2's error, and its own joint errs a little more with it.

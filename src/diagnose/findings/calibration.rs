@@ -86,15 +86,15 @@ pub fn change(found: &Change) -> f64 {
 /// recordings with more than twice as much support, one was false.
 const LOCAL: f64 = 12.5;
 
-/// Factor for causes as brief as errors of the recorded motion. On a recording of a Panda,
+/// The same for causes as brief as errors of the recorded motion. On a recording of a Panda,
 /// stretches of 0.4 s in which nothing pushes have supports of up to 71.
-const BRIEF: f64 = 0.5;
+const LOCAL_BRIEF: f64 = 75.0;
 
 /// Probability of a change in a part of a log, which no other part can confirm, by its support:
 /// twice the gain in log-likelihood, in independent windows, less its cost.
 pub fn local(support: f64, brief: bool) -> f64 {
-    let factor = if brief { BRIEF } else { 1.0 };
-    factor * (support.max(0.0) / (support.max(0.0) + LOCAL)).min(0.995)
+    let even = if brief { LOCAL_BRIEF } else { LOCAL };
+    (support.max(0.0) / (support.max(0.0) + even)).min(0.995)
 }
 
 /// Share of a probability beyond one half that is left for a cause that none, one or two excerpts of
@@ -177,7 +177,7 @@ mod tests {
         assert!(change(&none) < 0.05);
         let long = |support: f64| local(support, false);
         assert!(long(0.0) == 0.0 && long(-3.0) == 0.0 && (long(LOCAL) - 0.5).abs() < 1e-12 && long(1e9) < 1.0);
-        assert!(local(1e9, true) <= 0.5);
+        assert!(local(71.0, true) < NAMED && local(180.0, true) > NAMED && local(1e9, true) < 1.0);
     }
 
     #[test]

@@ -79,6 +79,19 @@ pub enum Refutation {
     Size,
 }
 
+/// A cause that a search found and that is neither in the offered model nor suspected beside it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rejected {
+    /// Name of the effect.
+    pub cause: &'static str,
+    /// Joints, from 1; empty for the whole robot.
+    pub joints: Vec<usize>,
+    /// Probability that it is present; `None` if it was not computed.
+    pub probability: Option<f64>,
+    /// The reason: a sentence without its subject, the cause.
+    pub why: String,
+}
+
 /// A reported cause.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cause {
@@ -294,6 +307,8 @@ pub struct Diagnosis {
     pub standard: Option<Vec<f64>>,
     /// Causes, in order of their gain times their odds.
     pub causes: Vec<Cause>,
+    /// Causes that were found and rejected, the likeliest first.
+    pub rejected: Vec<Rejected>,
     /// Plain friction refitted in the extended model but not reported as a change; for the file
     /// alone.
     pub friction: Vec<Cause>,

@@ -80,7 +80,7 @@ impl<'a> Session<'a> {
                 let predicate = format!(
                     "is not named: beside refitted links its probability is {most:.2}; the file's links ask for it."
                 );
-                why.push(Remark::on(suspect.cause, &place, &predicate));
+                why.push(Remark::on(suspect.cause, &place, &predicate).with_probability(most));
             }
         }
         model.tested.update_model(&model.fitted);

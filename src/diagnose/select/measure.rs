@@ -97,10 +97,13 @@ impl Measured {
     }
 
     /// Whether some joint's error in a span of samples exceeds another model's by more than dry
-    /// friction at rest can explain: a joint at rest bears a push.
+    /// friction at rest can explain (a joint at rest bears a push), and more than the unknown point
+    /// of contact on a link can.
     pub(in crate::diagnose) fn is_worse_within(&self, span: Range<usize>, other: &Self, noise: &[f64]) -> bool {
         let part = |m: &Self, j: usize| m.error[j].get(span.clone()).map_or(0.0, root_mean_square);
-        let borne = |j: usize| part(other, j).max(self.coulomb[j].abs() + noise[j]);
+        let taken = |j: usize| (part(other, j).powi(2) - part(self, j).powi(2)).max(0.0).sqrt();
+        let lever = LEVER * (0..noise.len()).map(taken).fold(0.0, f64::max);
+        let borne = |j: usize| part(other, j).max(self.coulomb[j].abs() + noise[j]).hypot(lever);
         (0..noise.len()).any(|j| part(self, j) > WORSE_WITHIN * borne(j))
     }
 
@@ -140,6 +143,9 @@ const STANDS_OUT: f64 = 1.5;
 
 /// Factor by which an error may grow in a part of a log.
 const WORSE_WITHIN: f64 = 1.2;
+
+/// Uncertainty of a push's lever about one joint, as a share of its longest lever.
+const LEVER: f64 = 0.25;
 
 /// Least speed of a joint, relative to its maximum, at which its error counts as excess. About a
 /// reversal dry friction is no function of the recorded velocity.
@@ -364,11 +370,14 @@ pub(in crate::diagnose) fn takes(before: &[f64], after: &[f64], share: f64) -> b
     before.iter().zip(after).any(|(a, b)| a * a - b * b > share * a * a)
 }
 
-/// Whether a cause removes as much on some joint as a torque of half of the noise, and more than
-/// errors of the recorded motion can produce.
+/// Least torque of a cause, as a share of the noise.
+const LEAST: f64 = 0.25;
+
+/// Whether a cause removes as much on some joint as a torque of a quarter of the noise, and more
+/// than errors of the recorded motion can produce.
 pub(in crate::diagnose) fn matters(before: &[f64], after: &[f64], noise: &[f64], motion: &[f64]) -> bool {
     let joints = before.iter().zip(after).zip(noise.iter().zip(motion));
-    joints.map(|((a, b), (s, m))| a * a - b * b - (0.5 * s).max(*m).powi(2)).any(|x| x > 0.0)
+    joints.map(|((a, b), (s, m))| a * a - b * b - (LEAST * s).max(*m).powi(2)).any(|x| x > 0.0)
 }
 
 /// Sum over joints of the logarithms of error ratios without and with a cause, regularised by the
@@ -489,6 +498,18 @@ mod tests {
         assert!(stands(4.0).is_worse_within(1000..1100, &stands(0.5), &[0.1]));
         assert!(!stands(1.0).is_worse_within(1000..1100, &stands(0.5), &[0.1]));
         assert!(without.stands_out([10.2, 10.8]) && !with.stands_out([10.2, 10.8]));
+    }
+
+    /// A push removes 2 N m of one joint's error and adds 1.4 to another's: 1.1 by friction and
+    /// noise, the rest by a lever that is known to a quarter of the first joint's.
+    #[test]
+    fn a_lever_is_known_roughly() {
+        let of = |errors: [f64; 2]| Measured::made(errors.map(|e| vec![e; 300]).to_vec(), vec![vec![false; 300]; 2]);
+        let without = of([2.0, 0.1]);
+        let worse = |errors: [f64; 2]| of(errors).is_worse_within(100..200, &without, &[0.1, 0.1]);
+        assert!(!worse([0.1, 1.4]));
+        assert!(worse([0.1, 1.6]));
+        assert!(worse([1.9, 1.4]), "a push that explains less has a shorter lever");
     }
 
     #[test]

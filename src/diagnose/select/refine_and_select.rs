@@ -93,13 +93,26 @@ fn not_named(cause: &Cause, item: &Item) -> Option<Remark> {
     };
     (cause.probability < calibration::NAMED).then(|| {
         let predicate = format!("is not named: its probability is {probability:.2}{why}.");
-        Remark::on(cause.cause, &item.place, &predicate)
+        Remark::on(cause.cause, &item.place, &predicate).with_probability(cause.probability)
     })
+}
+
+/// A sentence on a cause that fails beside the others, likely as it may be.
+fn fails(cause: &Cause, item: &Item, other: &Without) -> Remark {
+    let why = match item.hypothesis.local() {
+        true if other.spoils => "another joint errs more with it while it acts",
+        true if other.may_be_chance() => "what it removes while it acts may be chance",
+        true => "it explains too little while it acts",
+        false if other.near => "its joints hardly err less with it",
+        false => "data that were not fitted are not predicted better with it",
+    };
+    Remark::on(cause.cause, &item.place, &format!("is not named: {why}."))
 }
 
 /// A sentence on a cause whose parameters are zero within their uncertainty.
 fn unsure(cause: &Cause, item: &Item) -> Remark {
-    Remark::on(cause.cause, &item.place, "is not named: its parameters do not stand out of their uncertainty.")
+    let predicate = "is not named: its parameters do not stand out of their uncertainty.";
+    Remark::on(cause.cause, &item.place, predicate).with_probability(cause.probability)
 }
 
 /// The fit with the numbers of all shapes refined together; `None` if no cause has any.
@@ -245,15 +258,22 @@ impl<'a> Session<'a> {
     }
 
     /// Indices of causes that do not hold on validating and fitted logs. `errors`: of the model
-    /// there.
-    fn failed(&self, items: &[Item], others: &[Without], causes: &[Cause], errors: [&Measured; 2]) -> Vec<usize> {
+    /// there. `noise`: of windows.
+    fn failed(
+        &self,
+        items: &[Item],
+        others: &[Without],
+        causes: &[Cause],
+        errors: [&Measured; 2],
+        noise: &[f64],
+    ) -> Vec<usize> {
         let [after, after_fit] = errors;
         let still = vec![0.0; self.motion.len()];
         // A cause that increases the error on unused data is not in the model.
         let holds = |i: usize| {
             let (without, with) = (&others[i].alike(after), &after.steady);
             let motion = if items[i].hypothesis.follows_acceleration() { self.motion } else { &still };
-            taken_of(without, with, self.scale) > 0.0 && matters(without, with, self.noise, motion)
+            taken_of(without, with, self.scale) > 0.0 && matters(without, with, noise, motion)
         };
         // A local cause, or one on joints that differ between the logs, must still stand out beside
         // everything else.
@@ -348,25 +368,27 @@ impl<'a> Session<'a> {
             let measured = self.attributed(&mut tested, &mut accepted, fitted, &rivals, &evidence)?;
             let Attributed { items, others, stands_out, after, after_fit, mut causes, .. } = measured;
             fitted = measured.fitted;
-            let failed = self.failed(&items, &others, &causes, [&after, &after_fit]);
+            let noise = tested.scene.averaged(self.noise);
+            let failed = self.failed(&items, &others, &causes, [&after, &after_fit], &noise);
             let weak: Vec<usize> = (0..causes.len()).filter(|&i| stands_out[i] < 0.0).collect();
             // A push that does not hold where it acts is rejected for every model.
             let pushes = || failed.iter().filter(|&&i| items[i].hypothesis.local());
             suspects.retain(|suspect| !pushes().any(|&i| causes[i].is(suspect)));
             beside_the_rest(&mut suspects, &mut causes, &[&failed[..], &weak].concat());
             let weakest = weak.into_iter().min_by(|&a, &b| stands_out[a].total_cmp(&stands_out[b]));
-            let failed = match weakest.filter(|_| failed.is_empty()) {
-                Some(weakest) => {
-                    why.push(unsure(&causes[weakest], &items[weakest]));
-                    vec![weakest]
-                }
+            let weakest = weakest.filter(|_| failed.is_empty());
+            let failed = match weakest {
+                Some(weakest) => vec![weakest],
                 None if failed.is_empty() => unlikely(&causes),
                 None => unlikely_first(failed, &causes),
             };
             if failed.is_empty() || round >= MOST_ROUNDS {
                 break (after, after_fit, causes);
             }
-            why.extend(failed.iter().filter_map(|&i| not_named(&causes[i], &items[i])));
+            why.extend(failed.iter().map(|&i| match weakest {
+                Some(_) => unsure(&causes[i], &items[i]),
+                None => not_named(&causes[i], &items[i]).unwrap_or_else(|| fails(&causes[i], &items[i], &others[i])),
+            }));
             for &k in failed.iter().flat_map(|&i| &items[i].friction) {
                 let which = if tested.mode == Mode::Refitted { &mut tested.quiet } else { &mut tested.frozen };
                 which[k] = true;
@@ -408,7 +430,7 @@ mod tests {
         let item = Item { hypothesis, place: vec![3], accepted: Some(0), friction: Vec::new() };
         let says = |probability: f64, refuted: Option<Refutation>| {
             let cause = Cause { probability, refuted, ..Cause::blank(hypothesis.name(), "") };
-            not_named(&cause, &item).and_then(|remark| said_beside(&[], &[remark]).pop())
+            not_named(&cause, &item).and_then(|remark| said_beside(&[], &[remark]).0.pop())
         };
         let plain = "joint_elasticity of joint 4 is not named: its probability is 0.49.";
         assert_eq!(says(0.499, None).as_deref(), Some(plain));

@@ -27,6 +27,12 @@ pub fn diagnose_json(found: &Diagnosis, logs: &[Prepared], warnings: &Warnings, 
         "changed_between_logs": !found.changed.is_empty(),
         "changes": { "joints": found.changed, "causes": found.changes.iter().map(cause).collect::<Vec<_>>() },
         "causes": found.causes.iter().map(cause).collect::<Vec<_>>(),
+        "rejected": found.rejected.iter().map(|r| json!({
+            "cause": r.cause,
+            "joints": r.joints,
+            "probability": r.probability,
+            "why": r.why,
+        })).collect::<Vec<_>>(),
         "extended": rms(&found.extended),
         "offer": {
             "model": found.offer.offered.word(),
