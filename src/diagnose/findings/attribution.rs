@@ -267,7 +267,7 @@ impl Attribution<'_> {
 /// others have been removed since.
 fn evidence_of<'e>(all: &'e [Evidence], effect: EffectKind, place: &[usize], earlier: usize) -> Option<&'e Evidence> {
     let of_it = || all.iter().filter(|e| !e.local && e.effect == effect && e.place == place);
-    of_it().nth(earlier).or_else(|| of_it().last())
+    of_it().nth(earlier).or_else(|| of_it().next_back())
 }
 
 /// Error removed by a cause: the logarithm of the ratio of root mean squares without and with it,
