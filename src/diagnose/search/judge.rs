@@ -83,11 +83,11 @@ impl Judge<'_> {
     }
 
     /// Least reduction of a joint's mean squared error by a cause, (N m)^2. It is a share of the
-    /// noise of a window, and for causes that resemble errors of derivatives at least what these can produce.
+    /// noise, and for causes that resemble errors of derivatives at least what these can produce.
     fn least(&self, cause: &dyn Hypothesis, joint: usize) -> f64 {
         let motion = self.tested.motion_error.get(joint).filter(|_| cause.follows_acceleration());
         let motion = motion.copied().unwrap_or(0.0);
-        (self.settings.least_effect * self.tested.scene.averaged(self.noise)[joint]).max(motion).powi(2)
+        (self.settings.least_effect * self.noise[joint]).max(motion).powi(2)
     }
 
     /// Whether the last of `trial` removes nearly all of a joint's error in every left-out stretch.

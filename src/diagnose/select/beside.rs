@@ -116,7 +116,7 @@ impl Without {
 }
 
 /// The largest share of a joint's squared error that a cause removes within a span of samples,
-/// where it exceeds half of the noise of a window. `errors`: without and with the cause.
+/// where it exceeds half of the noise. `errors`: without and with the cause.
 pub(in crate::diagnose) fn share_within(span: Range<usize>, errors: [&Measured; 2], noise: &[f64]) -> f64 {
     let joint = |(j, noise): (usize, &f64)| {
         let [a, b] = errors.map(|m| m.error[j].get(span.clone()).map_or(0.0, |e| root_mean_square(e).powi(2)));
@@ -186,7 +186,7 @@ impl<'a> Beside<'_, 'a> {
         let apart = (0..noise.len()).map(apart).collect();
         let span =
             item.accepted.filter(|_| item.hypothesis.local()).and_then(|i| chosen[i].span(self.near.fine.scene.step));
-        let within = span.clone().map(|span| share_within(span, [&measured, with], &tested.scene.averaged(noise)));
+        let within = span.clone().map(|span| share_within(span, [&measured, with], noise));
         let spoils = span.clone().is_some_and(|span| with.is_worse_within(span, &measured, noise));
         let repeats = if near { None } else { size(&measured, with) };
         let interval = match span {

@@ -370,14 +370,11 @@ pub(in crate::diagnose) fn takes(before: &[f64], after: &[f64], share: f64) -> b
     before.iter().zip(after).any(|(a, b)| a * a - b * b > share * a * a)
 }
 
-/// Least torque of a cause, as a share of the noise.
-const LEAST: f64 = 0.25;
-
-/// Whether a cause removes as much on some joint as a torque of a quarter of the noise, and more
-/// than errors of the recorded motion can produce.
+/// Whether a cause removes as much on some joint as a torque of half of the noise, and more than
+/// errors of the recorded motion can produce.
 pub(in crate::diagnose) fn matters(before: &[f64], after: &[f64], noise: &[f64], motion: &[f64]) -> bool {
     let joints = before.iter().zip(after).zip(noise.iter().zip(motion));
-    joints.map(|((a, b), (s, m))| a * a - b * b - (LEAST * s).max(*m).powi(2)).any(|x| x > 0.0)
+    joints.map(|((a, b), (s, m))| a * a - b * b - (0.5 * s).max(*m).powi(2)).any(|x| x > 0.0)
 }
 
 /// Sum over joints of the logarithms of error ratios without and with a cause, regularised by the

@@ -258,22 +258,15 @@ impl<'a> Session<'a> {
     }
 
     /// Indices of causes that do not hold on validating and fitted logs. `errors`: of the model
-    /// there. `noise`: of windows.
-    fn failed(
-        &self,
-        items: &[Item],
-        others: &[Without],
-        causes: &[Cause],
-        errors: [&Measured; 2],
-        noise: &[f64],
-    ) -> Vec<usize> {
+    /// there.
+    fn failed(&self, items: &[Item], others: &[Without], causes: &[Cause], errors: [&Measured; 2]) -> Vec<usize> {
         let [after, after_fit] = errors;
         let still = vec![0.0; self.motion.len()];
         // A cause that increases the error on unused data is not in the model.
         let holds = |i: usize| {
             let (without, with) = (&others[i].alike(after), &after.steady);
             let motion = if items[i].hypothesis.follows_acceleration() { self.motion } else { &still };
-            taken_of(without, with, self.scale) > 0.0 && matters(without, with, noise, motion)
+            taken_of(without, with, self.scale) > 0.0 && matters(without, with, self.noise, motion)
         };
         // A local cause, or one on joints that differ between the logs, must still stand out beside
         // everything else.
@@ -368,8 +361,7 @@ impl<'a> Session<'a> {
             let measured = self.attributed(&mut tested, &mut accepted, fitted, &rivals, &evidence)?;
             let Attributed { items, others, stands_out, after, after_fit, mut causes, .. } = measured;
             fitted = measured.fitted;
-            let noise = tested.scene.averaged(self.noise);
-            let failed = self.failed(&items, &others, &causes, [&after, &after_fit], &noise);
+            let failed = self.failed(&items, &others, &causes, [&after, &after_fit]);
             let weak: Vec<usize> = (0..causes.len()).filter(|&i| stands_out[i] < 0.0).collect();
             // A push that does not hold where it acts is rejected for every model.
             let pushes = || failed.iter().filter(|&&i| items[i].hypothesis.local());

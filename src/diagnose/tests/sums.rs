@@ -88,10 +88,10 @@ fn a_share_is_of_what_is_above_the_noise() {
 }
 
 #[test]
-fn a_quarter_of_the_noise_matters() {
+fn half_of_the_noise_matters() {
     let after = |taken: f64| (1.0 - taken * taken).sqrt();
     for (taken, does) in [(0.21, true), (0.19, false)] {
-        assert_eq!(matters(&[1.0], &[after(taken)], &[0.8], &[0.0]), does, "{taken}");
+        assert_eq!(matters(&[1.0], &[after(taken)], &[0.4], &[0.0]), does, "{taken}");
         // Errors of the motion count in full.
         assert_eq!(matters(&[1.0], &[after(taken)], &[0.1], &[0.2]), does, "{taken}");
     }

@@ -55,20 +55,6 @@ fn the_part_kept_out_moves() {
     assert!((share - 0.7).abs() < 0.01, "{share}");
 }
 
-/// White noise of the torque averages out over a window's four samples, that of the motion does not.
-#[test]
-fn a_window_averages_white_noise() {
-    let (plant, recordings) = (PerturbableRobot::new(&planar()), [recording()]);
-    let mut scene = WindowedData::new(&plant, &recordings, 0.25 / PERIOD, &[0.0; 2], false);
-    scene.noise = vec![0.3, 0.0];
-    for (noise, left) in [(0.6, 0.3), (0.6_f64.hypot(0.4), 0.5), (0.2, 0.2)] {
-        let found = scene.averaged(&[noise, 0.6]);
-        assert!((found[0] - left).abs() < 1e-12 && found[1] == 0.6, "{noise}: {found:?}");
-    }
-    let fine = windows(&plant, &recordings, 0.0);
-    assert_eq!(fine.averaged(&[0.6; 2]), [0.6; 2]);
-}
-
 /// A torque with a delay of 0.1 s belongs to the motion of 0.1 s before: positions, times, and
 /// whether the joint stuck then.
 #[test]

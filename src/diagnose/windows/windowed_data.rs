@@ -373,17 +373,6 @@ pub struct WindowedData<'a> {
 }
 
 impl<'a> WindowedData<'a> {
-    /// What the mean over a window leaves of each joint's noise, N m: white noise of the torque
-    /// averages out, errors of motion and clock do not.
-    pub fn averaged(&self, noise: &[f64]) -> Vec<f64> {
-        let samples = (self.step / self.period).max(1.0);
-        let left = |(noise, white): (&f64, &f64)| {
-            let [noise, white] = [noise, white].map(|s| s * s);
-            (noise - (samples - 1.0) * white).max(white.min(noise)).sqrt()
-        };
-        noise.iter().zip(&self.noise).map(left).collect()
-    }
-
     /// Windows of about `1 / rate` seconds (at least a sample). Torques are assumed late by
     /// `delays` (one per joint, s).
     ///
