@@ -291,6 +291,12 @@ pub trait Hypothesis: Sync {
         false
     }
 
+    /// Whether two shapes are of the same cause. Of causes of which one place may have several
+    /// ([`most`](Self::most)) the shape tells which one it is; an empty shape tells nothing.
+    fn same_law(&self, _a: &[f64], _b: &[f64]) -> bool {
+        true
+    }
+
     /// Index of the shape number that is an integer, by nature (periods per turn) or by preference.
     /// An integer value does not count as an unknown.
     fn integer_shape(&self) -> Option<usize> {
@@ -556,6 +562,14 @@ const EDGE: f64 = 0.02;
 fn geometric(first: f64, last: f64, count: usize) -> Vec<f64> {
     let steps = count.saturating_sub(1).max(1) as f64;
     (0..count).map(|i| first * (last / first).powf(i as f64 / steps)).collect()
+}
+
+/// Whether two orders differ by less than a factor; true if one of them is not given.
+fn nearly_one_order(a: &[f64], b: &[f64], factor: f64) -> bool {
+    match (a, b) {
+        (&[a], &[b]) => a < factor * b && b < factor * a,
+        _ => true,
+    }
 }
 
 /// Whether joint `j` moves significantly: beyond its velocity noise and by more than 0.02 rad.

@@ -150,6 +150,7 @@ fn diagnosis_page_stands_alone() {
         standard: None,
         rejected: Vec::new(),
         causes: vec![Cause {
+            shape: Vec::new(),
             refuted: None,
             recurrence: 0.9,
             found_again: [2, 2],

@@ -28,7 +28,10 @@ pub struct PaintingMotion {
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub(super) enum RoughBranch {
     /// No posture near the previous one.
-    #[error("the posture is lost at {0:?} of the wall")]
+    #[error(
+        "the arm does not follow the path at {0:.3?} of the wall (m): no posture is near the previous one; move the \
+         wall, or paint less of it"
+    )]
     Lost([f64; 3]),
     /// A joint's path does not converge as a polynomial series.
     #[error(
@@ -148,6 +151,21 @@ const BETWEEN: f64 = 1e-11;
 
 impl Smooth {
     fn new(task: &Task<'_>, scored: &Scored, line: &Line, start: &[f64]) -> Result<Self, RoughBranch> {
+        let along = |shares: &[f64], here: &[f64]| {
+            let all = task.postures(&scored.roller, line, shares);
+            task.follow(&all, here).map_err(|k| RoughBranch::Lost(line.place(shares[k])))
+        };
+        let sharp = |joint: usize, share: f64| RoughBranch::Sharp { joint: joint + 1, place: line.place(share) };
+        Self::through(along, start, sharp)
+    }
+
+    /// Approximates postures `along` a leg, of which there is one row per share of the leg, next to the
+    /// given posture. `sharp` makes the error where joint (from 0) and share do not converge.
+    fn through<E>(
+        along: impl Fn(&[f64], &[f64]) -> Result<DMatrix<f64>, E>,
+        start: &[f64],
+        sharp: impl Fn(usize, f64) -> E,
+    ) -> Result<Self, E> {
         let chebyshev = Chebyshev::new(ORDER);
         let mut count = 1;
         loop {
@@ -155,9 +173,8 @@ impl Smooth {
             let mut here = start.to_vec();
             let (mut tail, mut worst) = (0.0, (0, 0));
             for p in 0..count {
-                let points: Vec<f64> = chebyshev.points.iter().map(|s| (p as f64 + s) / count as f64).collect();
-                let all = task.postures(&scored.roller, line, &points);
-                let q = task.follow(&all, &here).map_err(|k| RoughBranch::Lost(line.place(points[k])))?;
+                let shares: Vec<f64> = chebyshev.points.iter().map(|s| (p as f64 + s) / count as f64).collect();
+                let q = along(&shares, &here)?;
                 here = q.row(ORDER).iter().copied().collect();
                 for j in 0..q.ncols() {
                     let own = chebyshev.tail(|k| q[(k, j)]);
@@ -169,8 +186,7 @@ impl Smooth {
             }
             if tail <= TAIL || count >= PANELS {
                 if tail > 1e3 * TAIL {
-                    let place = line.place((worst.1 as f64 + 0.5) / count as f64);
-                    return Err(RoughBranch::Sharp { joint: worst.0 + 1, place });
+                    return Err(sharp(worst.0, (worst.1 as f64 + 0.5) / count as f64));
                 }
                 return Ok(Self { chebyshev, panels });
             }
@@ -220,5 +236,42 @@ impl Smooth {
             knots *= 2;
         }
         knots
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Near a singularity a joint turns by half a turn within a small share of the leg.
+    fn half_turn_within(width: f64) -> Result<Smooth, (usize, f64)> {
+        let q = |share: f64, j: usize| if j == 1 { ((share - 0.3) / width).atan() } else { share };
+        let along = |shares: &[f64], _: &[f64]| Ok(DMatrix::from_fn(shares.len(), 2, |k, j| q(shares[k], j)));
+        Smooth::through(along, &[0.0, 0.0], |joint, share| (joint, share))
+    }
+
+    #[test]
+    fn a_sharp_turn_has_more_panels_up_to_a_limit() {
+        let panels = |width: f64| half_turn_within(width).map(|smooth| smooth.panels.len()).ok();
+        assert!(panels(1.0) < Some(8) && panels(1e-2) > panels(1.0));
+        let smooth = half_turn_within(3e-3).ok().unwrap();
+        assert!((65..=PANELS).contains(&smooth.panels.len()), "{}", smooth.panels.len());
+        // Where the turn is: the time at which a motion from rest to rest has gone so far.
+        let (mut low, mut high) = (0.0, 1.0);
+        while high - low > 1e-15 {
+            let middle = 0.5 * (low + high);
+            if rest_to_rest(middle)[0] < 0.3 { low = middle } else { high = middle }
+        }
+        let [q, dq, _] = &smooth.at(&[low])[0];
+        let [share, speed, ..] = rest_to_rest(low);
+        assert!((q[0] - share).abs() < 1e-12 && q[1].abs() < 1e-9 && (dq[1] / (speed / 3e-3) - 1.0).abs() < 1e-6);
+        let (joint, share) = half_turn_within(1e-7).err().unwrap();
+        assert!(joint == 1 && (share - 0.3).abs() < 1.0 / PANELS as f64, "{joint} {share}");
+    }
+
+    #[test]
+    fn a_lost_posture_is_reported() {
+        let along = |_: &[f64], here: &[f64]| Err(here.to_vec());
+        assert_eq!(Smooth::through(along, &[0.5], |_, _| Vec::new()).err(), Some(vec![0.5]));
     }
 }

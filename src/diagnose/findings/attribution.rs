@@ -71,6 +71,7 @@ impl Attribution<'_> {
             cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
             probability: self.probability(item, &features, refuted),
+            shape: accepted.map_or_else(Vec::new, |a| a.chosen.shape.clone()),
             refuted,
             support,
             margin,
@@ -220,7 +221,7 @@ impl Attribution<'_> {
             return calibration::local(features.support, brief);
         }
         let of = |effect: EffectKind| {
-            let found = evidence_of(self.evidence, effect, &item.place, self.earlier(item))?;
+            let found = self.evidence_of(effect, item)?;
             let (wald, margin, confirmed) = (self.wald(item), features.margin, features.confirmed);
             Some(calibration::change(&Change { share: found.share, wald, margin, confirmed }))
         };
@@ -232,11 +233,11 @@ impl Attribution<'_> {
             .unwrap_or_else(|| calibration::probability(item.accepted.is_none(), features))
     }
 
-    /// Number of causes of an item's name and place that were accepted before it, such as ripples of
-    /// other orders.
-    fn earlier(&self, item: &Item) -> usize {
-        let same = |a: &&Accepted| a.chosen.cause.effect() == item.hypothesis.effect() && a.chosen.place == item.place;
-        self.accepted[..item.accepted.unwrap_or(0)].iter().filter(same).count()
+    /// Evidence for an effect in an item's place: of several ripples of a joint that of its order.
+    fn evidence_of(&self, effect: EffectKind, item: &Item) -> Option<&Evidence> {
+        let shape = item.accepted.map_or(&[][..], |at| &self.accepted[at].chosen.shape);
+        let of_it = || self.evidence.iter().filter(|e| !e.local && e.effect == effect && e.place == item.place);
+        of_it().find(|e| item.hypothesis.same_law(&e.shape, shape)).or_else(|| of_it().next_back())
     }
 
     /// Wald statistic of an item's parameters; for several friction terms the largest.
@@ -261,13 +262,6 @@ impl Attribution<'_> {
         let own: Vec<(usize, f64)> = item.unknowns(fitted).into_iter().map(|k| (k, size(k))).collect();
         self.stretches.recurrence(&fitted.solution, &own)
     }
-}
-
-/// Evidence for a cause of this name and place that `earlier` such causes precede; of the last one if
-/// others have been removed since.
-fn evidence_of<'e>(all: &'e [Evidence], effect: EffectKind, place: &[usize], earlier: usize) -> Option<&'e Evidence> {
-    let of_it = || all.iter().filter(|e| !e.local && e.effect == effect && e.place == place);
-    of_it().nth(earlier).or_else(|| of_it().next_back())
 }
 
 /// Error removed by a cause: the logarithm of the ratio of root mean squares without and with it,
@@ -375,17 +369,6 @@ mod tests {
         assert!(!may_be_another_body(Payload::NAME, &[], &[(LinkInertiaError::NAME, vec![5], 0.0)]));
         let same = [(LinkInertiaError::NAME, vec![4], 0.0)];
         assert!(!may_be_another_body(LinkInertiaError::NAME, &[4], &same), "another law of that link");
-    }
-
-    /// Two ripples of one joint differ in order, and have evidence each.
-    #[test]
-    fn each_of_several_has_its_evidence() {
-        let of = |effect, share| Evidence { effect, place: vec![4], local: false, share };
-        let (ripple, spring) = (EffectKind::TorqueRipple, EffectKind::JointSpring);
-        let all = [of(ripple, 0.6), of(spring, 0.4), of(ripple, 0.2)];
-        let share = |effect, place, earlier| evidence_of(&all, effect, &[place], earlier).map(|e| e.share);
-        assert_eq!([0, 1, 2].map(|earlier| share(ripple, 4, earlier)), [Some(0.6), Some(0.2), Some(0.2)]);
-        assert_eq!([share(spring, 4, 0), share(ripple, 3, 0)], [Some(0.4), None]);
     }
 
     /// A link takes most of joint 2's error, and its own joint errs a little more with it.

@@ -3,7 +3,7 @@
 use dh_codegen::robot::EffectKind;
 use dh_codegen::robot::effects::{self, Key};
 
-use crate::diagnose::hypotheses::{Named, Quantity, hypothesis};
+use crate::diagnose::hypotheses::{Named, Quantity, by_name, hypothesis};
 use crate::diagnose::windows::low_passed::PositionBand;
 use crate::identify::ErrorBudget;
 
@@ -101,6 +101,8 @@ pub struct Cause {
     pub joints: Vec<usize>,
     /// Probability that the cause is present.
     pub probability: f64,
+    /// Its nonlinear parameters, such as a ripple's order; empty without any.
+    pub shape: Vec<f64>,
     /// What refutes it; the probability accounts for it.
     pub refuted: Option<Refutation>,
     /// Parameters; symbols carry the joint's number.
@@ -146,8 +148,9 @@ pub struct Cause {
 }
 
 impl Cause {
-    /// Whether another cause is the same one in the same place. Two pushes are the same if their
-    /// windows overlap by at least half of the shorter one; a push and a wall never are.
+    /// Whether another cause is the same one in the same place. Two ripples of a joint differ in their
+    /// order. Two pushes are the same if their windows overlap by at least half of the shorter one; a
+    /// push and a wall never are.
     pub fn is(&self, other: &Self) -> bool {
         let overlap = |a: [f64; 2], b: [f64; 2]| a[1].min(b[1]) - a[0].max(b[0]);
         let shorter = |a: [f64; 2], b: [f64; 2]| (a[1] - a[0]).min(b[1] - b[0]);
@@ -155,7 +158,8 @@ impl Cause {
             (Some(one), Some(other)) => 2.0 * overlap(one, other) >= shorter(one, other),
             (one, other) => one == other,
         };
-        self.cause == other.cause && self.joints == other.joints && together
+        let same_law = by_name(self.cause).is_none_or(|cause| cause.same_law(&self.shape, &other.shape));
+        self.cause == other.cause && self.joints == other.joints && together && same_law
     }
 
     /// Begin and end of a push, s since its log began; `None` for causes that act throughout.
@@ -172,6 +176,7 @@ impl Cause {
             decided_by: None,
             joints: Vec::new(),
             probability: 0.0,
+            shape: Vec::new(),
             refuted: None,
             parameters: Vec::new(),
             keys: Vec::new(),

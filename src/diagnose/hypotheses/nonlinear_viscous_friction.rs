@@ -97,6 +97,12 @@ impl Hypothesis for NonlinearViscousFriction {
         )]
     }
 
+    /// Laws that bend to the same side are one: a saturating law bends like a root.
+    fn same_law(&self, a: &[f64], b: &[f64]) -> bool {
+        let like_a_root = |shape: &[f64]| matches!(*shape, [power, half] if half > 0.0 || power < 1.0);
+        a.is_empty() || b.is_empty() || like_a_root(a) == like_a_root(b)
+    }
+
     fn named(&self, found: &Estimate<'_>) -> Vec<Named> {
         let k = usize::from(found.shape[1] > 0.0);
         vec![found.term(0), Named::new(self.shape()[k].symbol, found.shape[k], found.shape_std[k])]

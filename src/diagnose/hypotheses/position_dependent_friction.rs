@@ -11,6 +11,7 @@ use super::Sign;
 use super::Symbol;
 use super::Term;
 use super::moves;
+use super::nearly_one_order;
 use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// `sign(v) (PC cos(PN q) + PS sin(PN q))`.
@@ -48,6 +49,11 @@ impl Hypothesis for PositionDependentFriction {
     fn shows(&self, scene: &WindowedData<'_>, place: &[usize], shape: &[f64]) -> bool {
         let [low, high] = scene.travel[place[0]];
         moves(scene, place[0]) && shape[0] * (high - low) >= 2.0
+    }
+
+    /// A travel of less than a period resolves orders coarsely.
+    fn same_law(&self, a: &[f64], b: &[f64]) -> bool {
+        nearly_one_order(a, b, 1.6)
     }
 
     fn integer_shape(&self) -> Option<usize> {

@@ -10,6 +10,7 @@ use super::Sign;
 use super::Symbol;
 use super::Term;
 use super::moves;
+use super::nearly_one_order;
 use crate::diagnose::windows::windowed_data::WindowedData;
 use crate::numerics::periodogram::{Orders, Sample, periodogram};
 
@@ -92,6 +93,10 @@ impl Hypothesis for TorqueRipple {
     fn unresolved(&self, scene: &WindowedData<'_>, place: &[usize], a: &[f64], b: &[f64]) -> bool {
         let [low, high] = scene.travel[place[0]];
         (a[0] - b[0]).abs() * (high - low) < 1.0
+    }
+
+    fn same_law(&self, a: &[f64], b: &[f64]) -> bool {
+        nearly_one_order(a, b, 1.1)
     }
 
     fn integer_shape(&self) -> Option<usize> {

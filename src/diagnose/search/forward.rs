@@ -40,6 +40,8 @@ const SPOILT_BY_BODY: f64 = 1.0;
 pub(in crate::diagnose) struct Evidence {
     pub(in crate::diagnose) effect: EffectKind,
     pub(in crate::diagnose) place: Vec<usize>,
+    /// Its shape then; empty for plain friction.
+    pub(in crate::diagnose) shape: Vec<f64>,
     /// Whether it acts in a part of a log: of contacts, a push and not a wall.
     pub(in crate::diagnose) local: bool,
     /// Share of the squared error of its main joint that the cause removes. For a local cause: the
@@ -459,8 +461,10 @@ impl Forward<'_, '_> {
         let judge = self.judge();
         let candidate = &ranked[at];
         let Candidate { cause, place, .. } = candidate;
-        let evidence =
-            |share: f64| Some(Evidence { effect: cause.effect(), place: place.clone(), local: cause.local(), share });
+        let evidence = |share: f64| {
+            let shape = candidate.shape.clone();
+            Some(Evidence { effect: cause.effect(), place: place.clone(), shape, local: cause.local(), share })
+        };
         let stands = match plain(candidate) {
             Some(k) => !level_drives(self.tested, k, after, self.noise[k / 3]),
             None => trial.last().is_some_and(|last| judge.stands(last, after) && !judge.drives(trial, [before, after])),

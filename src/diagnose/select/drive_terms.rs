@@ -19,7 +19,13 @@ pub(super) fn evidence(tested: &mut ModelUnderTest<'_>, chosen: &[Chosen], fitte
         tested.frozen[k] = false;
         let [with, without] = [fitted, &without].map(|f| f.solution.rss[joint]);
         let share = if without > 0.0 { 1.0 - with / without } else { 0.0 };
-        found.push(Evidence { effect: PLAIN[k % 3].effect(), place: vec![joint], local: false, share });
+        found.push(Evidence {
+            effect: PLAIN[k % 3].effect(),
+            place: vec![joint],
+            shape: Vec::new(),
+            local: false,
+            share,
+        });
     }
     tested.update_model(fitted);
     found

@@ -122,7 +122,13 @@ mod tests {
 
     #[test]
     fn what_is_unlikely_is_excluded_where_it_diluted_a_cause() {
-        let of = |effect, place: &[usize], share| Evidence { effect, place: place.to_vec(), local: false, share };
+        let of = |effect, place: &[usize], share| Evidence {
+            effect,
+            place: place.to_vec(),
+            shape: Vec::new(),
+            local: false,
+            share,
+        };
         let evidence = [
             of(EffectKind::CoulombFriction, &[2], 0.6),
             of(EffectKind::TimeDelay, &[2], 0.3),

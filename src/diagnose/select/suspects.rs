@@ -143,6 +143,25 @@ mod tests {
         assert_eq!(left.map(|c| c.probability), [0.6, 0.1]);
     }
 
+    /// Two ripples of one joint differ in order, and laws by position and of speed likewise. Orders of
+    /// a short travel are coarse.
+    #[test]
+    fn each_of_several_has_its_probability() {
+        let of = |name, shape: &[f64], p| Cause { shape: shape.to_vec(), ..cause(name, &[5], p) };
+        for (name, one, same, other) in [
+            ("torque_ripple", vec![31.0], vec![31.4], vec![62.0]),
+            ("position_dependent_friction", vec![1.0], vec![1.5], vec![4.0]),
+            ("nonlinear_viscous_friction", vec![0.4, 0.0], vec![1.0, 0.3], vec![3.0, 0.0]),
+        ] {
+            let mut known = Vec::new();
+            remember(&mut known, &[of(name, &one, 0.6), of(name, &other, 0.2), of(name, &same, 0.5)]);
+            assert_eq!(known.iter().map(|c| c.probability).collect::<Vec<f64>>(), [0.6, 0.2], "{name}");
+            let mut left = [of(name, &same, 0.1), of(name, &other, 0.1), of(name, &[], 0.1)];
+            raise(&mut left, &known);
+            assert_eq!(left.map(|c| c.probability), [0.6, 0.2, 0.6], "{name}");
+        }
+    }
+
     #[test]
     fn a_push_is_neither_another_one_nor_a_wall() {
         let push = |window: [f64; 2], probability| {

@@ -434,7 +434,7 @@ fn levels_are_the_friction_beside_a_difference_by_direction() {
         let mut all = [difference, chosen(EffectKind::NonlinearViscousFriction, &[0], &[0.5, 0.0])];
         let fitted = tested.fit(&mut all);
         let mut accepted: Vec<Accepted> = all.into_iter().map(Accepted::of).collect();
-        let evidence = |effect| Evidence { effect, place: vec![0], local: false, share: 0.5 };
+        let evidence = |effect| Evidence { effect, place: vec![0], shape: Vec::new(), local: false, share: 0.5 };
         let mut known = [EffectKind::AsymmetricFriction, EffectKind::NonlinearViscousFriction].map(evidence).to_vec();
         levels_instead(&mut tested, &mut accepted, fitted, &mut known);
         (accepted.len(), tested.frozen[..2].to_vec(), known.iter().map(|e| e.share).collect::<Vec<f64>>())

@@ -280,7 +280,7 @@ fn an_offset_is_the_rest_position_of_a_spring() {
     let robot = planar();
     let plant = PerturbableRobot::new(&robot);
     let recordings = [recording()];
-    let of = |effect, share| Evidence { effect, place: vec![0], local: false, share };
+    let of = |effect, share| Evidence { effect, place: vec![0], shape: Vec::new(), local: false, share };
     for (shape, left) in [(Vec::new(), vec![(EffectKind::JointSpring, 0.9)]), (vec![0.2, 0.0], Vec::new())] {
         let mut tested = ModelUnderTest::new(&plant, &recordings, 100.0, Mode::Trusted, &[0.0; 2], false);
         tested.separate[2] = true;
