@@ -30,7 +30,7 @@ mod sample;
 mod series;
 mod small_matrix;
 mod state_variable_filter;
-pub(in crate::control) mod stiction;
+pub(crate) mod stiction;
 mod torques;
 mod uncertainty;
 mod verdict;

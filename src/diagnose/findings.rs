@@ -11,6 +11,7 @@ pub(super) mod links;
 pub(super) mod maps;
 pub(super) mod nameless;
 pub(super) mod order;
+pub(super) mod pushes_at_rest;
 pub(super) mod reported_cause;
 pub(super) mod result;
 pub(super) mod structure;

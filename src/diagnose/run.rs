@@ -7,6 +7,7 @@ use super::findings::deflection::deflections;
 use super::findings::impacts::impacts;
 use super::findings::nameless::unknown;
 use super::findings::order::in_order;
+use super::findings::pushes_at_rest::pushes_at_rest;
 use super::findings::reported_cause::quiet;
 use super::findings::result::{Cause, Diagnosis, Errors, NextExperiment, Offer, Offered, Verdict};
 use super::findings::structure::Structure;
@@ -227,14 +228,16 @@ fn least(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a.min(*b)).collect()
 }
 
-/// Causes that are not columns of the recorded motion (deflections, impacts), and the structure
-/// that they do not explain.
-fn without_columns(model: &Selected<'_>, left: Vec<Structure>, noise: &[f64]) -> (Vec<Structure>, Vec<Cause>) {
+/// Causes that are not columns of the recorded motion (deflections, impacts, pushes at rest), and the
+/// structure that they do not explain.
+fn without_columns(session: &Session<'_>, model: &Selected<'_>, left: Vec<Structure>) -> (Vec<Structure>, Vec<Cause>) {
+    let noise = session.noise;
     let mut causes = deflections(model, noise);
     let left = explained(left, &causes);
     let impacts = if left.is_empty() { None } else { impacts(model) };
     let left = impacts.iter().fold(left, |left, i| i.explain(left, &model.after_fit, noise));
     causes.extend(impacts.map(|i| i.cause(&model.after_fit, noise)));
+    causes.extend(pushes_at_rest(model, session.fit, noise));
     // A cause that the model already has is not named twice.
     let known = |c: &Cause| model.causes.iter().any(|k| k.is(c));
     causes.retain(|c| !known(c) && c.probability >= calibration::NAMED_BY_SIZE);
@@ -290,7 +293,7 @@ fn named<'a>(
     let mut suspects = session.suspected(suspects, &mut model, rival, why);
     let model = session.law_instead(model, torque_rms, &mut suspects, why)?;
     let left = with_excess(session.left(&model, torque_rms), session.late(&model));
-    let (left, unplayed) = without_columns(&model, left, session.noise);
+    let (left, unplayed) = without_columns(session, &model, left);
     let mut causes = model.causes.clone();
     if model.tested.mode == Mode::Refitted && has_values(session.plant) {
         causes.extend(likelier(session.links(&model, rival), &suspects));

@@ -1,7 +1,7 @@
 //! Tests of the diagnosis: hidden effects must be found, and none reported where nothing is hidden.
 
 mod battery;
-mod columns;
+pub(super) mod columns;
 mod decisions;
 mod excerpts;
 mod gears;

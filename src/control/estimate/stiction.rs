@@ -15,7 +15,7 @@ const UNKNOWN: f64 = 0.05;
 
 /// Largest static friction of a joint, N m, from its Coulomb level, N m, the breakaway level if one
 /// is given, N m, and its torque limit (infinite if unknown), N m.
-pub(in crate::control) fn breakaway(coulomb: f64, stated: Option<f64>, limit: f64) -> f64 {
+pub(crate) fn breakaway(coulomb: f64, stated: Option<f64>, limit: f64) -> f64 {
     let limit = if limit.is_finite() { limit } else { 0.0 };
     match stated {
         Some(level) => level.max(coulomb),

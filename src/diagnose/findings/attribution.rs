@@ -68,7 +68,6 @@ impl Attribution<'_> {
         let refuted = self.refutation(item, accepted, (part, pays, on), shares);
         let features = Features { support, margin, share: shares.counted(part), recurrence, confirmed };
         Cause {
-            cause: item.hypothesis.name(),
             joints: item.place.iter().map(|j| j + 1).collect(),
             probability: self.probability(item, &features, refuted),
             shape: accepted.map_or_else(Vec::new, |a| a.chosen.shape.clone()),
@@ -77,7 +76,6 @@ impl Attribution<'_> {
             margin,
             share: part,
             recurrence,
-            found_again: [0; 2],
             evidence: evidence::sentence(&Shown {
                 cause: item.hypothesis,
                 shape: accepted.map(|a| a.chosen.shape.as_slice()),
@@ -90,7 +88,6 @@ impl Attribution<'_> {
                 confirmed: accepted.map(|a| a.confirmed),
                 repeats: shares.repeats,
             }) + &self.notes(item, near),
-            in_extended: true,
             curve: item.accepted.and_then(|index| evidence::curve(tested, fitted, index, &all[index].chosen)),
             parameters,
             keys,
@@ -101,7 +98,7 @@ impl Attribution<'_> {
             decided_by: self.decided_by(item, &rivals),
             not_distinguished_from: rivals,
             shown_by: item.hypothesis.shown_by(),
-            law: None,
+            ..Cause::of_effect(item.hypothesis.effect())
         }
     }
 }

@@ -64,7 +64,7 @@ const LARGEST: f64 = 2.0;
 pub(super) const CONSTANT: f64 = 2.0 / 3.0;
 
 /// Longest push that rises and falls, s: anything longer is a slow error.
-const LONGEST_SWELL: f64 = 2.0;
+pub(in crate::diagnose) const LONGEST_SWELL: f64 = 2.0;
 
 /// Number of stretches of the log that are tried.
 const TRIED: usize = 6;
@@ -270,7 +270,7 @@ const fn shapes(fourth: &'static str, most: f64) -> [Shape; 5] {
 }
 
 /// Rows of the links that a push on a link may touch.
-fn touchable(rows: &[usize]) -> &[usize] {
+pub(in crate::diagnose) fn touchable(rows: &[usize]) -> &[usize] {
     rows.get(1..rows.len().saturating_sub(1)).unwrap_or(&[])
 }
 

@@ -5,7 +5,7 @@ use crate::diagnose::fit::model::{Chosen, Fitted, ModelUnderTest};
 use crate::diagnose::windows::windowed_data::WindowedData;
 
 /// Factor by which the gain of a local cause must exceed its gain elsewhere in the log.
-const ALONE: f64 = 3.0;
+pub(in crate::diagnose) const ALONE: f64 = 3.0;
 
 /// Duration, s, up to which a stretch must stand out from all others but one, because errors of the
 /// recorded motion are as brief, and rare. A longer stretch must stand out from three quarters of

@@ -145,7 +145,7 @@ const STANDS_OUT: f64 = 1.5;
 const WORSE_WITHIN: f64 = 1.2;
 
 /// Uncertainty of a push's lever about one joint, as a share of its longest lever.
-const LEVER: f64 = 0.25;
+pub(in crate::diagnose) const LEVER: f64 = 0.25;
 
 /// Least speed of a joint, relative to its maximum, at which its error counts as excess. About a
 /// reversal dry friction is no function of the recorded velocity.

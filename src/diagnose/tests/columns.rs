@@ -21,7 +21,7 @@ fn at(k: usize) -> [f64; 3] {
     [0.8 * (w * t).sin(), 0.8 * w * (w * t).cos(), -0.8 * w * w * (w * t).sin()]
 }
 
-pub(super) fn recording() -> Recording {
+pub(in crate::diagnose) fn recording() -> Recording {
     let series = |which: usize| -> Vec<f64> {
         [1.0, 0.5].into_iter().flat_map(|size| (0..LEN).map(move |k| size * at(k)[which])).collect()
     };

@@ -23,7 +23,7 @@ pub fn doubts(c: &Cause) -> Vec<String> {
         all.push(format!("{} would explain nearly as much", names.join(" or ")));
     }
     if !c.in_extended {
-        all.push("the extended model predicts as well without it".to_string());
+        all.push("it is not in the extended model".to_string());
     }
     if c.recurrence < UNSTEADY {
         all.push(format!("its size differs between stretches of the logs (recurrence {:.2} of 1)", c.recurrence));
