@@ -3,8 +3,10 @@
 
 pub(super) mod attribution;
 pub(super) mod calibration;
+mod course_of_push;
 pub(super) mod deflection;
 pub(super) mod evidence;
+mod force_at_rest;
 pub(super) mod formula;
 pub(super) mod impacts;
 pub(super) mod links;

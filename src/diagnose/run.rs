@@ -240,7 +240,8 @@ fn without_columns(session: &Session<'_>, model: &Selected<'_>, left: Vec<Struct
     causes.extend(pushes_at_rest(model, session.fit, noise));
     // A cause that the model already has is not named twice.
     let known = |c: &Cause| model.causes.iter().any(|k| k.is(c));
-    causes.retain(|c| !known(c) && c.probability >= calibration::NAMED_BY_SIZE);
+    let least = |c: &Cause| if c.window().is_some() { calibration::NAMED } else { calibration::NAMED_BY_SIZE };
+    causes.retain(|c| !known(c) && c.probability >= least(c));
     (left, causes)
 }
 

@@ -132,7 +132,7 @@ pub struct Cause {
     /// Data on which it was measured: `validate`, or `fit` if these cannot show it.
     pub on: &'static str,
     /// Whether the extended model has it. Otherwise it was found with other links than that
-    /// model's, or did not pay there.
+    /// model's, did not pay there, or acts on the standing arm.
     pub in_extended: bool,
     /// Causes that these data cannot separate from it.
     pub not_distinguished_from: Vec<&'static str>,

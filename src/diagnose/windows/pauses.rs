@@ -6,6 +6,16 @@ use crate::model::States;
 /// Length of a block of samples, s.
 const BLOCK: f64 = 0.03;
 
+/// Largest distance from where a pause began, rad (m): a slow motion is none.
+const STILL: f64 = 2e-3;
+
+/// Part of a pause at either end that is left out, s: joints settle, and brakes and controllers switch.
+const SETTLING: f64 = 0.2;
+
+/// Largest relative difference of the blocks of two logs. Pauses of logs at quite another rate than the
+/// first are left out.
+const ALIKE: f64 = 0.2;
+
 /// A part of a log in which no joint moves.
 pub(in crate::diagnose) struct Pause {
     /// Time of its first block since the log began, s.
@@ -39,14 +49,19 @@ pub(in crate::diagnose) fn pauses(recordings: &[Recording], zones: &[f64]) -> Ve
         for stretch in &recording.stretches {
             let per = ((BLOCK / stretch.period).round() as usize).max(1);
             let blocks = |x: &[f64]| (0..zones.len()).map(|j| means(stretch.of(x, j), per)).collect::<Vec<_>>();
-            let (speed, torque) = (blocks(&stretch.states.dq), blocks(&stretch.tau));
+            let (speed, place) = (blocks(&stretch.states.dq), blocks(&stretch.states.q));
+            let torque = blocks(&stretch.tau);
             let count = torque.first().map_or(0, Vec::len);
             let rests = |b: usize| speed.iter().zip(zones).all(|(v, zone)| v[b].abs() <= *zone);
-            let mut from = 0;
+            let stays = |from: usize, b: usize| place.iter().all(|q| (q[b] - q[from]).abs() <= STILL);
+            let settling = (SETTLING / (per as f64 * stretch.period)).ceil() as usize;
+            let mut begun = 0;
             for b in 0..=count {
-                if b < count && rests(b) {
+                if b < count && rests(b) && stays(begun, b) {
                     continue;
                 }
+                let [from, b, next] = [begun + settling, b.saturating_sub(settling), b + 1];
+                begun = next;
                 let middle = ((from + b) / 2 * per).min(stretch.states.len.saturating_sub(1));
                 if b > from {
                     found.push(Pause {
@@ -57,10 +72,11 @@ pub(in crate::diagnose) fn pauses(recordings: &[Recording], zones: &[f64]) -> Ve
                         posture: stretch.states.part(middle, middle + 1),
                     });
                 }
-                from = b + 1;
             }
         }
     }
+    let first = found.first().map_or(BLOCK, |pause: &Pause| pause.block);
+    found.retain(|pause| (pause.block / first - 1.0).abs() <= ALIKE);
     found
 }
 
@@ -76,14 +92,18 @@ mod tests {
         recording.begin = -2.0;
         let stretch = &mut recording.stretches[0];
         let len = stretch.states.len;
-        stretch.states.dq[200..320].fill(0.0);
-        stretch.states.dq[len + 200..len + 320].fill(0.004);
-        stretch.states.dq[600..800].fill(0.0);
+        for joint in [0, len] {
+            stretch.states.q[joint + 200..joint + 520].fill(0.3);
+            stretch.states.dq[joint + 200..joint + 520].fill(0.004);
+        }
+        stretch.states.q[700..1000].fill(0.3);
+        stretch.states.dq[700..1000].fill(0.0);
         let found = pauses(&[recording], &[0.005, 0.005]);
         let long: Vec<&Pause> = found.iter().filter(|p| p.len() > 2).collect();
         assert_eq!(long.len(), 1);
         let [start, end] = [long[0].start, long[0].start + long[0].len() as f64 * long[0].block];
-        assert!((start - 3.0).abs() < 0.031 && (end - 3.6).abs() < 0.031, "{start} {end}");
+        // From 1 s to 2.6 s of a log that begins at -2 s, less what settles.
+        assert!((start - 3.2).abs() < 0.061 && (end - 4.4).abs() < 0.061, "{start} {end}");
         assert!(long[0].torque.iter().flatten().all(|tau| *tau == 1.0) && long[0].per == 6);
     }
 }
